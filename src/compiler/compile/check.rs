@@ -10,7 +10,8 @@ use petgraph::graph::{DiGraph, NodeIndex};
 
 use super::drivers::{self, TypedDriver};
 use super::flatten::{
-    FlatGraph, FlatInput, FlatNode, GroupOutputs, Param, ParamId, RegionCopy, TierReason, flatten,
+    FlatGraph, FlatInput, FlatNode, GroupLabel, GroupOutputs, Param, ParamId, RegionCopy,
+    TierReason, flatten,
 };
 use super::tiers;
 use super::value::{describe, expected, typed_value};
@@ -81,6 +82,8 @@ pub struct TypedNode {
     pub is_unlit: bool,
     /// The outermost group around the node, else the frame; functions are split there.
     pub region: Option<Arc<str>>,
+    /// The group around the node, as the artist sees it.
+    pub group: Option<Arc<GroupLabel>>,
     /// The copy of the innermost region around the node that runs for each light.
     pub copy: Option<RegionCopy>,
 }
@@ -287,6 +290,7 @@ fn stand_in(flat: &FlatNode) -> TypedNode {
         light: None,
         is_unlit: false,
         region: None,
+        group: None,
         copy: None,
     }
 }
@@ -619,6 +623,7 @@ impl<'a> Typer<'a> {
             is_unlit: light.as_ref().is_some_and(|light| flat.is_unlit_by(light)),
             light,
             region: flat.region.clone(),
+            group: flat.group.clone(),
             copy: flat.copy(),
         })
     }

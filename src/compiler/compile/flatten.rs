@@ -21,6 +21,7 @@ use self::links::FilterNode;
 use self::regions::{Region, RegionPlace, without_lights};
 pub use self::regions::{RegionCopy, RegionIndex};
 
+use super::titles::own_name;
 use crate::diag::Diagnostic;
 use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value, Wire};
 use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NodePath, PortName};
@@ -114,10 +115,26 @@ pub(super) struct FlatNode {
     pub inputs: Vec<FlatInput>,
     /// The region around the node: the outermost group, else the frame; functions are split there.
     pub region: Option<Arc<str>>,
+    /// The group around the node, as the artist sees it.
+    pub group: Option<Arc<GroupLabel>>,
     /// The place in the innermost region that runs for each light.
     place: Option<RegionPlace>,
     /// Lights that reach the node; `None` for all.
     lights: Option<Arc<BTreeSet<LightId>>>,
+}
+
+/// Names of a group around nodes: the outermost of the library's groups, in which nobody sees a
+/// node, or else the innermost of the look's own.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GroupLabel {
+    /// Name that the artist gave the group's node, with the names of the groups around that.
+    pub name: String,
+    /// The name without those of lights, of a group in a region that runs for each.
+    pub shared_name: String,
+    /// Label of the group's kind.
+    pub label: String,
+    /// True if the group is of the library.
+    pub is_of_library: bool,
 }
 
 impl FlatNode {
@@ -205,6 +222,8 @@ struct Scope<'a> {
     /// The name without those of the lights that copies are for.
     shared_name: String,
     region: Option<Arc<str>>,
+    /// The group that nodes of the scope show.
+    shown: Option<Arc<GroupLabel>>,
     /// The tier of nodes in the scope that name none of their own; `None` for the cheapest of each
     /// within the look's bound.
     tier: Option<Tier>,
@@ -229,6 +248,7 @@ impl<'a> Scope<'a> {
             shared_name: name.clone(),
             name,
             region: None,
+            shown: None,
             tier,
             parent: None,
             copy: None,
@@ -460,7 +480,7 @@ impl<'a> Flattener<'a> {
             return FlatSlot::Missing;
         }
         let label = if definition.label.is_empty() { kind } else { &definition.label };
-        let own = if node.name.is_empty() { readable(id, label) } else { node.name.clone() };
+        let own = own_name(id, &node.name, label);
         let [name, shared_name] = self.names_of(scope, &own);
         let region =
             self.scopes[scope].region.clone().or(frame).unwrap_or_else(|| own.as_str().into());
@@ -471,10 +491,23 @@ impl<'a> Flattener<'a> {
         self.problems.extend(unknown);
         let lights = self.lights_reaching(scope, node, &path);
         self.note_filter(scope, id, node, &path);
+        let around = self.scopes[scope].shown.clone().filter(|around| around.is_of_library);
+        let is_of_library = !self.look.definitions.contains_key(kind);
+        let label = label.to_owned();
+        let shown = |name: &String| {
+            let label = || GroupLabel {
+                name: name.clone(),
+                shared_name: shared_name.clone(),
+                label: label.clone(),
+                is_of_library,
+            };
+            around.clone().unwrap_or_else(|| Arc::new(label()))
+        };
         let of_group = |name: String, copy: Option<RegionCopy>, path: &NodePath| Scope {
             group: Some(group),
             path: Some(path.clone()),
             region: Some(region.clone()),
+            shown: Some(shown(&name)),
             parent: Some((scope, id)),
             copy,
             shared_name: shared_name.clone(),
@@ -563,7 +596,7 @@ impl<'a> Flattener<'a> {
         path: NodePath,
         region: Option<Arc<str>>,
     ) -> usize {
-        let own = if node.name.is_empty() { readable(id, &def.label) } else { node.name.clone() };
+        let own = own_name(id, &node.name, &def.label);
         let [name, shared] = self.names_of(scope, &own);
         let shared_name = self.scopes[scope].copy.map(|_| shared);
         let code = (node.kind == CUSTOM_KIND).then_some(CUSTOM_CODE);
@@ -592,6 +625,7 @@ impl<'a> Flattener<'a> {
         let inputs = Vec::new();
         let is_named = !node.name.is_empty();
         let place = self.place_of(scope);
+        let group = self.scopes[scope].shown.clone();
         let lights = self.lights_reaching(scope, node, &path);
         self.note_filter(scope, id, node, &path);
         self.check_layered(scope, node, &def, &path);
@@ -605,6 +639,7 @@ impl<'a> Flattener<'a> {
             reason,
             inputs,
             region,
+            group,
             place,
             lights,
         };
@@ -1093,12 +1128,6 @@ fn list_of(start: &str, names: &[&str]) -> String {
     let more = names.len().saturating_sub(MAX_LISTED);
     let listed = names[..names.len() - more].join(", ");
     if more > 0 { format!("{start} {listed} and {more} more") } else { format!("{start} {listed}") }
-}
-
-/// An id that says something is a better name than the kind's label, of which there may be twenty.
-fn readable(id: &NodeId, label: &str) -> String {
-    let slug = crate::ids::make_slug(label, |_| false);
-    if id.as_str().starts_with(&slug) { label.to_owned() } else { id.as_str().to_owned() }
 }
 
 /// Names of nodes deep in groups would take more memory than all else, where each of the groups has

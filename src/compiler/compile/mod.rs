@@ -20,6 +20,7 @@ mod reach;
 mod removal;
 mod specialize;
 mod tiers;
+mod titles;
 mod value;
 
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -37,8 +38,10 @@ pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
 pub use drivers::TypedDriver;
 pub use emit::{Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap, VertexAttribute};
 pub use flatten::{
-    GroupOutputs, MAX_FLAT_NODES, Param, ParamId, RegionCopy, RegionIndex, TierReason, can_be_muted,
+    GroupLabel, GroupOutputs, MAX_FLAT_NODES, Param, ParamId, RegionCopy, RegionIndex, TierReason,
+    can_be_muted,
 };
+pub use functions::write_line;
 pub use host::{
     ArrayPlace, HostDriver, HostInputs, HostProgram, Uniform, UniformMember, push_numbers,
 };
@@ -48,6 +51,7 @@ pub use reach::{NodeReach, node_reach};
 pub use removal::{Proof, Removal};
 use specialize::LightLoop;
 pub use specialize::{ImageShape, ImageUse, Needs};
+pub use titles::node_title;
 pub use value::{document_value, typed_value};
 
 /// The largest `Look` uniform while every value is live; a longer look keeps fewer values live.

@@ -62,8 +62,13 @@ pub(super) fn write(
     let source = SourceComments::of(module.wgsl());
     let mut files = Vec::new();
     for stage in &stages {
+        let has_varyings = identifiers(&stage.text).iter().any(|word| word == "varyings");
         let written = WrittenText {
-            text: rename_identifiers(&stage.text, |word| names.of.get(word).cloned()),
+            text: rename_identifiers(&stage.text, |word| match word {
+                // naga's name for what an entry point returns.
+                "_tmp_return" if !has_varyings => Some("varyings".to_owned()),
+                _ => names.of.get(word).cloned(),
+            }),
             valid: &stage.valid,
             uniforms: names.uniforms(module),
             renamed: BTreeMap::new(),

@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,6 +36,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light eye;
@@ -41,6 +44,7 @@ struct Look {
     Light back;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
@@ -48,6 +52,7 @@ struct Surface {
     metal::packed_float3 position_object;
     float kappa;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -58,6 +63,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -65,6 +71,7 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -83,6 +90,7 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct VectorParts {
     /// The first number.
     float x;
@@ -91,21 +99,28 @@ struct VectorParts {
     /// The third number.
     float z;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant ProfileShape edge_of_the_shadow_shape = ProfileShape {0.7960838, 0.6051864, 15.395454, 2.8429606, 1.3, 0.060679536, 0.026670605, 0u};
+
+constant ProfileShape edge_of_the_shadow_shape = ProfileShape {0.7960838, 0.6051864, 15.395454,
+    2.8429606, 1.3, 0.060679536, 0.026670605, 0u};
 constant ProfileShape lit_shape = ProfileShape {0.7775727, 0.628793, 0.0, 1.0, 1.36, 0.0, 0.0, 1u};
-constant ProfileShape shine_tone_shape = ProfileShape {0.9950042, 0.099833414, 0.0, 1.0, 0.2, 0.0, 0.0, 1u};
-constant ProfileShape rim_light_tone_shape = ProfileShape {0.90896577, 0.4168708, 0.0, 1.0, 0.86, 0.0, 0.0, 1u};
-constant ProfileShape contour_tone_shape = ProfileShape {0.819648, 0.57286745, 0.0, 1.0, 1.22, 0.0, 0.0, 1u};
+constant ProfileShape shine_tone_shape = ProfileShape {0.9950042, 0.099833414, 0.0, 1.0, 0.2, 0.0,
+    0.0, 1u};
+constant ProfileShape rim_light_tone_shape = ProfileShape {0.90896577, 0.4168708, 0.0, 1.0, 0.86,
+    0.0, 0.0, 1u};
+constant ProfileShape contour_tone_shape = ProfileShape {0.819648, 0.57286745, 0.0, 1.0, 1.22, 0.0,
+    0.0, 1u};
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
 /// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
@@ -115,12 +130,13 @@ metal::float3 normalize_or(
     metal::float3 otherwise
 ) {
     float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
-    if (!(((largest > 0.000000000000000000000000000001) & true))) {
+    if (!(largest > 0.000000000000000000000000000001)) {
         return otherwise;
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
-    return ((as_type<uint>(square) & 2139095040u) == 2139095040u) ? otherwise : (scaled * (1.0 / metal::sqrt(square)));
+    return (as_type<uint>(square) & 2139095040u) == 2139095040u ? otherwise : scaled
+        * (1.0 / metal::sqrt(square));
 }
 
 /// [`normalize_or`] for a third of its price: a vector shorter than 1e-15 or longer than 1e18
@@ -130,8 +146,8 @@ metal::float3 normalize_quick(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    bool is_usable = (square > 0.000000000000000000000000000001) & true;
-    return is_usable ? (v * metal::rsqrt(is_usable ? square : 1.0)) : otherwise;
+    bool is_usable = square > 0.000000000000000000000000000001;
+    return is_usable ? v * metal::rsqrt(is_usable ? square : 1.0) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -148,8 +164,10 @@ metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
-    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 0.0000026347564))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (0.00002477458 - y * 0.00000026297516))));
     return metal::float2(s, c);
 }
 
@@ -170,9 +188,9 @@ Angle angle_turned(
     Angle u,
     metal::float2 t
 ) {
-    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
-    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
@@ -185,7 +203,8 @@ Angle angle_turned_2(
     metal::float2 t
 ) {
     float s = u.half_sin - 0.0;
-    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 upper = u.half_cos
+        <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
     metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
@@ -198,14 +217,15 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (convex - concave));
+    return concave + convexity * (convex - concave);
 }
 
 float transition_balanced(
     float kappa,
     float slope
 ) {
-    return 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))))));
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0
+        + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))));
 }
 
 Composite blend_alpha(
@@ -215,7 +235,9 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 Composite blend_shade(
@@ -225,7 +247,9 @@ Composite blend_shade(
     float opacity,
     bool clamped
 ) {
-    return metal::min(metal::float4(below.xyz + (opacity * ((below.xyz * metal::mix(metal::float3(1.0), color.xyz, tone)) - below.xyz)), 1.0), metal::float4(1.0));
+    return metal::min(metal::float4(below.xyz + opacity
+        * (below.xyz * metal::mix(metal::float3(1.0), color.xyz, tone) - below.xyz), 1.0),
+        metal::float4(1.0));
 }
 
 Composite blend_shade_2(
@@ -235,7 +259,9 @@ Composite blend_shade_2(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz * metal::mix(metal::float3(1.0), color.xyz, tone)) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + opacity
+        * (below.xyz * metal::mix(metal::float3(1.0), color.xyz, tone) - below.xyz), 1.0),
+        metal::float4(0.0), metal::float4(1.0));
 }
 
 /// Light on a layer
@@ -247,8 +273,9 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), split.x};
 }
 
 /// Light on a layer
@@ -260,7 +287,8 @@ LitLayer light_apply_2(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
     return LitLayer {metal::float4(light.color * split.y, 1.0), tone * split.x};
 }
 
@@ -273,8 +301,9 @@ LitLayer light_apply_3(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_diffuse_balanced(
@@ -282,7 +311,8 @@ Angle parametrization_diffuse_balanced(
     metal::float3 normal
 ) {
     metal::float3 d = normalize_quick(normal, metal::float3(0.0, 0.0, 1.0));
-    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
+    return Angle {0.5 * metal::length(d - light.direction), 0.5
+        * metal::length(d + light.direction)};
 }
 
 Angle parametrization_specular_balanced(
@@ -290,8 +320,9 @@ Angle parametrization_specular_balanced(
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
+    metal::float3 d = 2.0 * metal::dot(normal, view) * normal - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5
+        * metal::length(d + light.direction)};
 }
 
 Angle parametrization_screen_aligned_balanced(
@@ -300,7 +331,8 @@ Angle parametrization_screen_aligned_balanced(
     metal::float3x3 camera_from_world
 ) {
     metal::float3 d = camera_from_world * normal;
-    return Angle {0.5 * metal::length(d - light.own_direction), 0.5 * metal::length(d + light.own_direction)};
+    return Angle {0.5 * metal::length(d - light.own_direction), 0.5
+        * metal::length(d + light.own_direction)};
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -309,7 +341,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -319,10 +351,10 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -333,9 +365,9 @@ float profile_ramp_quick_2(
     ProfileShape shape
 ) {
     float width = metal::sqrt(w * w);
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((0.0 - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (0.0 - from_offset) / metal::max(width, 0.000001), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -345,20 +377,22 @@ float profile_filtered_quick(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -377,7 +411,8 @@ float profile_balanced_2(
 ) {
     Angle warped = angle_turned_2(angle, metal::float2(0.0, 1.0));
     float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick_2((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset), angle_footprint_value, shape);
+    return profile_ramp_quick_2(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 float profile_balanced_3(
@@ -387,7 +422,8 @@ float profile_balanced_3(
 ) {
     Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick_2((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset), angle_footprint_value, shape);
+    return profile_ramp_quick_2(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// The look at one point of the surface.
@@ -399,37 +435,61 @@ metal::float4 shade(
     metal::float3 from_the_face_s_middle = place - metal::float3(0.0, 0.52, -0.18);
     metal::float3 flattened = from_the_face_s_middle * metal::float3(1.0, 0.35, 1.0);
     metal::float3 face_direction = normalize_or(flattened, metal::float3(0.0));
-    VectorParts high = VectorParts {surface.position_object[0], surface.position_object[1], surface.position_object[2]};
+    VectorParts high = VectorParts {surface.position_object[0], surface.position_object[1],
+        surface.position_object[2]};
     float is_face = metal::smoothstep(0.02, 0.16, high.y);
     metal::float3 face_or_body = metal::mix(surface.normal, face_direction, is_face);
-    metal::float3 shading_direction = face_or_body * metal::rsqrt(metal::max(metal::dot(face_or_body, face_or_body), 0.000000000000000000000000000001));
+    metal::float3 shading_direction = face_or_body
+        * metal::rsqrt(metal::max(metal::dot(face_or_body, face_or_body),
+        0.000000000000000000000000000001));
     Angle from_the_light = parametrization_diffuse_balanced(look.key, shading_direction);
     float edge_of_the_shadow = profile_balanced(from_the_light, 0.0, edge_of_the_shadow_shape);
     float soft_dark = 1.0 - edge_of_the_shadow;
-    Composite warm_edge = blend_shade(metal::float4(0.9843, 0.8902, 0.8118, 1.0), metal::float4(0.9412, 0.5412, 0.4157, 1.0), soft_dark, 0.55, true);
+    Composite warm_edge = blend_shade(metal::float4(0.9843, 0.8902, 0.8118, 1.0),
+        metal::float4(0.9412, 0.5412, 0.4157, 1.0), soft_dark, 0.55, true);
     float lit = profile_balanced_2(from_the_light, 0.0, lit_shape);
     float in_shadow = 1.0 - lit;
-    Composite shadow = blend_shade_2(warm_edge, metal::float4(0.698, 0.4784, 0.6588, 1.0), in_shadow, 0.85, true);
+    Composite shadow = blend_shade_2(warm_edge, metal::float4(0.698, 0.4784, 0.6588, 1.0),
+        in_shadow, 0.85, true);
+
+    // Inked hollows (Light layer)
     float inked_hollows_convexity = transition_balanced(surface.kappa, 0.55);
-    Color inked_hollows_color = curvature_color(inked_hollows_convexity, metal::float4(1.0), metal::float4(0.2902, 0.1412, 0.251, 1.0));
+    Color inked_hollows_color = curvature_color(inked_hollows_convexity, metal::float4(1.0),
+        metal::float4(0.2902, 0.1412, 0.251, 1.0));
     LitLayer inked_hollows_lit = light_apply(look.eye, inked_hollows_color, 1.0);
-    metal::float4 inked_hollows_blend = metal::clamp(metal::float4(shadow.xyz + (0.9 * ((shadow.xyz * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz)) - shadow.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 inked_hollows_blend = metal::clamp(metal::float4(shadow.xyz + 0.9
+        * (shadow.xyz * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz) - shadow.xyz), 1.0),
+        metal::float4(0.0), metal::float4(1.0));
+
+    // Shine (Light layer)
     Angle shine_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     float rim_light_convexity = transition_balanced(surface.kappa, 0.2);
-    float shine_warp = ((2.0 * rim_light_convexity) - 1.0) * 0.05;
+    float shine_warp = (2.0 * rim_light_convexity - 1.0) * 0.05;
     float shine_tone = profile_balanced_3(shine_angle, shine_warp, shine_tone_shape);
     LitLayer shine_lit = light_apply_2(look.key, metal::float4(1.0), shine_tone);
-    Composite shine_blend = blend_alpha(inked_hollows_blend, shine_lit.color, shine_lit.tone, 0.85, true);
-    Angle rim_light_angle = Angle {0.5 * metal::length(surface.normal - look.back.direction), 0.5 * metal::length(surface.normal + look.back.direction)};
-    float rim_light_warp = ((2.0 * rim_light_convexity) - 1.0) * 0.15;
-    float rim_light_tone = profile_balanced_3(rim_light_angle, rim_light_warp, rim_light_tone_shape);
-    LitLayer rim_light_lit = light_apply_3(look.back, metal::float4(1.0, 0.9647, 0.9176, 1.0), rim_light_tone);
-    Composite rim_light_blend = blend_alpha(shine_blend, rim_light_lit.color, rim_light_lit.tone, 0.9, true);
-    Angle contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal, look.camera_from_world);
-    float contour_warp = ((2.0 * transition_balanced(surface.kappa, 0.12)) - 1.0) * 0.28;
+    Composite shine_blend = blend_alpha(inked_hollows_blend, shine_lit.color, shine_lit.tone, 0.85,
+        true);
+
+    // Rim light (Light layer)
+    Angle rim_light_angle = Angle {0.5 * metal::length(surface.normal - look.back.direction), 0.5
+        * metal::length(surface.normal + look.back.direction)};
+    float rim_light_warp = (2.0 * rim_light_convexity - 1.0) * 0.15;
+    float rim_light_tone = profile_balanced_3(rim_light_angle, rim_light_warp,
+        rim_light_tone_shape);
+    LitLayer rim_light_lit = light_apply_3(look.back, metal::float4(1.0, 0.9647, 0.9176, 1.0),
+        rim_light_tone);
+    Composite rim_light_blend = blend_alpha(shine_blend, rim_light_lit.color, rim_light_lit.tone,
+        0.9, true);
+
+    // Contour (Light layer)
+    Angle contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal,
+        look.camera_from_world);
+    float contour_warp = (2.0 * transition_balanced(surface.kappa, 0.12) - 1.0) * 0.28;
     float contour_tone = profile_balanced_3(contour_angle, contour_warp, contour_tone_shape);
     LitLayer contour_lit = light_apply_2(look.eye, metal::float4(1.0), contour_tone);
-    metal::float4 contour_blend = metal::clamp(metal::float4(rim_light_blend.xyz * (contour_lit.tone * contour_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 contour_blend = metal::clamp(metal::float4(rim_light_blend.xyz
+        * (contour_lit.tone * contour_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+
     return contour_blend;
 }
 
@@ -437,12 +497,14 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_3 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal [[user(loc2), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -450,7 +512,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_3 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position,
+        object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -464,9 +527,11 @@ struct fs_mainInput {
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal_3 [[user(loc2), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -475,10 +540,12 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.position, varyings_1.position_object, varyings_1.normal_3 };
+    const Varyings in = { clip, varyings_1.position, varyings_1.position_object,
+        varyings_1.normal_3 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object, texel.x};
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, texel.x};
     return fs_mainOutput { shade(surface, look) };
 }

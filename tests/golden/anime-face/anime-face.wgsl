@@ -70,7 +70,7 @@ struct Light {
 /// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !((largest > 1e-30) & true) {
+    if !(largest > 1e-30) {
         return otherwise;
     }
     let scaled = v * (1.0 / largest);
@@ -83,7 +83,7 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
 /// counts as having no direction.
 fn normalize_quick(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
-    let is_usable = (square > 1e-30) & true;
+    let is_usable = square > 1e-30;
     return select(otherwise, v * inverseSqrt(select(1.0, square, is_usable)), is_usable);
 }
 
@@ -262,7 +262,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -326,6 +326,8 @@ fn shade(surface: Surface) -> vec4f {
     let lit = profile_balanced_2(from_the_light, 0.0, lit_shape);
     let in_shadow = 1.0 - lit;
     let shadow = blend_shade_2(warm_edge, vec4f(0.698, 0.4784, 0.6588, 1.0), in_shadow, 0.85, true);
+
+    // Inked hollows (Light layer)
     let inked_hollows_convexity = transition_balanced(surface.kappa, 0.55);
     let inked_hollows_color = curvature_color(inked_hollows_convexity, vec4f(1.0),
         vec4f(0.2902, 0.1412, 0.251, 1.0));
@@ -333,12 +335,16 @@ fn shade(surface: Surface) -> vec4f {
     let inked_hollows_blend = clamp(vec4f(shadow.xyz + 0.9
         * (shadow.xyz * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz) - shadow.xyz), 1.0),
         vec4f(0.0), vec4f(1.0));
+
+    // Shine (Light layer)
     let shine_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let rim_light_convexity = transition_balanced(surface.kappa, 0.2);
     let shine_warp = (2.0 * rim_light_convexity - 1.0) * 0.05;
     let shine_tone = profile_balanced_3(shine_angle, shine_warp, shine_tone_shape);
     let shine_lit = light_apply_2(look.key, vec4f(1.0), shine_tone);
     let shine_blend = blend_alpha(inked_hollows_blend, shine_lit.color, shine_lit.tone, 0.85, true);
+
+    // Rim light (Light layer)
     let rim_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
         * length(surface.normal + look.back.direction));
     let rim_light_warp = (2.0 * rim_light_convexity - 1.0) * 0.15;
@@ -346,6 +352,8 @@ fn shade(surface: Surface) -> vec4f {
     let rim_light_lit = light_apply_3(look.back, vec4f(1.0, 0.9647, 0.9176, 1.0), rim_light_tone);
     let rim_light_blend = blend_alpha(shine_blend, rim_light_lit.color, rim_light_lit.tone, 0.9,
         true);
+
+    // Contour (Light layer)
     let contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal,
         look.camera_from_world);
     let contour_warp = (2.0 * transition_balanced(surface.kappa, 0.12) - 1.0) * 0.28;
@@ -353,6 +361,7 @@ fn shade(surface: Surface) -> vec4f {
     let contour_lit = light_apply_2(look.eye, vec4f(1.0), contour_tone);
     let contour_blend = clamp(vec4f(rim_light_blend.xyz
         * (contour_lit.tone * contour_lit.color.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+
     return contour_blend;
 }
 

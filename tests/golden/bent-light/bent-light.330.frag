@@ -9,6 +9,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -20,6 +21,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     vec2 viewport;
@@ -29,12 +31,14 @@ struct Look {
     vec3 axes_of_the_light_x_axis;
     vec3 axes_of_the_light_y_axis;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     vec3 position_object;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -43,6 +47,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// A direction with the two axes along which it is bent.
 struct DirectionParts {
     /// Unit.
@@ -52,12 +57,14 @@ struct DirectionParts {
     /// The direction's cosines with the two axes.
     vec2 place;
 };
+
 struct AxesAround {
     /// Unit, to the right as seen against the direction.
     vec3 x_axis;
     /// Unit, upright.
     vec3 y_axis;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -76,15 +83,19 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 position_object;
     vec3 normal;
 };
+
 const uint NOISE_PERLIN = 1u;
-const ProfileShape lit_shape = ProfileShape(0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849, 0.018017149, 0u);
-const ProfileShape brightest_shape = ProfileShape(0.9358968, 0.35227424, 40.004166, 3.6241908, 0.72, 0.021168118, 0.009611014, 0u);
+const ProfileShape lit_shape = ProfileShape(0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2,
+    0.04446849, 0.018017149, 0u);
+const ProfileShape brightest_shape = ProfileShape(0.9358968, 0.35227424, 40.004166, 3.6241908, 0.72,
+    0.021168118, 0.009611014, 0u);
 const ProfileShape window_shape = ProfileShape(0.9963897, 0.08489768, 0.0, 1.0, 0.17, 0.0, 0.0, 1u);
 
 layout(std140) uniform ViewBlock { View u_view; };
@@ -100,13 +111,13 @@ layout(location = 0) out vec4 out_color;
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -115,15 +126,15 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = (u.half_sin - 0.0);
-    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
-    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - 0.0;
+    vec2 upper = u.half_cos <= 0.0 ? vec2(1.0, 0.0) : vec2(s, u.half_cos);
+    vec2 turned = (s <= 0.0 && s < u.half_cos) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -133,14 +144,14 @@ float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high) {
-    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -160,15 +171,15 @@ float footprint_of_vec3(vec3 v) {
 /// The direction and its axes, made unit; an axis without a direction does nothing, a direction
 /// without one is +z.
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 y = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
+    vec3 y = y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30));
     return DirectionParts(direction, x_axis, y, vec2(dot(direction, x_axis), dot(direction, y)));
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 vec3 direction_moved(DirectionParts parts, vec2 by) {
-    vec3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
+    vec3 moved = parts.direction + by.x * parts.x_axis + by.y * parts.y_axis;
     vec3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
+    return dot(moved, moved) > 1e-6 ? normalize_moderate_value : parts.direction;
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -176,9 +187,9 @@ vec3 direction_moved(DirectionParts parts, vec2 by) {
 mat3x3 axes_around(vec3 toward, vec3 up) {
     vec3 leaning = cross(up, toward);
     float square = dot(leaning, leaning);
-    vec3 aside = ((abs(toward.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
-    vec3 x = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
+    vec3 aside = abs(toward.x) > 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+    vec3 across = square > 1e-8 ? leaning : cross(aside, toward);
+    vec3 x = normalize_moderate(across - dot(across, toward) * toward, vec3(1.0, 0.0, 0.0));
     return mat3x3(x, cross(toward, x), toward);
 }
 
@@ -193,50 +204,51 @@ AxesAround axes(vec3 direction, vec3 up) {
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
+    return vec4(below.xyz + tone * (color.xyz - below.xyz), 1.0);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick_2(float s, float w, ProfileShape shape) {
-    float width = sqrt((w * w));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (0.0 - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false || is_narrow)) {
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = w > 0.0 && w >= 3.4641016 * shape.edge_deviation;
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
@@ -247,41 +259,42 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape) {
 float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
     Angle warped = angle_turned(angle, vec2(0.0, 1.0));
     float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick_2(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
+    return profile_ramp_quick_2(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
 /// upper bits are the best.
 uvec3 hash_pcg3d(uvec3 seed) {
     uvec3 v = uvec3(0u);
-    v = ((seed * 1664525u) + uvec3(1013904223u));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + uvec3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> uvec3(16u)));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
 /// The hash of a lattice point.
 uvec3 lattice_hash(ivec3 cell, uint seed) {
-    return hash_pcg3d((uvec3(cell) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
+    return hash_pcg3d(uvec3(cell) + seed * uvec3(2654435769u, 2246822507u, 3266489909u));
 }
 
 /// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
 /// 2002).
 float gradient_dot(uvec3 hash, vec3 d) {
-    uint axis = ((hash.x >> 8u) % 3u);
-    float a = ((axis == 0u) ? d.y : d.x);
-    float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    uint axis = (hash.x >> 8u) % 3u;
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 vec3 fade_quintic(vec3 t) {
-    return (((t * t) * t) * ((t * ((t * 6.0) - vec3(15.0))) + vec3(10.0)));
+    return t * t * t * (t * (t * 6.0 - vec3(15.0)) + vec3(10.0));
 }
 
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
@@ -289,27 +302,28 @@ float perlin_noise(vec3 p, uint seed) {
     float sum = 0.0;
     int i = 0;
     vec3 corner = floor(p);
-    vec3 d = (p - corner);
+    vec3 d = p - corner;
     vec3 f = fade_quintic(d);
     ivec3 cell = ivec3(corner);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if ((i < 8)) {
+        if (i < 8) {
         } else {
             break;
         }
         {
             ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
-            vec3 weight = mix((vec3(1.0) - f), f, equal(at, ivec3(1)));
-            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash((cell + at), seed), (d - vec3(at)))));
+            vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
+            sum = sum + weight.x * weight.y * weight.z
+                * gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -325,24 +339,25 @@ float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, f
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if (!((i < 2))) {
+        if (!(i < 2)) {
             break;
         }
-        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
-        if ((visible > 0.0)) {
-            vec3 place = clamp(((p * frequency) + (float(i) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
-            octave = mix(0.5, perlin_noise(place, (1u + uint(i))), visible);
+        if (visible > 0.0) {
+            vec3 place = clamp(p * frequency + float(i) * vec3(17.31, 5.17, 11.73),
+                vec3(-4194304.0), vec3(4194304.0));
+            octave = mix(0.5, perlin_noise(place, 1u + uint(i)), visible);
         }
-        sum = (sum + (strength * octave));
-        total = (total + strength);
-        strength = (strength * roughness);
-        frequency = (frequency * 2.0);
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    return min((sum / 1.5), 1.0);
+    return min(sum / 1.5, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -358,24 +373,25 @@ float fractal_noise_2(uint kind, vec3 p, int octaves, float roughness, int seed,
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if (!((i < 2))) {
+        if (!(i < 2)) {
             break;
         }
-        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
-        if ((visible > 0.0)) {
-            vec3 place = clamp(((p * frequency) + (float(i) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
-            octave = mix(0.5, perlin_noise(place, (5u + uint(i))), visible);
+        if (visible > 0.0) {
+            vec3 place = clamp(p * frequency + float(i) * vec3(17.31, 5.17, 11.73),
+                vec3(-4194304.0), vec3(4194304.0));
+            octave = mix(0.5, perlin_noise(place, 5u + uint(i)), visible);
         }
-        sum = (sum + (strength * octave));
-        total = (total + strength);
-        strength = (strength * roughness);
-        frequency = (frequency * 2.0);
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    return min((sum / 1.5), 1.0);
+    return min(sum / 1.5, 1.0);
 }
 
 /// Outer contour
@@ -384,19 +400,19 @@ float fractal_noise_2(uint kind, vec3 p, int octaves, float roughness, int seed,
 /// forms. It is drawn on the surface itself, so edges that are sharp have none.
 float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport) {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
-    float distance_ = (facing / max((2.0 * footprint_of(facing)), 1e-6));
-    float near = (1.0 - smoothstep(0.45, 0.75, facing));
-    return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
+    float pixels = width * clamp(viewport.y, 1.0, 100000.0) / 1000.0;
+    float distance_ = facing / max(2.0 * footprint_of(facing), 1e-6);
+    float near = 1.0 - smoothstep(0.45, 0.75, facing);
+    return clamp(pixels + 0.5 - distance_, 0.0, min(pixels, 1.0)) * near;
 }
 
 float noise_perlin(vec3 position, float scale, int octaves, float roughness, int seed) {
-    vec3 p = (position * scale);
+    vec3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 float noise_perlin_2(vec3 position, float scale, int octaves, float roughness, int seed) {
-    vec3 p = (position * scale);
+    vec3 p = position * scale;
     return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
@@ -404,26 +420,45 @@ float noise_perlin_2(vec3 position, float scale, int octaves, float roughness, i
 vec4 shade(Surface surface) {
     vec3 place = surface.position_object;
     float waver_across = noise_perlin(place, 3.5, 2, 0.5, 1);
-    float across = mix(-0.22, 0.22, (waver_across - 0.0));
+    float across = mix(-0.22, 0.22, waver_across - 0.0);
     float waver_upright = noise_perlin_2(place, 3.5, 2, 0.5, 5);
-    float upright = mix(-0.22, 0.22, (waver_upright - 0.0));
-    DirectionParts direction_within_value = direction_within(u_look.parts_direction, u_look.axes_of_the_light_x_axis, u_look.axes_of_the_light_y_axis);
+    float upright = mix(-0.22, 0.22, waver_upright - 0.0);
+    DirectionParts direction_within_value = direction_within(u_look.parts_direction,
+        u_look.axes_of_the_light_x_axis, u_look.axes_of_the_light_y_axis);
+    // Shift direction
     vec3 bend = direction_moved(direction_within_value, vec2(across, upright));
-    Light bent_light = Light(bend, u_look.key.own_direction, u_look.key.color, u_look.key.intensity);
-    Angle turned_from_it = Angle((0.5 * length((surface.normal - bent_light.direction))), (0.5 * length((surface.normal + bent_light.direction))));
+    // Light toward
+    Light bent_light = Light(bend, u_look.key.own_direction, u_look.key.color,
+        u_look.key.intensity);
+    // Parametrization
+    Angle turned_from_it = Angle(0.5 * length(surface.normal - bent_light.direction), 0.5
+        * length(surface.normal + bent_light.direction));
     float lit = profile_balanced(turned_from_it, 0.0, lit_shape);
-    vec4 light = blend_alpha(vec4(0.1529, 0.251, 0.3765, 1.0), vec4(0.3098, 0.5608, 0.6118, 1.0), lit, 1.0, true);
+    vec4 light = blend_alpha(vec4(0.1529, 0.251, 0.3765, 1.0), vec4(0.3098, 0.5608, 0.6118, 1.0),
+        lit, 1.0, true);
     float brightest = profile_balanced(turned_from_it, 0.0, brightest_shape);
-    vec4 brightest_light = min(vec4((light.xyz + (brightest * (vec3(0.6627, 0.8392, 0.7569) - light.xyz))), 1.0), vec4(1.0));
+    // Blend
+    vec4 brightest_light = min(vec4(light.xyz + brightest
+        * (vec3(0.6627, 0.8392, 0.7569) - light.xyz), 1.0), vec4(1.0));
     vec3 view_2 = surface.view;
     AxesAround axes_of_the_view = axes(view_2, vec3(0.0, 1.0, 0.0));
-    vec3 up_and_left_of_the_eye = direction_moved(direction_within(view_2, axes_of_the_view.x_axis, axes_of_the_view.y_axis), vec2(-0.32, 0.36));
-    Light locked_to_the_eye = Light(up_and_left_of_the_eye, u_look.eye.own_direction, u_look.eye.color, u_look.eye.intensity);
-    Angle turned_from_the_eye = Angle((0.5 * length((surface.normal - locked_to_the_eye.direction))), (0.5 * length((surface.normal + locked_to_the_eye.direction))));
+    // Shift direction
+    vec3 up_and_left_of_the_eye = direction_moved(direction_within(view_2, axes_of_the_view.x_axis,
+        axes_of_the_view.y_axis), vec2(-0.32, 0.36));
+    // Light toward
+    Light locked_to_the_eye = Light(up_and_left_of_the_eye, u_look.eye.own_direction,
+        u_look.eye.color, u_look.eye.intensity);
+    // Parametrization
+    Angle turned_from_the_eye = Angle(0.5 * length(surface.normal - locked_to_the_eye.direction),
+        0.5 * length(surface.normal + locked_to_the_eye.direction));
     float window = profile_balanced_2(turned_from_the_eye, 0.0, window_shape);
-    vec4 window_on_top = clamp(vec4((brightest_light.xyz + (window * (vec3(0.9922, 0.9647, 0.8902) - brightest_light.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    // Blend
+    vec4 window_on_top = clamp(vec4(brightest_light.xyz + window
+        * (vec3(0.9922, 0.9647, 0.8902) - brightest_light.xyz), 1.0), vec4(0.0), vec4(1.0));
     float line = outer_contour(3.0, surface.normal, surface.view, u_look.viewport);
-    vec4 outline = clamp(vec4((window_on_top.xyz + (line * (vec3(0.0784, 0.1294, 0.2275) - window_on_top.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    // Blend
+    vec4 outline = clamp(vec4(window_on_top.xyz + line
+        * (vec3(0.0784, 0.1294, 0.2275) - window_on_top.xyz), 1.0), vec4(0.0), vec4(1.0));
     return outline;
 }
 
@@ -431,9 +466,8 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), in_.position_object);
+    vec3 normal = is_front ? facing : -facing;
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position),
+        in_.position_object);
     out_color = shade(surface);
-    return;
 }
-

@@ -125,8 +125,10 @@ struct Varyings {
 };
 
 static const uint NOISE_PERLIN = 1u;
-static const ProfileShape lit_shape = {0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849, 0.018017149, 0u};
-static const ProfileShape brightest_shape = {0.9358968, 0.35227424, 40.004166, 3.6241908, 0.72, 0.021168118, 0.009611014, 0u};
+static const ProfileShape lit_shape = {0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849,
+    0.018017149, 0u};
+static const ProfileShape brightest_shape = {0.9358968, 0.35227424, 40.004166, 3.6241908, 0.72,
+    0.021168118, 0.009611014, 0u};
 static const ProfileShape window_shape = {0.9963897, 0.08489768, 0.0, 1.0, 0.17, 0.0, 0.0, 1u};
 
 cbuffer view : register(b0) { View view; }
@@ -153,14 +155,14 @@ struct FragmentInput_fs_main {
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -170,7 +172,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -184,11 +186,10 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = (u.half_sin - 0.0);
-    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
-    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
-    return angle_2;
+    float s = u.half_sin - 0.0;
+    float2 upper = u.half_cos <= 0.0 ? float2(1.0, 0.0) : float2(s, u.half_cos);
+    float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -198,15 +199,15 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high)
 {
-    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -238,17 +239,17 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 /// without one is +z.
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    float3 y = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
-    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y, float2(dot(direction, x_axis), dot(direction, y)));
-    return directionparts;
+    float3 y = y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30));
+    return ConstructDirectionParts(direction, x_axis, y,
+        float2(dot(direction, x_axis), dot(direction, y)));
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 float3 direction_moved(DirectionParts parts, float2 by)
 {
-    float3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
+    float3 moved = parts.direction + by.x * parts.x_axis + by.y * parts.y_axis;
     const float3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
+    return dot(moved, moved) > 1e-6 ? normalize_moderate_value : parts.direction;
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -257,9 +258,10 @@ float3x3 axes_around(float3 toward, float3 up)
 {
     float3 leaning = cross(up, toward);
     float square = dot(leaning, leaning);
-    float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
-    const float3 x = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    float3 aside = abs(toward.x) > 0.7 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0);
+    float3 across = square > 1e-8 ? leaning : cross(aside, toward);
+    const float3 x = normalize_moderate(across - dot(across, toward) * toward,
+        float3(1.0, 0.0, 0.0));
     return float3x3(x, cross(toward, x), toward);
 }
 
@@ -278,60 +280,60 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
 AxesAround axes(float3 direction, float3 up)
 {
     const float3x3 axes_2 = axes_around(direction, up);
-    const AxesAround axesaround = ConstructAxesAround(axes_2[0], axes_2[1]);
-    return axesaround;
+    return ConstructAxesAround(axes_2[0], axes_2[1]);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
+    return float4(below.xyz + tone * (color.xyz - below.xyz), 1.0);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick_2(float s, float w, ProfileShape shape)
 {
-    float width = sqrt((w * w));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (0.0 - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
@@ -344,7 +346,8 @@ float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
     const Angle warped = angle_turned(angle, float2(0.0, 1.0));
     const float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick_2(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
+    return profile_ramp_quick_2(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
@@ -353,21 +356,21 @@ uint3 hash_pcg3d(uint3 seed)
 {
     uint3 v = (uint3)0;
 
-    v = ((seed * 1664525u) + (1013904223u).xxx);
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + (1013904223u).xxx;
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> (16u).xxx));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
 /// The hash of a lattice point.
 uint3 lattice_hash(int3 cell, uint seed)
 {
-    return hash_pcg3d((asuint(cell) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
+    return hash_pcg3d(asuint(cell) + seed * uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 uint naga_mod(uint lhs, uint rhs) {
@@ -379,15 +382,15 @@ uint naga_mod(uint lhs, uint rhs) {
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
-    float a = ((axis == 0u) ? d.y : d.x);
-    float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 float3 fade_quintic(float3 t)
 {
-    return (((t * t) * t) * ((t * ((t * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    return t * t * t * (t * (t * 6.0 - (15.0).xxx) + (10.0).xxx);
 }
 
 int3 naga_f2i32(float3 value) {
@@ -401,7 +404,7 @@ float perlin_noise(float3 p, uint seed)
     int i = int(0);
 
     float3 corner = floor(p);
-    float3 d = (p - corner);
+    float3 d = p - corner;
     const float3 f = fade_quintic(d);
     int3 cell = naga_f2i32(corner);
     bool loop_init = true;
@@ -410,19 +413,20 @@ float perlin_noise(float3 p, uint seed)
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if ((i < int(8))) {
+        if (i < int(8)) {
         } else {
             break;
         }
         {
             int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
-            float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
-            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)), seed), (d - float3(at)));
-            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot_value));
+            float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
+                + asuint(at)), seed), d - float3(at));
+            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -443,21 +447,22 @@ float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed,
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if (!((i < int(2)))) {
+        if (!(i < int(2))) {
             break;
         }
-        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
-        if ((visible > 0.0)) {
-            float3 place = clamp(((p * frequency) + (float(i) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-            octave = lerp(0.5, perlin_noise(place, (1u + uint(i))), visible);
+        if (visible > 0.0) {
+            float3 place = clamp(p * frequency + float(i) * float3(17.31, 5.17, 11.73),
+                (-4194304.0).xxx, (4194304.0).xxx);
+            octave = lerp(0.5, perlin_noise(place, 1u + uint(i)), visible);
         }
-        sum = (sum + (strength * octave));
-        total = (total + strength);
-        strength = (strength * roughness);
-        frequency = (frequency * 2.0);
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    return min((sum / 1.5), 1.0);
+    return min(sum / 1.5, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -478,21 +483,22 @@ float fractal_noise_2(uint kind, float3 p, int octaves, float roughness, int see
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if (!((i < int(2)))) {
+        if (!(i < int(2))) {
             break;
         }
-        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
-        if ((visible > 0.0)) {
-            float3 place = clamp(((p * frequency) + (float(i) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-            octave = lerp(0.5, perlin_noise(place, (5u + uint(i))), visible);
+        if (visible > 0.0) {
+            float3 place = clamp(p * frequency + float(i) * float3(17.31, 5.17, 11.73),
+                (-4194304.0).xxx, (4194304.0).xxx);
+            octave = lerp(0.5, perlin_noise(place, 5u + uint(i)), visible);
         }
-        sum = (sum + (strength * octave));
-        total = (total + strength);
-        strength = (strength * roughness);
-        frequency = (frequency * 2.0);
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    return min((sum / 1.5), 1.0);
+    return min(sum / 1.5, 1.0);
 }
 
 /// Outer contour
@@ -502,21 +508,21 @@ float fractal_noise_2(uint kind, float3 p, int octaves, float roughness, int see
 float outer_contour(float width, float3 normal, float3 view, float2 viewport)
 {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
-    float distance_ = (facing / max((2.0 * footprint_of(facing)), 1e-6));
-    float near = (1.0 - smoothstep(0.45, 0.75, facing));
-    return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
+    float pixels = width * clamp(viewport.y, 1.0, 100000.0) / 1000.0;
+    float distance_ = facing / max(2.0 * footprint_of(facing), 1e-6);
+    float near = 1.0 - smoothstep(0.45, 0.75, facing);
+    return clamp(pixels + 0.5 - distance_, 0.0, min(pixels, 1.0)) * near;
 }
 
 float noise_perlin(float3 position, float scale, int octaves, float roughness, int seed)
 {
-    float3 p = (position * scale);
+    float3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 float noise_perlin_2(float3 position, float scale, int octaves, float roughness, int seed)
 {
-    float3 p = (position * scale);
+    float3 p = position * scale;
     return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
@@ -534,26 +540,46 @@ float4 shade(Surface surface)
 {
     float3 place = surface.position_object;
     const float waver_across = noise_perlin(place, 3.5, int(2), 0.5, int(1));
-    float across = lerp(-0.22, 0.22, (waver_across - 0.0));
+    float across = lerp(-0.22, 0.22, waver_across - 0.0);
     const float waver_upright = noise_perlin_2(place, 3.5, int(2), 0.5, int(5));
-    float upright = lerp(-0.22, 0.22, (waver_upright - 0.0));
-    const DirectionParts direction_within_value = direction_within(look.parts_direction, look.axes_of_the_light_x_axis, look.axes_of_the_light_y_axis);
+    float upright = lerp(-0.22, 0.22, waver_upright - 0.0);
+    const DirectionParts direction_within_value = direction_within(look.parts_direction,
+        look.axes_of_the_light_x_axis, look.axes_of_the_light_y_axis);
+    // Shift direction
     const float3 bend = direction_moved(direction_within_value, float2(across, upright));
-    Light bent_light = ConstructLight(bend, look.key.own_direction, look.key.color, look.key.intensity);
-    Angle turned_from_it = ConstructAngle((0.5 * length((surface.normal - bent_light.direction))), (0.5 * length((surface.normal + bent_light.direction))));
+    // Light toward
+    Light bent_light = ConstructLight(bend, look.key.own_direction, look.key.color,
+        look.key.intensity);
+    // Parametrization
+    Angle turned_from_it = ConstructAngle(0.5 * length(surface.normal - bent_light.direction), 0.5
+        * length(surface.normal + bent_light.direction));
     const float lit_ = profile_balanced(turned_from_it, 0.0, lit_shape);
-    const float4 light = blend_alpha(float4(0.1529, 0.251, 0.3765, 1.0), float4(0.3098, 0.5608, 0.6118, 1.0), lit_, 1.0, true);
+    const float4 light = blend_alpha(float4(0.1529, 0.251, 0.3765, 1.0),
+        float4(0.3098, 0.5608, 0.6118, 1.0), lit_, 1.0, true);
     const float brightest = profile_balanced(turned_from_it, 0.0, brightest_shape);
-    float4 brightest_light = min(float4((light.xyz + (brightest * (float3(0.6627, 0.8392, 0.7569) - light.xyz))), 1.0), (1.0).xxxx);
+    // Blend
+    float4 brightest_light = min(float4(light.xyz + brightest
+        * (float3(0.6627, 0.8392, 0.7569) - light.xyz), 1.0), (1.0).xxxx);
     float3 view_2 = surface.view;
     const AxesAround axes_of_the_view = axes(view_2, float3(0.0, 1.0, 0.0));
-    const float3 up_and_left_of_the_eye = direction_moved(direction_within(view_2, axes_of_the_view.x_axis, axes_of_the_view.y_axis), float2(-0.32, 0.36));
-    Light locked_to_the_eye = ConstructLight(up_and_left_of_the_eye, look.eye.own_direction, look.eye.color, look.eye.intensity);
-    Angle turned_from_the_eye = ConstructAngle((0.5 * length((surface.normal - locked_to_the_eye.direction))), (0.5 * length((surface.normal + locked_to_the_eye.direction))));
+    // Shift direction
+    const float3 up_and_left_of_the_eye = direction_moved(direction_within(view_2,
+        axes_of_the_view.x_axis, axes_of_the_view.y_axis), float2(-0.32, 0.36));
+    // Light toward
+    Light locked_to_the_eye = ConstructLight(up_and_left_of_the_eye, look.eye.own_direction,
+        look.eye.color, look.eye.intensity);
+    // Parametrization
+    Angle turned_from_the_eye = ConstructAngle(0.5
+        * length(surface.normal - locked_to_the_eye.direction), 0.5
+        * length(surface.normal + locked_to_the_eye.direction));
     const float window = profile_balanced_2(turned_from_the_eye, 0.0, window_shape);
-    float4 window_on_top = clamp(float4((brightest_light.xyz + (window * (float3(0.9922, 0.9647, 0.8902) - brightest_light.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    // Blend
+    float4 window_on_top = clamp(float4(brightest_light.xyz + window
+        * (float3(0.9922, 0.9647, 0.8902) - brightest_light.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
     const float line_ = outer_contour(3.0, surface.normal, surface.view, look.viewport);
-    float4 outline = clamp(float4((window_on_top.xyz + (line_ * (float3(0.0784, 0.1294, 0.2275) - window_on_top.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    // Blend
+    float4 outline = clamp(float4(window_on_top.xyz + line_
+        * (float3(0.0784, 0.1294, 0.2275) - window_on_top.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
     return outline;
 }
 
@@ -569,8 +595,10 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        vertex.position, mul(vertex.normal, object.world_from_normal));
+    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
+        varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
@@ -584,10 +612,12 @@ Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3,
+        fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), in_.position_object);
+    float3 normal = is_front ? facing : -facing;
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        in_.position_object);
     return shade(surface);
 }

@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,6 +36,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     metal::float2 viewport;
@@ -44,12 +47,14 @@ struct Look {
     metal::float3 axes_of_the_light_x_axis;
     metal::float3 axes_of_the_light_y_axis;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
     metal::float3 position_object;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -60,6 +65,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// A direction with the two axes along which it is bent.
 struct DirectionParts {
     /// Unit.
@@ -70,12 +76,14 @@ struct DirectionParts {
     metal::float2 place;
     char _pad4[8];
 };
+
 struct AxesAround {
     /// Unit, to the right as seen against the direction.
     metal::float3 x_axis;
     /// Unit, upright.
     metal::float3 y_axis;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -94,20 +102,26 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 position_object;
     metal::float3 normal;
 };
+
 constant uint NOISE_PERLIN = 1u;
-constant ProfileShape lit_shape = ProfileShape {0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849, 0.018017149, 0u};
-constant ProfileShape brightest_shape = ProfileShape {0.9358968, 0.35227424, 40.004166, 3.6241908, 0.72, 0.021168118, 0.009611014, 0u};
-constant ProfileShape window_shape = ProfileShape {0.9963897, 0.08489768, 0.0, 1.0, 0.17, 0.0, 0.0, 1u};
+constant ProfileShape lit_shape = ProfileShape {0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2,
+    0.04446849, 0.018017149, 0u};
+constant ProfileShape brightest_shape = ProfileShape {0.9358968, 0.35227424, 40.004166, 3.6241908,
+    0.72, 0.021168118, 0.009611014, 0u};
+constant ProfileShape window_shape = ProfileShape {0.9963897, 0.08489768, 0.0, 1.0, 0.17, 0.0, 0.0,
+    1u};
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
@@ -116,7 +130,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -145,7 +160,8 @@ Angle angle_turned(
     metal::float2 t
 ) {
     float s = u.half_sin - 0.0;
-    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 upper = u.half_cos
+        <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
     metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
@@ -158,7 +174,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -169,7 +185,7 @@ float eased(
     float high
 ) {
     float t = metal::clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -197,8 +213,10 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 y = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis), 0.000000000000000000000000000001));
-    return DirectionParts {direction, x_axis, y, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y))};
+    metal::float3 y = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis),
+        0.000000000000000000000000000001));
+    return DirectionParts {direction, x_axis, y,
+        metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y))};
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
@@ -206,9 +224,9 @@ metal::float3 direction_moved(
     DirectionParts parts,
     metal::float2 by
 ) {
-    metal::float3 moved = (parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis);
+    metal::float3 moved = parts.direction + by.x * parts.x_axis + by.y * parts.y_axis;
     metal::float3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
-    return (metal::dot(moved, moved) > 0.000001) ? normalize_moderate_value : parts.direction;
+    return metal::dot(moved, moved) > 0.000001 ? normalize_moderate_value : parts.direction;
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -219,9 +237,11 @@ metal::float3x3 axes_around(
 ) {
     metal::float3 leaning = metal::cross(up, toward);
     float square = metal::dot(leaning, leaning);
-    metal::float3 aside = (metal::abs(toward.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square > 0.00000001) ? leaning : metal::cross(aside, toward);
-    metal::float3 x = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
+    metal::float3 aside = metal::abs(toward.x)
+        > 0.7 ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
+    metal::float3 across = square > 0.00000001 ? leaning : metal::cross(aside, toward);
+    metal::float3 x = normalize_moderate(across - metal::dot(across, toward) * toward,
+        metal::float3(1.0, 0.0, 0.0));
     return metal::float3x3(x, metal::cross(toward, x), toward);
 }
 
@@ -245,7 +265,7 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0);
+    return metal::float4(below.xyz + tone * (color.xyz - below.xyz), 1.0);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -254,7 +274,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -264,10 +284,10 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -278,9 +298,9 @@ float profile_ramp_quick_2(
     ProfileShape shape
 ) {
     float width = metal::sqrt(w * w);
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((0.0 - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (0.0 - from_offset) / metal::max(width, 0.000001), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -290,20 +310,22 @@ float profile_filtered_quick(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -322,7 +344,8 @@ float profile_balanced_2(
 ) {
     Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
     float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick_2((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset), angle_footprint_value, shape);
+    return profile_ramp_quick_2(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
@@ -331,14 +354,14 @@ metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
     metal::uint3 v = {};
-    v = (seed * 1664525u) + metal::uint3(1013904223u);
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v = seed * 1664525u + metal::uint3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = v ^ (v >> metal::uint3(16u));
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -347,7 +370,8 @@ metal::uint3 lattice_hash(
     metal::int3 cell,
     uint seed
 ) {
-    return hash_pcg3d(as_type<metal::uint3>(cell) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+    return hash_pcg3d(as_type<metal::uint3>(cell) + seed
+        * metal::uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 uint naga_mod(uint lhs, uint rhs) {
@@ -361,16 +385,16 @@ float gradient_dot(
     metal::float3 d
 ) {
     uint axis = naga_mod(hash.x >> 8u, 3u);
-    float a = (axis == 0u) ? d.y : d.x;
-    float b = (axis == 2u) ? d.y : d.z;
-    return (((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 metal::float3 fade_quintic(
     metal::float3 t
 ) {
-    return ((t * t) * t) * ((t * ((t * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    return t * t * t * (t * (t * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
@@ -401,12 +425,14 @@ float perlin_noise(
         {
             metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
             metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)), seed);
-            sum = sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at)));
+            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
+                seed);
+            sum = sum + weight.x * weight.y * weight.z
+                * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return metal::clamp(0.5 + (0.48244 * sum), 0.0, 1.0);
+    return metal::clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -432,16 +458,18 @@ float fractal_noise(
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 2))) {
+        if (!(i < 2)) {
             break;
         }
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
-            metal::float3 place = metal::clamp((p * frequency) + (static_cast<float>(i) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            metal::float3 place = metal::clamp(p * frequency + static_cast<float>(i)
+                * metal::float3(17.31, 5.17, 11.73), metal::float3(-4194304.0),
+                metal::float3(4194304.0));
             octave = metal::mix(0.5, perlin_noise(place, 1u + static_cast<uint>(i)), visible);
         }
-        sum = sum + (strength * octave);
+        sum = sum + strength * octave;
         total = total + strength;
         strength = strength * roughness;
         frequency = frequency * 2.0;
@@ -472,16 +500,18 @@ float fractal_noise_2(
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 2))) {
+        if (!(i < 2)) {
             break;
         }
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
-            metal::float3 place = metal::clamp((p * frequency) + (static_cast<float>(i) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            metal::float3 place = metal::clamp(p * frequency + static_cast<float>(i)
+                * metal::float3(17.31, 5.17, 11.73), metal::float3(-4194304.0),
+                metal::float3(4194304.0));
             octave = metal::mix(0.5, perlin_noise(place, 5u + static_cast<uint>(i)), visible);
         }
-        sum = sum + (strength * octave);
+        sum = sum + strength * octave;
         total = total + strength;
         strength = strength * roughness;
         frequency = frequency * 2.0;
@@ -500,10 +530,10 @@ float outer_contour(
     metal::float2 viewport
 ) {
     float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
-    float pixels = (width * metal::clamp(viewport.y, 1.0, 100000.0)) / 1000.0;
+    float pixels = width * metal::clamp(viewport.y, 1.0, 100000.0) / 1000.0;
     float distance = facing / metal::max(2.0 * footprint_of(facing), 0.000001);
     float near = 1.0 - metal::smoothstep(0.45, 0.75, facing);
-    return metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * near;
+    return metal::clamp(pixels + 0.5 - distance, 0.0, metal::min(pixels, 1.0)) * near;
 }
 
 float noise_perlin(
@@ -538,23 +568,45 @@ metal::float4 shade(
     float across = metal::mix(-0.22, 0.22, waver_across - 0.0);
     float waver_upright = noise_perlin_2(place, 3.5, 2, 0.5, 5);
     float upright = metal::mix(-0.22, 0.22, waver_upright - 0.0);
-    DirectionParts direction_within_value = direction_within(look.parts_direction, look.axes_of_the_light_x_axis, look.axes_of_the_light_y_axis);
+    DirectionParts direction_within_value = direction_within(look.parts_direction,
+        look.axes_of_the_light_x_axis, look.axes_of_the_light_y_axis);
+    // Shift direction
     metal::float3 bend = direction_moved(direction_within_value, metal::float2(across, upright));
-    Light bent_light = Light {bend, look.key.own_direction, metal::float3(look.key.color), look.key.intensity};
-    Angle turned_from_it = Angle {0.5 * metal::length(surface.normal - bent_light.direction), 0.5 * metal::length(surface.normal + bent_light.direction)};
+    // Light toward
+    Light bent_light = Light {bend, look.key.own_direction, metal::float3(look.key.color),
+        look.key.intensity};
+    // Parametrization
+    Angle turned_from_it = Angle {0.5 * metal::length(surface.normal - bent_light.direction), 0.5
+        * metal::length(surface.normal + bent_light.direction)};
     float lit = profile_balanced(turned_from_it, 0.0, lit_shape);
-    Composite light = blend_alpha(metal::float4(0.1529, 0.251, 0.3765, 1.0), metal::float4(0.3098, 0.5608, 0.6118, 1.0), lit, 1.0, true);
+    Composite light = blend_alpha(metal::float4(0.1529, 0.251, 0.3765, 1.0),
+        metal::float4(0.3098, 0.5608, 0.6118, 1.0), lit, 1.0, true);
     float brightest = profile_balanced(turned_from_it, 0.0, brightest_shape);
-    metal::float4 brightest_light = metal::min(metal::float4(light.xyz + (brightest * (metal::float3(0.6627, 0.8392, 0.7569) - light.xyz)), 1.0), metal::float4(1.0));
+    // Blend
+    metal::float4 brightest_light = metal::min(metal::float4(light.xyz + brightest
+        * (metal::float3(0.6627, 0.8392, 0.7569) - light.xyz), 1.0), metal::float4(1.0));
     metal::float3 view_2 = surface.view;
     AxesAround axes_of_the_view = axes(view_2, metal::float3(0.0, 1.0, 0.0));
-    metal::float3 up_and_left_of_the_eye = direction_moved(direction_within(view_2, axes_of_the_view.x_axis, axes_of_the_view.y_axis), metal::float2(-0.32, 0.36));
-    Light locked_to_the_eye = Light {up_and_left_of_the_eye, look.eye.own_direction, metal::float3(look.eye.color), look.eye.intensity};
-    Angle turned_from_the_eye = Angle {0.5 * metal::length(surface.normal - locked_to_the_eye.direction), 0.5 * metal::length(surface.normal + locked_to_the_eye.direction)};
+    // Shift direction
+    metal::float3 up_and_left_of_the_eye = direction_moved(direction_within(view_2,
+        axes_of_the_view.x_axis, axes_of_the_view.y_axis), metal::float2(-0.32, 0.36));
+    // Light toward
+    Light locked_to_the_eye = Light {up_and_left_of_the_eye, look.eye.own_direction,
+        metal::float3(look.eye.color), look.eye.intensity};
+    // Parametrization
+    Angle turned_from_the_eye = Angle {0.5
+        * metal::length(surface.normal - locked_to_the_eye.direction), 0.5
+        * metal::length(surface.normal + locked_to_the_eye.direction)};
     float window = profile_balanced_2(turned_from_the_eye, 0.0, window_shape);
-    metal::float4 window_on_top = metal::clamp(metal::float4(brightest_light.xyz + (window * (metal::float3(0.9922, 0.9647, 0.8902) - brightest_light.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    // Blend
+    metal::float4 window_on_top = metal::clamp(metal::float4(brightest_light.xyz + window
+        * (metal::float3(0.9922, 0.9647, 0.8902) - brightest_light.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
     float line = outer_contour(3.0, surface.normal, surface.view, look.viewport);
-    metal::float4 outline = metal::clamp(metal::float4(window_on_top.xyz + (line * (metal::float3(0.0784, 0.1294, 0.2275) - window_on_top.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    // Blend
+    metal::float4 outline = metal::clamp(metal::float4(window_on_top.xyz + line
+        * (metal::float3(0.0784, 0.1294, 0.2275) - window_on_top.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
     return outline;
 }
 
@@ -562,12 +614,14 @@ struct vs_mainInput {
     metal::float3 position_2 [[attribute(0)]];
     metal::float3 normal_1 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal [[user(loc2), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -575,7 +629,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position_2, varyings.normal_1 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position,
+        object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -585,9 +640,11 @@ struct fs_mainInput {
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal_1 [[user(loc2), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -595,9 +652,11 @@ fragment fs_mainOutput fs_main(
 , constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object, varyings_1.normal_1 };
+    const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object,
+        varyings_1.normal_1 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object};
+    metal::float3 normal = is_front ? facing : -facing;
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object};
     return fs_mainOutput { shade(surface, look) };
 }

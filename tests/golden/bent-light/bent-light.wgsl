@@ -232,7 +232,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -405,30 +405,39 @@ fn shade(surface: Surface) -> vec4f {
     let across = mix(-0.22, 0.22, waver_across - 0.0);
     let waver_upright = noise_perlin_2(place, 3.5, 2i, 0.5, 5i);
     let upright = mix(-0.22, 0.22, waver_upright - 0.0);
+    // Shift direction
     let bend = direction_moved(direction_within(look.parts_direction, look.axes_of_the_light_x_axis,
         look.axes_of_the_light_y_axis), vec2f(across, upright));
+    // Light toward
     let bent_light = Light(bend, look.key.own_direction, look.key.color, look.key.intensity);
+    // Parametrization
     let turned_from_it = Angle(0.5 * length(surface.normal - bent_light.direction), 0.5
         * length(surface.normal + bent_light.direction));
     let lit = profile_balanced(turned_from_it, 0.0, lit_shape);
     let light = blend_alpha(vec4f(0.1529, 0.251, 0.3765, 1.0), vec4f(0.3098, 0.5608, 0.6118, 1.0),
         lit, 1.0, true);
     let brightest = profile_balanced(turned_from_it, 0.0, brightest_shape);
+    // Blend
     let brightest_light = min(vec4f(light.xyz + brightest
         * (vec4f(0.6627, 0.8392, 0.7569, 1.0).xyz - light.xyz), 1.0), vec4f(1.0));
     let view_2 = surface.view;
     let axes_of_the_view = axes(view_2, vec3f(0.0, 1.0, 0.0));
+    // Shift direction
     let up_and_left_of_the_eye = direction_moved(direction_within(view_2, axes_of_the_view.x_axis,
         axes_of_the_view.y_axis), vec2f(-0.32, 0.36));
+    // Light toward
     let locked_to_the_eye = Light(up_and_left_of_the_eye, look.eye.own_direction, look.eye.color,
         look.eye.intensity);
+    // Parametrization
     let turned_from_the_eye = Angle(0.5 * length(surface.normal - locked_to_the_eye.direction),
         0.5 * length(surface.normal + locked_to_the_eye.direction));
     let window = profile_balanced_2(turned_from_the_eye, 0.0, window_shape);
+    // Blend
     let window_on_top = clamp(vec4f(brightest_light.xyz + window
         * (vec4f(0.9922, 0.9647, 0.8902, 1.0).xyz - brightest_light.xyz), 1.0), vec4f(0.0),
         vec4f(1.0));
     let line = outer_contour(3.0, surface.normal, surface.view, look.viewport);
+    // Blend
     let outline = clamp(vec4f(window_on_top.xyz + line
         * (vec4f(0.0784, 0.1294, 0.2275, 1.0).xyz - window_on_top.xyz), 1.0), vec4f(0.0),
         vec4f(1.0));

@@ -16,12 +16,14 @@ struct View {
     /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     vec4 screen;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -33,11 +35,13 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     vec2 viewport;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
@@ -47,6 +51,7 @@ struct Surface {
     vec2 pixel;
     vec3 anchor;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -60,6 +65,7 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
@@ -68,11 +74,13 @@ struct StretchedPlace {
     /// picture height.
     vec3 stretch;
 };
+
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     vec2 place;
     vec3 stretch;
 };
+
 /// Style of dots.
 struct Dots {
     /// Diameter of a dot, in spacings.
@@ -81,12 +89,14 @@ struct Dots {
     float scatter;
     uint seed;
 };
+
 struct MarkPlace {
     /// Along the strokes, and across them.
     vec2 place;
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     vec3 stretch;
 };
+
 struct VectorParts {
     /// The first number.
     float x;
@@ -95,18 +105,61 @@ struct VectorParts {
     /// The third number.
     float z;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 position_object;
     vec3 normal;
 };
+
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 const float MOST_ON_SCREEN = 1000000000000000.0;
-const uint BLUE_TILE[256] = uint[256](667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u);
-const Ramp leaf_to_bloom = Ramp(vec4[16](vec4(0.4353, 0.5412, 0.2353, 1.0), vec4(0.6235, 0.7098, 0.3961, 1.0), vec4(0.9098, 0.7255, 0.6275, 1.0), vec4(0.8471, 0.3765, 0.4784, 1.0), vec4(0.6588, 0.2275, 0.4, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.35, 0.6, 0.85), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 1u);
+const uint BLUE_TILE[256] = uint[256](667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u,
+    3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u,
+    3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u,
+    679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u,
+    3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u,
+    3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u,
+    2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u,
+    1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u,
+    3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u,
+    4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u,
+    3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u,
+    3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u,
+    568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u,
+    2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u,
+    3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u,
+    3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u,
+    3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u,
+    1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u,
+    131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u,
+    243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u,
+    987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u,
+    3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u,
+    2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u,
+    1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u,
+    73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u,
+    2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u,
+    1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u,
+    1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u,
+    4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u,
+    3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u,
+    1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u,
+    3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u,
+    2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u,
+    2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u,
+    2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u,
+    143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u,
+    398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u);
+const Ramp leaf_to_bloom = Ramp(vec4[16](vec4(0.4353, 0.5412, 0.2353, 1.0),
+    vec4(0.6235, 0.7098, 0.3961, 1.0), vec4(0.9098, 0.7255, 0.6275, 1.0),
+    vec4(0.8471, 0.3765, 0.4784, 1.0), vec4(0.6588, 0.2275, 0.4, 1.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0)), vec4[4](vec4(0.0, 0.35, 0.6, 0.85), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)),
+    5u, 1u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -131,9 +184,11 @@ vec4 finite_vec4(vec4 v) {
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(float x) {
     float whole = roundEven(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+    float f = x - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -141,18 +196,18 @@ float exp2_stable(float x) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (int(bits - 1060439283u) >> 23u);
+    float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -167,7 +222,7 @@ float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -190,43 +245,43 @@ vec4 bounded_vec4(vec4 v) {
 
 /// a / b; 0 where b is 0.
 float divided(float a, float b) {
-    if ((abs(b) < SMALLEST_NORMAL)) {
+    if (abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((a / b));
+    return bounded(a / b);
 }
 
 /// [`mixed`], component by component.
 vec3 mixed_vec3(vec3 a, vec3 b, float t) {
-    vec3 d = (b - a);
-    return bounded_vec3(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
+    vec3 d = b - a;
+    return bounded_vec3(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// [`mixed`], component by component.
 vec4 mixed_vec4(vec4 a, vec4 b, float t) {
-    vec4 d = bounded_vec4((b - a));
-    return bounded_vec4(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
+    vec4 d = bounded_vec4(b - a);
+    return bounded_vec4(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high) {
-    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased_2(float x, float low, float high) {
-    float t = clamp(bounded(((bounded(x) - low) / 0.75)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp(bounded((bounded(x) - low) / 0.75), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased_3(float x, float low, float high) {
-    float t = clamp(((x - low) / (high - low)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp((x - low) / (high - low), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -246,36 +301,43 @@ float footprint_of_vec3(vec3 v) {
 /// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
 /// t.
 vec4 hermite(vec4 a, vec4 b, vec4 from_a, vec4 to_b, float t) {
-    vec4 d = (b - a);
-    return (a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d))))))));
+    vec4 d = b - a;
+    return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
 /// [`ramp_slope`] of one component.
 float harmonic_slope(float before, float span_before, float after, float span_after) {
-    if (((before * after) <= 0.0)) {
+    if (before * after <= 0.0) {
         return 0.0;
     }
-    float weight_before = ((2.0 * span_after) + span_before);
-    float weight_after = (span_after + (2.0 * span_before));
-    return divided((weight_before + weight_after), ((weight_before / before) + (weight_after / after)));
+    float weight_before = 2.0 * span_after + span_before;
+    float weight_after = span_after + 2.0 * span_before;
+    return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
 /// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
 /// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
 vec4 ramp_slope(vec4 rise_before, float span_before, vec4 rise_after, float span_after) {
-    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after);
+    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before,
+        divided(rise_after.x, span_after), span_after);
     float divided_value = divided(rise_after.y, span_after);
     float divided_value_1 = divided(rise_after.z, span_after);
-    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_1, span_after);
+    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before,
+        divided_value_1, span_after);
     float divided_value_2 = divided(rise_after.w, span_after);
-    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_2, span_after);
-    return vec4(harmonic_slope_value, harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after), harmonic_slope_value_1, harmonic_slope_value_2);
+    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before,
+        divided_value_2, span_after);
+    return vec4(harmonic_slope_value,
+        harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after),
+        harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
 /// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
 /// Transparent black for a ramp without stops.
 vec4 ramp_at(Ramp ramp, float x, float w) {
-    vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+    vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i_2 = 1u;
     uint at = 0u;
@@ -286,69 +348,71 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i_2 = (i_2 + 1u);
+            i_2 = i_2 + 1u;
         }
         loop_init = false;
-        if (!((i_2 < 5u))) {
+        if (!(i_2 < 5u)) {
             break;
         }
-        float places_now = places[(i_2 / 4u)][(i_2 % 4u)];
-        at = ((places_now <= x) ? i_2 : at);
+        float places_now = places[i_2 / 4u][i_2 % 4u];
+        at = places_now <= x ? i_2 : at;
     }
-    float place = places[(at / 4u)][(at % 4u)];
-    if ((((at + 1u) >= 5u) || (x <= place))) {
+    float place = places[at / 4u][at % 4u];
+    if (at + 1u >= 5u || x <= place) {
         return colors[at];
     }
-    uint after = (at + 1u);
-    float span = (places[(after / 4u)][(after % 4u)] - place);
-    float t = clamp(divided((x - place), span), 0.0, 1.0);
-    if ((at > 0u)) {
-        float before = places[((at - 1u) / 4u)][((at - 1u) % 4u)];
-        from_a = ramp_slope((colors[at] - colors[(at - 1u)]), (place - before), (colors[after] - colors[at]), span);
+    uint after = at + 1u;
+    float span = places[after / 4u][after % 4u] - place;
+    float t = clamp(divided(x - place, span), 0.0, 1.0);
+    if (at > 0u) {
+        float before = places[(at - 1u) / 4u][(at - 1u) % 4u];
+        from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after]
+            - colors[at], span);
     }
-    if (((after + 1u) < 5u)) {
-        float next = (places[((after + 1u) / 4u)][((after + 1u) % 4u)] - (place + span));
-        to_b = ramp_slope((colors[after] - colors[at]), span, (colors[(after + 1u)] - colors[after]), next);
+    if (after + 1u < 5u) {
+        float next = places[(after + 1u) / 4u][(after + 1u) % 4u] - (place + span);
+        to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after],
+            next);
     }
-    return bounded_vec4(hermite(colors[at], colors[after], (span * from_a), (span * to_b), t));
+    return bounded_vec4(hermite(colors[at], colors[after], span * from_a, span * to_b, t));
 }
 
 vec4 mix_colors_multiply(vec4 a, vec4 b, float factor) {
-    return vec4(mixed_vec3(a.xyz, (a.xyz * b.xyz), factor), 1.0);
+    return vec4(mixed_vec3(a.xyz, a.xyz * b.xyz, factor), 1.0);
 }
 
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
 /// upper bits are the best.
 uvec3 hash_pcg3d(uvec3 seed) {
     uvec3 v = uvec3(0u);
-    v = ((seed * 1664525u) + uvec3(1013904223u));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + uvec3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> uvec3(16u)));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
 /// The hash of a lattice point.
 uvec3 lattice_hash(ivec3 cell, uint seed) {
-    return hash_pcg3d((uvec3(cell) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
+    return hash_pcg3d(uvec3(cell) + seed * uvec3(2654435769u, 2246822507u, 3266489909u));
 }
 
 /// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
 /// 2002).
 float gradient_dot(uvec3 hash, vec3 d) {
-    uint axis = ((hash.x >> 8u) % 3u);
-    float a = ((axis == 0u) ? d.y : d.x);
-    float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    uint axis = (hash.x >> 8u) % 3u;
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 vec3 fade_quintic(vec3 t) {
-    return (((t * t) * t) * ((t * ((t * 6.0) - vec3(15.0))) + vec3(10.0)));
+    return t * t * t * (t * (t * 6.0 - vec3(15.0)) + vec3(10.0));
 }
 
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
@@ -356,28 +420,28 @@ float perlin_noise(vec3 p, uint seed) {
     float sum = 0.0;
     int i = 0;
     vec3 corner = floor(p);
-    vec3 d = (p - corner);
+    vec3 d = p - corner;
     vec3 f = fade_quintic(d);
     ivec3 cell = ivec3(corner);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if ((i < 8)) {
+        if (i < 8) {
         } else {
             break;
         }
         {
             ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
-            vec3 weight = mix((vec3(1.0) - f), f, equal(at, ivec3(1)));
-            float gradient_dot_value = gradient_dot(lattice_hash((cell + at), seed), (d - vec3(at)));
-            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot_value));
+            vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
+            float gradient_dot_value = gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
+            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -393,24 +457,25 @@ float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, f
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if (!((i < 3))) {
+        if (!(i < 3)) {
             break;
         }
-        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
-        if ((visible > 0.0)) {
-            vec3 place = clamp(((p * frequency) + (float(i) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
-            octave = mix(0.5, perlin_noise(place, (0u + uint(i))), visible);
+        if (visible > 0.0) {
+            vec3 place = clamp(p * frequency + float(i) * vec3(17.31, 5.17, 11.73),
+                vec3(-4194304.0), vec3(4194304.0));
+            octave = mix(0.5, perlin_noise(place, 0u + uint(i)), visible);
         }
-        sum = (sum + (strength * octave));
-        total = (total + strength);
-        strength = (strength * roughness);
-        frequency = (frequency * 2.0);
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    return min((sum / 1.75), 1.0);
+    return min(sum / 1.75, 1.0);
 }
 
 /// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
@@ -418,50 +483,51 @@ float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, f
 /// every depth without perspective.
 float size_on_screen(float depth, float perspective, float scale) {
     // Clip space is 2 high.
-    return min(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
+    return min(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
 /// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
 vec3 anchor_on_screen(vec3 origin, float perspective, float scale) {
-    float size = size_on_screen(-(origin.z), perspective, scale);
-    return clamp(vec3((origin.x * size), (-(origin.y) * size), size), vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    float size = size_on_screen(-origin.z, perspective, scale);
+    return clamp(vec3(origin.x * size, -origin.y * size, size), vec3(-1000000000000000.0),
+        vec3(1000000000000000.0));
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 vec2 place_in_picture(vec2 pixel, vec2 viewport) {
-    vec2 from_middle = (pixel - (0.5 * viewport));
-    return (vec2(from_middle.x, -(from_middle.y)) / vec2(max(viewport.y, 1.0)));
+    vec2 from_middle = pixel - 0.5 * viewport;
+    return vec2(from_middle.x, -from_middle.y) / vec2(max(viewport.y, 1.0));
 }
 
 /// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
 /// over the plane is the disk's own area, however small the disk; without a footprint its edge is
 /// inclusive.
 float disk_filtered(float d, float r, float w) {
-    if ((w < 1e-30)) {
-        return (((d <= r) && (r > 0.0)) ? 1.0 : 0.0);
+    if (w < 1e-30) {
+        return (d <= r && r > 0.0) ? 1.0 : 0.0;
     }
     // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to give that back
     // is drawn fainter.
-    float square = (r * r);
-    float least = ((w * w) / 3.0);
-    float inner = sqrt((max(square, least) - (0.25 * least)));
-    return (clamp((0.5 + ((inner - d) / w)), 0.0, 1.0) * min((square / least), 1.0));
+    float square = r * r;
+    float least = w * w / 3.0;
+    float inner = sqrt(max(square, least) - 0.25 * least);
+    return clamp(0.5 + (inner - d) / w, 0.0, 1.0) * min(square / least, 1.0);
 }
 
 /// Index of the number of the repeating tile that holds a cell's rank.
 uint blue_index(ivec2 cell) {
     uvec2 at = (uvec2(cell) & uvec2(31u));
-    return ((8u * at.y) + (at.x >> 2u));
+    return 8u * at.y + (at.x >> 2u);
 }
 
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 turn = vec2(0.0, 1.0);
-    vec3 x = ((turn.y * along) + (turn.x * across));
-    vec3 y = ((turn.y * across) - (turn.x * along));
-    vec2 turned = vec2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
+    vec3 x = turn.y * along + turn.x * across;
+    vec3 y = turn.y * across - turn.x * along;
+    vec2 turned = vec2(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x * place.x);
     vec3 stretch = vec3(dot(x, x), dot(x, y), dot(y, y));
     return StretchedPlace(turned, stretch);
 }
@@ -469,26 +535,27 @@ StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
 /// The place in spacings, `count` of them to the picture's height where it is not stretched. A
 /// place without a stretch is one in pixels.
 SpacedPlace spaced(vec2 place, vec3 stretch, vec2 viewport, float count) {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
-    vec2 p = clamp((place * scale), vec2(-4194304.0), vec2(4194304.0));
-    return SpacedPlace(p, (is_pixel ? vec3(1.0, 0.0, 1.0) : stretch));
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / max(viewport.y, 1.0) : count;
+    vec2 p = clamp(place * scale, vec2(-4194304.0), vec2(4194304.0));
+    return SpacedPlace(p, is_pixel ? vec3(1.0, 0.0, 1.0) : stretch);
 }
 
 /// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
 /// more than eight times counts as drawn out by eight: where a surface stands edge-on to the
 /// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
 float area_square(vec3 stretch) {
-    float sum = (stretch.x + stretch.z);
-    return max(((stretch.x * stretch.z) - (stretch.y * stretch.y)), ((sum * sum) / 66.0));
+    float sum = stretch.x + stretch.z;
+    return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
 /// The square of an offset's length along the picture, for an offset in the units of a stretched
 /// place.
 float picture_square(vec2 offset, vec3 stretch) {
     float area = max(area_square(stretch), 1e-30);
-    float square = ((((stretch.z * offset.x) * offset.x) - (((2.0 * stretch.y) * offset.x) * offset.y)) + ((stretch.x * offset.y) * offset.y));
-    return (max(square, 0.0) / area);
+    float square = stretch.z * offset.x * offset.x - 2.0 * stretch.y * offset.x * offset.y
+        + stretch.x * offset.y * offset.y;
+    return max(square, 0.0) / area;
 }
 
 /// The ink of one octave's dots, of which the share `ink` is drawn; `stretch` is that of a unit of
@@ -497,28 +564,31 @@ float dots_of_octave(vec2 place, int zoom, float ink, vec3 stretch, float w, Dot
     int i = 0;
     float sum = 0.0;
     uint tile[256] = BLUE_TILE;
-    vec2 p = clamp((place * uintBitsToFloat((uint((zoom + 127)) << 23u))), vec2(-4194304.0), vec2(4194304.0));
+    vec2 p = clamp(place * uintBitsToFloat((uint(zoom + 127) << 23u)), vec2(-4194304.0),
+        vec2(4194304.0));
     vec2 corner = floor(p);
-    float reach = (1.0 - (0.5 * style.scatter));
+    float reach = 1.0 - 0.5 * style.scatter;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if (!((i < 9))) {
+        if (!(i < 9)) {
             break;
         }
-        ivec2 cell = (ivec2(corner) + ivec2(((i % 3) - 1), ((i / 3) - 1)));
-        vec3 chance = (vec3((hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(0u, 0u, 0u))) >> uvec3(8u))) * 5.9604645e-8);
-        vec2 middle = ((vec2(cell) + vec2(0.5)) + (style.scatter * (chance.xy - vec2(0.5))));
-        vec2 offset = (p - middle);
-        ivec2 turning = (cell + ivec2(0, (zoom * 7)));
-        float turn = (0.96875 * ((float(((tile[blue_index(turning)] >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
-        float grown = clamp(((ink - turn) * 32.0), 0.0, 1.0);
-        float radius = ((0.5 * style.size) * sqrt(grown));
-        float far = (length(offset) / reach);
-        float d = max(sqrt(picture_square(offset, stretch)), ((far * far) * radius));
+        ivec2 cell = ivec2(corner) + ivec2(i % 3 - 1, i / 3 - 1);
+        vec3 chance = vec3((hash_pcg3d(uvec3(ivec3(cell, zoom)) + uvec3(0u, 0u, 0u))
+            >> uvec3(8u))) * 5.9604645e-8;
+        vec2 middle = vec2(cell) + vec2(0.5) + style.scatter * (chance.xy - vec2(0.5));
+        vec2 offset = p - middle;
+        ivec2 turning = cell + ivec2(0, zoom * 7);
+        float turn = 0.96875 * ((float(((tile[blue_index(turning)]
+            >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625);
+        float grown = clamp((ink - turn) * 32.0, 0.0, 1.0);
+        float radius = 0.5 * style.size * sqrt(grown);
+        float far = length(offset) / reach;
+        float d = max(sqrt(picture_square(offset, stretch)), far * far * radius);
         sum = max(sum, disk_filtered(d, radius, w));
     }
     return sum;
@@ -530,26 +600,29 @@ float stippled(SpacedPlace at, float ink, Dots style) {
     vec2 dx = dFdx(at.place);
     vec2 dy = dFdy(at.place);
     float w = bounded(sqrt(max(picture_square(dx, at.stretch), picture_square(dy, at.stretch))));
-    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     float zoom = floor(level);
-    float f = (level - zoom);
-    float coarse_cells = exp2_stable((-2.0 * f));
-    float coarse = (1.0 - f);
-    float fine = ((1.0 - (coarse * coarse_cells)) / (4.0 * coarse_cells));
-    dots = dots_of_octave(at.place, int(zoom), (ink * coarse), (at.stretch * exp2_stable((2.0 * zoom))), w, style);
-    if ((fine > 0.0)) {
-        float exp2_stable_value = exp2_stable(((2.0 * zoom) + 2.0));
-        float finer = dots_of_octave(at.place, (int(zoom) + 1), (ink * fine), (at.stretch * exp2_stable_value), w, style);
+    float f = level - zoom;
+    float coarse_cells = exp2_stable(-2.0 * f);
+    float coarse = 1.0 - f;
+    float fine = (1.0 - coarse * coarse_cells) / (4.0 * coarse_cells);
+    dots = dots_of_octave(at.place, int(zoom), ink * coarse, at.stretch * exp2_stable(2.0 * zoom),
+        w, style);
+    if (fine > 0.0) {
+        float exp2_stable_value = exp2_stable(2.0 * zoom + 2.0);
+        float finer = dots_of_octave(at.place, int(zoom) + 1, ink * fine, at.stretch
+            * exp2_stable_value, w, style);
         dots = max(dots, finer);
     }
-    float mean = (ink * ((0.7853982 * style.size) * style.size));
+    float mean = ink * (0.7853982 * style.size * style.size);
     return mix(dots, mean, eased_2(w, 0.75, 1.5));
 }
 
 MarkPlace mark_place_object(float angle, vec3 anchor, vec2 pixel, vec2 viewport) {
     float size = clamp(anchor.z, 1e-6, 1000000.0);
-    vec2 place = ((place_in_picture(pixel, viewport) - vec2(anchor.x, -(anchor.y))) / vec2(size));
-    StretchedPlace m = mark_place_of(place, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle);
+    vec2 place = (place_in_picture(pixel, viewport) - vec2(anchor.x, -anchor.y)) / vec2(size);
+    StretchedPlace m = mark_place_of(place, vec3(1.0 / size, 0.0, 0.0), vec3(0.0, 1.0 / size, 0.0),
+        angle);
     return MarkPlace(m.place, m.stretch);
 }
 
@@ -559,14 +632,14 @@ MarkPlace mark_place_object(float angle, vec3 anchor, vec2 pixel, vec2 viewport)
 /// forms. It is drawn on the surface itself, so edges that are sharp have none.
 float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport) {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
-    float distance_ = (facing / max((2.0 * footprint_of(facing)), 1e-6));
-    float near = (1.0 - smoothstep(0.45, 0.75, facing));
-    return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
+    float pixels = width * clamp(viewport.y, 1.0, 100000.0) / 1000.0;
+    float distance_ = facing / max(2.0 * footprint_of(facing), 1e-6);
+    float near = 1.0 - smoothstep(0.45, 0.75, facing);
+    return clamp(pixels + 0.5 - distance_, 0.0, min(pixels, 1.0)) * near;
 }
 
 float noise_perlin(vec3 position, float scale, int octaves, float roughness, int seed) {
-    vec3 p = (position * scale);
+    vec3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
@@ -575,24 +648,31 @@ vec4 shade(Surface surface) {
     vec3 where_2 = surface.position_object;
     VectorParts parts = VectorParts(where_2.x, where_2.y, where_2.z);
     float mottled = noise_perlin(surface.position_object, 4.0, 3, 0.5, 0);
-    float height_mottled = (parts.y + mix(-0.35, 0.35, (mottled - 0.0)));
-    float share = clamp(((height_mottled + 0.9) / 1.85), 0.0, 1.0);
+    float height_mottled = parts.y + mix(-0.35, 0.35, mottled - 0.0);
+    float share = clamp((height_mottled + 0.9) / 1.85, 0.0, 1.0);
     vec4 leaf_to_bloom_2 = ramp_at(leaf_to_bloom, share, footprint_of(share));
-    float shade_2 = max(((dot(surface.normal, u_look.key.direction) + 0.3) / 1.3), 0.0);
-    float tone = mix(0.02, 1.0, min(((shade_2 - 0.0) / 0.8), 1.0));
-    float short_of_the_light = mix(0.85, 0.12, clamp(((tone - 0.55) / 0.4), 0.0, 1.0));
-    vec4 wash = mix_colors_multiply(vec4(0.9725, 0.949, 0.8863, 1.0), leaf_to_bloom_2, short_of_the_light);
+    // Reflectance
+    float shade_2 = max((dot(surface.normal, u_look.key.direction) + 0.3) / 1.3, 0.0);
+    float tone = mix(0.02, 1.0, min((shade_2 - 0.0) / 0.8, 1.0));
+    float short_of_the_light = mix(0.85, 0.12, clamp((tone - 0.55) / 0.4, 0.0, 1.0));
+    vec4 wash = mix_colors_multiply(vec4(0.9725, 0.949, 0.8863, 1.0), leaf_to_bloom_2,
+        short_of_the_light);
     float facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
-    float turning_away = mix(0.2, 1.0, clamp(((facing - 0.05) / 0.55), 0.0, 1.0));
-    float engraved_tone = (tone * turning_away);
+    float turning_away = mix(0.2, 1.0, clamp((facing - 0.05) / 0.55, 0.0, 1.0));
+    float engraved_tone = tone * turning_away;
     MarkPlace plate = mark_place_object(0.0, surface.anchor, surface.pixel, u_look.viewport);
     SpacedPlace spaced_value = spaced(plate.place, plate.stretch, u_look.viewport, 230.0);
-    float stipple = stippled(spaced_value, (1.0 - min(engraved_tone, 1.0)), Dots(0.72, 0.8, 0u));
+    // Stippling
+    float stipple = stippled(spaced_value, 1.0 - min(engraved_tone, 1.0), Dots(0.72, 0.8, 0u));
     float contour = outer_contour(2.0, surface.normal, surface.view, u_look.viewport);
     float curvature = surface.kappa;
-    float hollow = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.25), -20.0, 20.0))))))));
+    // Curvature transition
+    float hollow = 0.5 + 0.5 * (1.0 - 2.0
+        / (1.0 + exp2(2.88539 * clamp(curvature * 0.25, -20.0, 20.0))));
     float inked_hollows = eased_3(hollow, 0.24, 0.16);
+    // Combine tones
     float ink = max(max(stipple, contour), inked_hollows);
+    // Mix colors
     vec4 plate_2 = mixed_vec4(bounded_vec4(wash), vec4(0.1725, 0.1412, 0.1216, 1.0), ink);
     return finite_vec4(plate_2);
 }
@@ -601,11 +681,14 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    vec3 anchor_on_screen_value = anchor_on_screen((u_view.camera_from_world * vec4(u_object.world_from_object[3].xyz, 1.0)).xyz, u_view.eye.w, length(vec3(u_view.clip_from_world[0][1], u_view.clip_from_world[1][1], u_view.clip_from_world[2][1])));
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), in_.position_object, texel.x, ((in_.clip.xy * u_view.screen.xy) + u_view.screen.zw), anchor_on_screen_value);
+    vec3 anchor_on_screen_value = anchor_on_screen((u_view.camera_from_world
+        * vec4(u_object.world_from_object[3].xyz, 1.0)).xyz, u_view.eye.w,
+        length(vec3(u_view.clip_from_world[0][1], u_view.clip_from_world[1][1],
+        u_view.clip_from_world[2][1])));
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position),
+        in_.position_object, texel.x, in_.clip.xy * u_view.screen.xy + u_view.screen.zw,
+        anchor_on_screen_value);
     out_color = finite_vec4(shade(surface));
-    return;
 }
-

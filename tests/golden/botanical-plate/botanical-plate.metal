@@ -18,6 +18,7 @@ struct View {
     /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     metal::float4 screen;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -25,6 +26,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -36,12 +38,14 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     metal::float2 viewport;
     char _pad1[8];
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
@@ -52,13 +56,16 @@ struct Surface {
     char _pad5[8];
     metal::float3 anchor;
 };
+
 typedef metal::float4 Color;
 struct type_7 {
     metal::float4 inner[16];
 };
+
 struct type_8 {
     metal::float4 inner[4];
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -73,9 +80,11 @@ struct Ramp {
     uint interpolation;
     char _pad4[8];
 };
+
 struct type_13 {
     uint inner[256];
 };
+
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
@@ -85,12 +94,14 @@ struct StretchedPlace {
     /// picture height.
     metal::float3 stretch;
 };
+
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
 };
+
 /// Style of dots.
 struct Dots {
     /// Diameter of a dot, in spacings.
@@ -99,6 +110,7 @@ struct Dots {
     float scatter;
     uint seed;
 };
+
 struct MarkPlace {
     /// Along the strokes, and across them.
     metal::float2 place;
@@ -106,6 +118,7 @@ struct MarkPlace {
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     metal::float3 stretch;
 };
+
 struct VectorParts {
     /// The first number.
     float x;
@@ -114,22 +127,68 @@ struct VectorParts {
     /// The third number.
     float z;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 position_object;
     metal::float3 normal;
 };
+
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant uint NOISE_PERLIN = 1u;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 constant float MOST_ON_SCREEN = 1000000000000000.0;
-constant type_13 BLUE_TILE = type_13 {{667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u}};
-constant Ramp leaf_to_bloom = Ramp {type_7 {{metal::float4(0.4353, 0.5412, 0.2353, 1.0), metal::float4(0.6235, 0.7098, 0.3961, 1.0), metal::float4(0.9098, 0.7255, 0.6275, 1.0), metal::float4(0.8471, 0.3765, 0.4784, 1.0), metal::float4(0.6588, 0.2275, 0.4, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_8 {{metal::float4(0.0, 0.35, 0.6, 0.85), metal::float4(1.0, 0.0, 0.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 5u, 1u};
+constant type_13 BLUE_TILE = type_13 {{667461202u, 222158680u, 3599544829u, 3400820132u,
+    1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u,
+    3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u,
+    3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u,
+    2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u,
+    3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u,
+    349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u,
+    1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u,
+    3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u,
+    882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u,
+    4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u,
+    2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u,
+    3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u,
+    1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u,
+    3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u,
+    2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u,
+    940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u,
+    1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u,
+    1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u,
+    359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u,
+    548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u,
+    1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u,
+    3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u,
+    4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u,
+    1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u,
+    2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u,
+    2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u,
+    3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u,
+    2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u,
+    3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u,
+    11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u,
+    3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u,
+    2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u,
+    1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u,
+    3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u,
+    4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u,
+    2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u}};
+constant Ramp leaf_to_bloom = Ramp {type_7 {{metal::float4(0.4353, 0.5412, 0.2353, 1.0),
+    metal::float4(0.6235, 0.7098, 0.3961, 1.0), metal::float4(0.9098, 0.7255, 0.6275, 1.0),
+    metal::float4(0.8471, 0.3765, 0.4784, 1.0), metal::float4(0.6588, 0.2275, 0.4, 1.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}},
+    type_8 {{metal::float4(0.0, 0.35, 0.6, 0.85), metal::float4(1.0, 0.0, 0.0, 0.0),
+    metal::float4(0.0), metal::float4(0.0)}}, 5u, 1u};
 
 /// v with 0 for each component that is NaN or infinite.
 metal::float4 finite_vec4(
@@ -150,8 +209,11 @@ float exp2_stable(
 ) {
     float whole = metal::rint(x);
     float f = x - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole))
+        + as_type<uint>(126))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -165,7 +227,8 @@ float log2_stable(
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
-    return static_cast<float>(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379)))))));
+    return static_cast<float>(exponent) + z
+        * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -175,7 +238,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -194,7 +258,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -203,8 +267,10 @@ metal::float3 bounded_vec3(
 ) {
     metal::uint3 bits = as_type<metal::uint3>(v);
     metal::uint3 magnitude = bits & metal::uint3(2147483647u);
-    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
-    metal::float3 numbers = metal::select(metal::float3(0.0), largest, magnitude == metal::uint3(2139095040u));
+    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u))
+        | metal::uint3(2139095039u));
+    metal::float3 numbers = metal::select(metal::float3(0.0), largest,
+        magnitude == metal::uint3(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint3(2139095040u));
 }
 
@@ -214,8 +280,10 @@ metal::float4 bounded_vec4(
 ) {
     metal::uint4 bits = as_type<metal::uint4>(v);
     metal::uint4 magnitude = bits & metal::uint4(2147483647u);
-    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
-    metal::float4 numbers = metal::select(metal::float4(0.0), largest, magnitude == metal::uint4(2139095040u));
+    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u))
+        | metal::uint4(2139095039u));
+    metal::float4 numbers = metal::select(metal::float4(0.0), largest,
+        magnitude == metal::uint4(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint4(2139095040u));
 }
 
@@ -237,7 +305,7 @@ metal::float3 mixed_vec3(
     float t
 ) {
     metal::float3 d = b - a;
-    return bounded_vec3((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d)));
+    return bounded_vec3(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// [`mixed`], component by component.
@@ -247,7 +315,7 @@ metal::float4 mixed_vec4(
     float t
 ) {
     metal::float4 d = bounded_vec4(b - a);
-    return bounded_vec4((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d)));
+    return bounded_vec4(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -258,7 +326,7 @@ float eased(
     float high
 ) {
     float t = metal::clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -269,7 +337,7 @@ float eased_2(
     float high
 ) {
     float t = metal::clamp(bounded((bounded(x) - low) / 0.75), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -280,7 +348,7 @@ float eased_3(
     float high
 ) {
     float t = metal::clamp((x - low) / (high - low), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -311,7 +379,7 @@ metal::float4 hermite(
     float t
 ) {
     metal::float4 d = b - a;
-    return a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d)))))));
+    return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
 /// [`ramp_slope`] of one component.
@@ -321,12 +389,12 @@ float harmonic_slope(
     float after,
     float span_after
 ) {
-    if ((before * after) <= 0.0) {
+    if (before * after <= 0.0) {
         return 0.0;
     }
-    float weight_before = (2.0 * span_after) + span_before;
-    float weight_after = span_after + (2.0 * span_before);
-    return divided(weight_before + weight_after, (weight_before / before) + (weight_after / after));
+    float weight_before = 2.0 * span_after + span_before;
+    float weight_after = span_after + 2.0 * span_before;
+    return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
 /// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
@@ -337,13 +405,18 @@ metal::float4 ramp_slope(
     metal::float4 rise_after,
     float span_after
 ) {
-    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after);
+    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before,
+        divided(rise_after.x, span_after), span_after);
     float divided_value = divided(rise_after.y, span_after);
     float divided_value_1 = divided(rise_after.z, span_after);
-    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_1, span_after);
+    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before,
+        divided_value_1, span_after);
     float divided_value_2 = divided(rise_after.w, span_after);
-    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_2, span_after);
-    return metal::float4(harmonic_slope_value, harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after), harmonic_slope_value_1, harmonic_slope_value_2);
+    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before,
+        divided_value_2, span_after);
+    return metal::float4(harmonic_slope_value,
+        harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after),
+        harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -375,14 +448,14 @@ Color ramp_at(
             i_2 = i_2 + 1u;
         }
         loop_init = false;
-        if (!((i_2 < 5u))) {
+        if (!(i_2 < 5u)) {
             break;
         }
         float places_now = places.inner[naga_div(i_2, 4u)][naga_mod(i_2, 4u)];
-        at = (places_now <= x) ? i_2 : at;
+        at = places_now <= x ? i_2 : at;
     }
     float place = places.inner[naga_div(at, 4u)][naga_mod(at, 4u)];
-    if (((at + 1u) >= 5u) | (x <= place)) {
+    if ((at + 1u >= 5u) | (x <= place)) {
         return colors.inner[at];
     }
     uint after = at + 1u;
@@ -390,14 +463,18 @@ Color ramp_at(
     float t = metal::clamp(divided(x - place, span), 0.0, 1.0);
     if (at > 0u) {
         float before = places.inner[naga_div(at - 1u, 4u)][naga_mod(at - 1u, 4u)];
-        metal::float4 ramp_slope_value = ramp_slope(colors.inner[at] - colors.inner[at - 1u], place - before, colors.inner[after] - colors.inner[at], span);
+        metal::float4 ramp_slope_value = ramp_slope(colors.inner[at] - colors.inner[at - 1u],
+            place - before, colors.inner[after] - colors.inner[at], span);
         from_a = ramp_slope_value;
     }
-    if ((after + 1u) < 5u) {
-        float next = places.inner[naga_div(after + 1u, 4u)][naga_mod(after + 1u, 4u)] - (place + span);
-        to_b = ramp_slope(colors.inner[after] - colors.inner[at], span, colors.inner[after + 1u] - colors.inner[after], next);
+    if (after + 1u < 5u) {
+        float next = places.inner[naga_div(after + 1u, 4u)][naga_mod(after + 1u, 4u)]
+            - (place + span);
+        to_b = ramp_slope(colors.inner[after] - colors.inner[at], span, colors.inner[after + 1u]
+            - colors.inner[after], next);
     }
-    return bounded_vec4(hermite(colors.inner[at], colors.inner[after], span * from_a, span * to_b, t));
+    return bounded_vec4(hermite(colors.inner[at], colors.inner[after], span * from_a, span * to_b,
+        t));
 }
 
 Color mix_colors_multiply(
@@ -414,14 +491,14 @@ metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
     metal::uint3 v = {};
-    v = (seed * 1664525u) + metal::uint3(1013904223u);
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v = seed * 1664525u + metal::uint3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = v ^ (v >> metal::uint3(16u));
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -430,7 +507,8 @@ metal::uint3 lattice_hash(
     metal::int3 cell,
     uint seed
 ) {
-    return hash_pcg3d(as_type<metal::uint3>(cell) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+    return hash_pcg3d(as_type<metal::uint3>(cell) + seed
+        * metal::uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 /// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
@@ -440,16 +518,16 @@ float gradient_dot(
     metal::float3 d
 ) {
     uint axis = naga_mod(hash.x >> 8u, 3u);
-    float a = (axis == 0u) ? d.y : d.x;
-    float b = (axis == 2u) ? d.y : d.z;
-    return (((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 metal::float3 fade_quintic(
     metal::float3 t
 ) {
-    return ((t * t) * t) * ((t * ((t * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    return t * t * t * (t * (t * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
@@ -480,12 +558,14 @@ float perlin_noise(
         {
             metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
             metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)), seed);
-            sum = sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at)));
+            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
+                seed);
+            sum = sum + weight.x * weight.y * weight.z
+                * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return metal::clamp(0.5 + (0.48244 * sum), 0.0, 1.0);
+    return metal::clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -511,16 +591,18 @@ float fractal_noise(
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 3))) {
+        if (!(i < 3)) {
             break;
         }
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
-            metal::float3 place = metal::clamp((p * frequency) + (static_cast<float>(i) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            metal::float3 place = metal::clamp(p * frequency + static_cast<float>(i)
+                * metal::float3(17.31, 5.17, 11.73), metal::float3(-4194304.0),
+                metal::float3(4194304.0));
             octave = metal::mix(0.5, perlin_noise(place, 0u + static_cast<uint>(i)), visible);
         }
-        sum = sum + (strength * octave);
+        sum = sum + strength * octave;
         total = total + strength;
         strength = strength * roughness;
         frequency = frequency * 2.0;
@@ -537,7 +619,8 @@ float size_on_screen(
     float scale
 ) {
     // Clip space is 2 high.
-    return metal::min((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective), MOST_ON_SCREEN);
+    return metal::min(0.5 * scale / metal::mix(1.0, metal::max(depth, 0.000001), perspective),
+        MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
@@ -547,8 +630,9 @@ metal::float3 anchor_on_screen(
     float perspective,
     float scale
 ) {
-    float size = size_on_screen(-(origin.z), perspective, scale);
-    return metal::clamp(metal::float3(origin.x * size, -(origin.y) * size, size), metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    float size = size_on_screen(-origin.z, perspective, scale);
+    return metal::clamp(metal::float3(origin.x * size, -origin.y * size, size),
+        metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
@@ -556,8 +640,9 @@ metal::float2 place_in_picture(
     metal::float2 pixel,
     metal::float2 viewport
 ) {
-    metal::float2 from_middle = pixel - (0.5 * viewport);
-    return metal::float2(from_middle.x, -(from_middle.y)) / metal::float2(metal::max(viewport.y, 1.0));
+    metal::float2 from_middle = pixel - 0.5 * viewport;
+    return metal::float2(from_middle.x, -from_middle.y)
+        / metal::float2(metal::max(viewport.y, 1.0));
 }
 
 /// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
@@ -574,9 +659,9 @@ float disk_filtered(
     // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to give that back
     // is drawn fainter.
     float square = r * r;
-    float least = (w * w) / 3.0;
-    float inner = metal::sqrt(metal::max(square, least) - (0.25 * least));
-    return metal::clamp(0.5 + ((inner - d) / w), 0.0, 1.0) * metal::min(square / least, 1.0);
+    float least = w * w / 3.0;
+    float inner = metal::sqrt(metal::max(square, least) - 0.25 * least);
+    return metal::clamp(0.5 + (inner - d) / w, 0.0, 1.0) * metal::min(square / least, 1.0);
 }
 
 /// Index of the number of the repeating tile that holds a cell's rank.
@@ -584,7 +669,7 @@ uint blue_index(
     metal::int2 cell
 ) {
     metal::uint2 at = as_type<metal::uint2>(cell) & metal::uint2(31u);
-    return (8u * at.y) + (at.x >> 2u);
+    return 8u * at.y + (at.x >> 2u);
 }
 
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
@@ -596,9 +681,10 @@ StretchedPlace mark_place_of(
     float angle
 ) {
     metal::float2 turn = metal::float2(0.0, 1.0);
-    metal::float3 x = (turn.y * along) + (turn.x * across);
-    metal::float3 y = (turn.y * across) - (turn.x * along);
-    metal::float2 turned = metal::float2((turn.y * place.x) + (turn.x * place.y), (turn.y * place.y) - (turn.x * place.x));
+    metal::float3 x = turn.y * along + turn.x * across;
+    metal::float3 y = turn.y * across - turn.x * along;
+    metal::float2 turned = metal::float2(turn.y * place.x + turn.x * place.y, turn.y * place.y
+        - turn.x * place.x);
     metal::float3 stretch = metal::float3(metal::dot(x, x), metal::dot(x, y), metal::dot(y, y));
     return StretchedPlace {turned, {}, stretch};
 }
@@ -611,9 +697,10 @@ SpacedPlace spaced(
     metal::float2 viewport,
     float count
 ) {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = is_pixel ? (count / metal::max(viewport.y, 1.0)) : count;
-    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0), metal::float2(4194304.0));
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / metal::max(viewport.y, 1.0) : count;
+    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0),
+        metal::float2(4194304.0));
     return SpacedPlace {p, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : stretch};
 }
 
@@ -624,7 +711,7 @@ float area_square(
     metal::float3 stretch
 ) {
     float sum = stretch.x + stretch.z;
-    return metal::max((stretch.x * stretch.z) - (stretch.y * stretch.y), (sum * sum) / 66.0);
+    return metal::max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
 /// The square of an offset's length along the picture, for an offset in the units of a stretched
@@ -634,7 +721,8 @@ float picture_square(
     metal::float3 stretch
 ) {
     float area = metal::max(area_square(stretch), 0.000000000000000000000000000001);
-    float square = (((stretch.z * offset.x) * offset.x) - (((2.0 * stretch.y) * offset.x) * offset.y)) + ((stretch.x * offset.y) * offset.y);
+    float square = stretch.z * offset.x * offset.x - 2.0 * stretch.y * offset.x * offset.y
+        + stretch.x * offset.y * offset.y;
     return metal::max(square, 0.0) / area;
 }
 
@@ -644,7 +732,7 @@ metal::int2 naga_f2i32(metal::float2 value) {
 
 int naga_mod(int lhs, int rhs) {
     int divisor = metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-    return lhs - (lhs / divisor) * divisor;
+    return lhs - lhs / divisor * divisor;
 }
 
 int naga_div(int lhs, int rhs) {
@@ -664,30 +752,40 @@ float dots_of_octave(
     int i = 0;
     float sum = 0.0;
     type_13 tile = BLUE_TILE;
-    metal::float2 p = metal::clamp(place * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u), metal::float2(-4194304.0), metal::float2(4194304.0));
+    metal::float2 p = metal::clamp(place
+        * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127)))
+        << 23u), metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float2 corner = metal::floor(p);
-    float reach = 1.0 - (0.5 * style.scatter);
+    float reach = 1.0 - 0.5 * style.scatter;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 9))) {
+        if (!(i < 9)) {
             break;
         }
-        metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(naga_f2i32(corner)) + as_type<metal::uint2>(metal::int2(as_type<int>(as_type<uint>(naga_mod(i, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 3)) - as_type<uint>(1)))));
-        metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom)) + metal::uint3(0u, 0u, 0u));
-        metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u)) * 0.000000059604645;
-        metal::float2 middle = (static_cast<metal::float2>(cell) + metal::float2(0.5)) + (style.scatter * (chance.xy - metal::float2(0.5)));
+        metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(naga_f2i32(corner))
+            + as_type<metal::uint2>(metal::int2(as_type<int>(as_type<uint>(naga_mod(i, 3))
+            - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 3)) - as_type<uint>(1)))));
+        metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom))
+            + metal::uint3(0u, 0u, 0u));
+        metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u))
+            * 0.000000059604645;
+        metal::float2 middle = static_cast<metal::float2>(cell) + metal::float2(0.5)
+            + style.scatter * (chance.xy - metal::float2(0.5));
         metal::float2 offset = p - middle;
-        metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell) + as_type<metal::uint2>(metal::int2(0, as_type<int>(as_type<uint>(zoom) * as_type<uint>(7)))));
+        metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell)
+            + as_type<metal::uint2>(metal::int2(0,
+            as_type<int>(as_type<uint>(zoom) * as_type<uint>(7)))));
         uint tile_now = tile.inner[blue_index(turning)];
-        float turn = 0.96875 * ((static_cast<float>((tile_now >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
+        float turn = 0.96875 * ((static_cast<float>((tile_now
+            >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
         float grown = metal::clamp((ink - turn) * 32.0, 0.0, 1.0);
-        float radius = (0.5 * style.size) * metal::sqrt(grown);
+        float radius = 0.5 * style.size * metal::sqrt(grown);
         float far = metal::length(offset) / reach;
-        float d = metal::max(metal::sqrt(picture_square(offset, stretch)), (far * far) * radius);
+        float d = metal::max(metal::sqrt(picture_square(offset, stretch)), far * far * radius);
         sum = metal::max(sum, disk_filtered(d, radius, w));
     }
     return sum;
@@ -702,22 +800,27 @@ float stippled(
     float dots = {};
     metal::float2 dx = metal::dfdx(at.place);
     metal::float2 dy = metal::dfdy(at.place);
-    float w = bounded(metal::sqrt(metal::max(picture_square(dx, at.stretch), picture_square(dy, at.stretch))));
-    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)), 0.000000000000000000000000000001));
+    float w = bounded(metal::sqrt(metal::max(picture_square(dx, at.stretch),
+        picture_square(dy, at.stretch))));
+    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)),
+        0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * log2_stable_value, -16.0, 16.0);
     float zoom = metal::floor(level);
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float coarse = 1.0 - f;
-    float fine = (1.0 - (coarse * coarse_cells)) / (4.0 * coarse_cells);
+    float fine = (1.0 - coarse * coarse_cells) / (4.0 * coarse_cells);
     float exp2_stable_value = exp2_stable(2.0 * zoom);
-    dots = dots_of_octave(at.place, naga_f2i32(zoom), ink * coarse, at.stretch * exp2_stable_value, w, style);
+    dots = dots_of_octave(at.place, naga_f2i32(zoom), ink * coarse, at.stretch * exp2_stable_value,
+        w, style);
     if (fine > 0.0) {
-        float exp2_stable_value_1 = exp2_stable((2.0 * zoom) + 2.0);
-        float finer = dots_of_octave(at.place, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(1)), ink * fine, at.stretch * exp2_stable_value_1, w, style);
+        float exp2_stable_value_1 = exp2_stable(2.0 * zoom + 2.0);
+        float finer = dots_of_octave(at.place,
+            as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(1)), ink * fine,
+            at.stretch * exp2_stable_value_1, w, style);
         dots = metal::max(dots, finer);
     }
-    float mean = ink * ((0.7853982 * style.size) * style.size);
+    float mean = ink * (0.7853982 * style.size * style.size);
     return metal::mix(dots, mean, eased_2(w, 0.75, 1.5));
 }
 
@@ -728,8 +831,10 @@ MarkPlace mark_place_object(
     metal::float2 viewport
 ) {
     float size = metal::clamp(anchor.z, 0.000001, 1000000.0);
-    metal::float2 place = (place_in_picture(pixel, viewport) - metal::float2(anchor.x, -(anchor.y))) / metal::float2(size);
-    StretchedPlace m = mark_place_of(place, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle);
+    metal::float2 place = (place_in_picture(pixel, viewport) - metal::float2(anchor.x, -anchor.y))
+        / metal::float2(size);
+    StretchedPlace m = mark_place_of(place, metal::float3(1.0 / size, 0.0, 0.0),
+        metal::float3(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace {m.place, {}, m.stretch};
 }
 
@@ -744,10 +849,10 @@ float outer_contour(
     metal::float2 viewport
 ) {
     float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
-    float pixels = (width * metal::clamp(viewport.y, 1.0, 100000.0)) / 1000.0;
+    float pixels = width * metal::clamp(viewport.y, 1.0, 100000.0) / 1000.0;
     float distance = facing / metal::max(2.0 * footprint_of(facing), 0.000001);
     float near = 1.0 - metal::smoothstep(0.45, 0.75, facing);
-    return metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * near;
+    return metal::clamp(pixels + 0.5 - distance, 0.0, metal::min(pixels, 1.0)) * near;
 }
 
 float noise_perlin(
@@ -767,27 +872,37 @@ metal::float4 shade(
     constant Look& look
 ) {
     metal::float3 where_2 = surface.position_object;
-    VectorParts parts = VectorParts {surface.position_object[0], surface.position_object[1], surface.position_object[2]};
+    VectorParts parts = VectorParts {surface.position_object[0], surface.position_object[1],
+        surface.position_object[2]};
     float mottled = noise_perlin(surface.position_object, 4.0, 3, 0.5, 0);
     float height_mottled = parts.y + metal::mix(-0.35, 0.35, mottled - 0.0);
     float share = metal::clamp((height_mottled + 0.9) / 1.85, 0.0, 1.0);
     Color leaf_to_bloom_2 = ramp_at(leaf_to_bloom, share, footprint_of(share));
+    // Reflectance
     float shade_2 = metal::max((metal::dot(surface.normal, look.key.direction) + 0.3) / 1.3, 0.0);
     float tone = metal::mix(0.02, 1.0, metal::min((shade_2 - 0.0) / 0.8, 1.0));
     float short_of_the_light = metal::mix(0.85, 0.12, metal::clamp((tone - 0.55) / 0.4, 0.0, 1.0));
-    Color wash = mix_colors_multiply(metal::float4(0.9725, 0.949, 0.8863, 1.0), leaf_to_bloom_2, short_of_the_light);
+    Color wash = mix_colors_multiply(metal::float4(0.9725, 0.949, 0.8863, 1.0), leaf_to_bloom_2,
+        short_of_the_light);
     float facing = metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0);
     float turning_away = metal::mix(0.2, 1.0, metal::clamp((facing - 0.05) / 0.55, 0.0, 1.0));
     float engraved_tone = tone * turning_away;
     MarkPlace plate = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
     SpacedPlace spaced_value = spaced(plate.place, plate.stretch, look.viewport, 230.0);
-    float stipple = stippled(spaced_value, 1.0 - metal::min(engraved_tone, 1.0), Dots {0.72, 0.8, 0u});
+    // Stippling
+    float stipple = stippled(spaced_value, 1.0 - metal::min(engraved_tone, 1.0),
+        Dots {0.72, 0.8, 0u});
     float contour = outer_contour(2.0, surface.normal, surface.view, look.viewport);
     float curvature = surface.kappa;
-    float hollow = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(curvature * 0.25, -20.0, 20.0))))));
+    // Curvature transition
+    float hollow = 0.5 + 0.5 * (1.0 - 2.0
+        / (1.0 + metal::exp2(2.88539 * metal::clamp(curvature * 0.25, -20.0, 20.0))));
     float inked_hollows = eased_3(hollow, 0.24, 0.16);
+    // Combine tones
     float ink = metal::max(metal::max(stipple, contour), inked_hollows);
-    metal::float4 plate_2 = mixed_vec4(bounded_vec4(wash), metal::float4(0.1725, 0.1412, 0.1216, 1.0), ink);
+    // Mix colors
+    metal::float4 plate_2 = mixed_vec4(bounded_vec4(wash),
+        metal::float4(0.1725, 0.1412, 0.1216, 1.0), ink);
     return finite_vec4(plate_2);
 }
 
@@ -795,12 +910,14 @@ struct vs_mainInput {
     metal::float3 position_1 [[attribute(0)]];
     metal::float3 normal_1 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal [[user(loc2), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -808,7 +925,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position_1, varyings.normal_1 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position,
+        object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -818,9 +936,11 @@ struct fs_mainInput {
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal_1 [[user(loc2), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -830,11 +950,17 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object, varyings_1.normal_1 };
+    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object,
+        varyings_1.normal_1 };
     metal::float3 facing = normalize_seen(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float3 anchor_on_screen_value = anchor_on_screen((view.camera_from_world * metal::float4(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object, texel.x, (in.clip.xy * view.screen.xy) + view.screen.zw, {}, anchor_on_screen_value};
+    metal::float3 anchor_on_screen_value = anchor_on_screen((view.camera_from_world
+        * metal::float4(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w,
+        metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y)));
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, texel.x, in.clip.xy * view.screen.xy + view.screen.zw, {},
+        anchor_on_screen_value};
     return fs_mainOutput { finite_vec4(shade(surface, look)) };
 }

@@ -630,6 +630,7 @@ fn shade(surface: Surface) -> vec4f {
     let height_mottled = parts.y + mix(-0.35, 0.35, mottled - 0.0);
     let share = clamp((height_mottled + 0.9) / (0.95 + 0.9), 0.0, 1.0);
     let leaf_to_bloom_2 = ramp_at(leaf_to_bloom, share, footprint_of(share));
+    // Reflectance
     let shade_2 = max((dot(surface.normal, look.key.direction) + 0.3) / (1.0 + 0.3), 0.0);
     let tone = mix(0.02, 1.0, min((shade_2 - 0.0) / (0.8 - 0.0), 1.0));
     let short_of_the_light = mix(0.85, 0.12, clamp((tone - 0.55) / (0.95 - 0.55), 0.0, 1.0));
@@ -639,14 +640,18 @@ fn shade(surface: Surface) -> vec4f {
     let turning_away = mix(0.2, 1.0, clamp((facing - 0.05) / (0.6 - 0.05), 0.0, 1.0));
     let engraved_tone = tone * turning_away;
     let plate = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
+    // Stippling
     let stipple = stippled(spaced(plate.place, plate.stretch, look.viewport, 230.0), 1.0
         - min(engraved_tone, 1.0), Dots(0.72, 0.8, 0u));
     let contour = outer_contour(2.0, surface.normal, surface.view, look.viewport);
     let curvature = surface.kappa;
+    // Curvature transition
     let hollow = 0.5 + 0.5 * (1.0 - 2.0
         / (1.0 + exp2(2.8853900817779268 * clamp(curvature * 0.25, -20.0, 20.0))));
     let inked_hollows = eased_3(hollow, 0.24, 0.16);
+    // Combine tones
     let ink = max(max(stipple, contour), inked_hollows);
+    // Mix colors
     let plate_2 = mixed_vec4(bounded_vec4(wash), vec4f(0.1725, 0.1412, 0.1216, 1.0), ink);
     return finite_vec4(plate_2);
 }

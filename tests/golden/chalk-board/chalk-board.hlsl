@@ -135,7 +135,8 @@ struct Varyings {
 
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 static const float MOST_ON_SCREEN = 1000000000000000.0;
-static const ProfileShape orange_chalk_shape = {0.9689124, 0.24740396, 2.425296, 2.1444545, 0.5, 0.43399706, 0.1847509, 0u};
+static const ProfileShape orange_chalk_shape = {0.9689124, 0.24740396, 2.425296, 2.1444545, 0.5,
+    0.43399706, 0.1847509, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -159,11 +160,11 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (asint(bits - 1060439283u) >> 23u);
+    float mantissa = asfloat(bits - (asuint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -171,7 +172,7 @@ float log2_stable(float x)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -188,7 +189,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -202,11 +203,10 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = (u.half_sin - 0.0);
-    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
-    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
-    return angle_3;
+    float s = u.half_sin - 0.0;
+    float2 upper = u.half_cos <= 0.0 ? float2(1.0, 0.0) : float2(s, u.half_cos);
+    float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -216,30 +216,31 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
@@ -254,14 +255,14 @@ uint3 hash_pcg3d(uint3 seed)
 {
     uint3 v = (uint3)0;
 
-    v = ((seed * 1664525u) + (1013904223u).xxx);
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + (1013904223u).xxx;
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> (16u).xxx));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -274,9 +275,9 @@ uint naga_mod(uint lhs, uint rhs) {
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
-    float a = ((axis == 0u) ? d.y : d.x);
-    float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 int3 naga_f2i32(float3 value) {
@@ -290,8 +291,8 @@ float perlin_noise(float3 p, uint seed)
     float sum = 0.0;
 
     float3 corner = floor(p);
-    float3 d = (p - corner);
-    float3 f = (((d * d) * d) * ((d * ((d * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    float3 d = p - corner;
+    float3 f = d * d * d * (d * (d * 6.0 - (15.0).xxx) + (10.0).xxx);
     int3 cell = naga_f2i32(corner);
     bool loop_init = true;
     while(true) {
@@ -299,15 +300,16 @@ float perlin_noise(float3 p, uint seed)
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if (!((i < int(8)))) {
+        if (!(i < int(8))) {
             break;
         }
         int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
-        float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
-        const uint3 hash_pcg3d_value = hash_pcg3d((asuint(asint(asuint(cell) + asuint(at))) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
-        sum = (sum + (((weight.x * weight.y) * 0.5) * gradient_dot(hash_pcg3d_value, (d - float3(at)))));
+        float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+        const uint3 hash_pcg3d_value = hash_pcg3d(asuint(asint(asuint(cell) + asuint(at))) + seed
+            * uint3(2654435769u, 2246822507u, 3266489909u));
+        sum = sum + weight.x * weight.y * 0.5 * gradient_dot(hash_pcg3d_value, d - float3(at));
     }
-    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
@@ -316,22 +318,23 @@ float perlin_noise(float3 p, uint seed)
 float size_on_screen(float depth, float perspective, float scale)
 {
     // Clip space is 2 high.
-    return min(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
+    return min(0.5 * scale / lerp(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
 /// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
 float3 anchor_on_screen(float3 origin, float perspective, float scale)
 {
-    const float size = size_on_screen(-(origin.z), perspective, scale);
-    return clamp(float3((origin.x * size), (-(origin.y) * size), size), (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
+    const float size = size_on_screen(-origin.z, perspective, scale);
+    return clamp(float3(origin.x * size, -origin.y * size, size), (-1000000000000000.0).xxx,
+        (1000000000000000.0).xxx);
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 float2 place_in_picture(float2 pixel, float2 viewport)
 {
-    float2 from_middle = (pixel - (0.5 * viewport));
-    return (float2(from_middle.x, -(from_middle.y)) / (max(viewport.y, 1.0)).xx);
+    float2 from_middle = pixel - 0.5 * viewport;
+    return float2(from_middle.x, -from_middle.y) / (max(viewport.y, 1.0)).xx;
 }
 
 StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
@@ -346,12 +349,12 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
     float2 turn = float2(0.0, 1.0);
-    float3 x = ((turn.y * along) + (turn.x * across));
-    float3 y = ((turn.y * across) - (turn.x * along));
-    float2 turned = float2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
+    float3 x = turn.y * along + turn.x * across;
+    float3 y = turn.y * across - turn.x * along;
+    float2 turned = float2(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x
+        * place.x);
     float3 stretch = float3(dot(x, x), dot(x, y), dot(y, y));
-    const StretchedPlace stretchedplace = ConstructStretchedPlace(turned, stretch);
-    return stretchedplace;
+    return ConstructStretchedPlace(turned, stretch);
 }
 
 SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
@@ -365,11 +368,10 @@ SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
 /// place without a stretch is one in pixels.
 SpacedPlace spaced(float2 place, float3 stretch, float2 viewport, float count)
 {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
-    float2 p = clamp((place * scale), (-4194304.0).xx, (4194304.0).xx);
-    const SpacedPlace spacedplace = ConstructSpacedPlace(p, (is_pixel ? float3(1.0, 0.0, 1.0) : stretch));
-    return spacedplace;
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / max(viewport.y, 1.0) : count;
+    float2 p = clamp(place * scale, (-4194304.0).xx, (4194304.0).xx);
+    return ConstructSpacedPlace(p, is_pixel ? float3(1.0, 0.0, 1.0) : stretch);
 }
 
 /// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
@@ -377,8 +379,8 @@ SpacedPlace spaced(float2 place, float3 stretch, float2 viewport, float count)
 /// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
 float area_square(float3 stretch)
 {
-    float sum = (stretch.x + stretch.z);
-    return max(((stretch.x * stretch.z) - (stretch.y * stretch.y)), ((sum * sum) / 66.0));
+    float sum = stretch.x + stretch.z;
+    return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
 MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
@@ -391,24 +393,25 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
 MarkPlace mark_place_object(float angle, float3 anchor, float2 pixel, float2 viewport)
 {
     float size = clamp(anchor.z, 1e-6, 1000000.0);
-    float2 place = ((place_in_picture(pixel, viewport) - float2(anchor.x, -(anchor.y))) / (size).xx);
-    const StretchedPlace m = mark_place_of(place, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle);
-    const MarkPlace markplace = ConstructMarkPlace(m.place, m.stretch);
-    return markplace;
+    float2 place = (place_in_picture(pixel, viewport) - float2(anchor.x, -anchor.y)) / (size).xx;
+    const StretchedPlace m = mark_place_of(place, float3(1.0 / size, 0.0, 0.0),
+        float3(0.0, 1.0 / size, 0.0), angle);
+    return ConstructMarkPlace(m.place, m.stretch);
 }
 
 /// The height of paper in one octave; paper finer than a pixel is flat.
 float paper_octave(float2 place, int zoom, float w, float fiber, uint seed)
 {
     float scale = asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
-    float2 p = clamp((place * scale), (-4194304.0).xx, (4194304.0).xx);
-    uint own = (seed + (7u * asuint(zoom)));
-    float grain = (perlin_noise(float3(p, 0.5), own) - 0.5);
-    float2 q = clamp((2.7 * float2(((0.8 * p.x) - (0.6 * p.y)), ((0.6 * p.x) + (0.8 * p.y)))), (-4194304.0).xx, (4194304.0).xx);
-    float felt = (perlin_noise(float3(q, 0.5), (own + 1u)) - 0.5);
-    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w * scale)));
-    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w) * scale)));
-    return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
+    float2 p = clamp(place * scale, (-4194304.0).xx, (4194304.0).xx);
+    uint own = seed + 7u * asuint(zoom);
+    float grain = perlin_noise(float3(p, 0.5), own) - 0.5;
+    float2 q = clamp(2.7 * float2(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), (-4194304.0).xx,
+        (4194304.0).xx);
+    float felt = perlin_noise(float3(q, 0.5), own + 1u) - 0.5;
+    float coarse_seen = 1.0 - smoothstep(0.5, 1.0, w * scale);
+    float felt_seen = 1.0 - smoothstep(0.5, 1.0, 2.7 * w * scale);
+    return clamp(0.5 + 1.4 * (coarse_seen * grain + fiber * felt_seen * felt), 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
@@ -424,14 +427,15 @@ float paper_height(SpacedPlace at, float fiber, uint seed)
     float2 x = ddx(at.place);
     float2 y = ddy(at.place);
     float w = sqrt(max(dot(x, x), dot(y, y)));
-    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     float zoom = floor(level);
-    float f = (level - zoom);
+    float f = level - zoom;
     height = paper_octave(at.place, naga_f2i32(zoom), w, fiber, seed);
-    if ((f > 0.0)) {
-        const float paper_octave_value = paper_octave(at.place, asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), w, fiber, seed);
+    if (f > 0.0) {
+        const float paper_octave_value = paper_octave(at.place,
+            asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), w, fiber, seed);
         float both = lerp(height, paper_octave_value, f);
-        height = clamp((0.5 + ((both - 0.5) / sqrt(((f * f) + ((1.0 - f) * (1.0 - f)))))), 0.0, 1.0);
+        height = clamp(0.5 + (both - 0.5) / sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0, 1.0);
     }
     return height;
 }
@@ -448,12 +452,13 @@ PaperGrain ConstructPaperGrain(float arg0, float arg1) {
 /// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
 /// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
 /// an object and does not swim through it.
-PaperGrain paper_grain(float value, float2 place, float3 stretch, float count, float tooth, float fiber, int seed, float2 viewport)
+PaperGrain paper_grain(float value, float2 place, float3 stretch, float count, float tooth,
+    float fiber, int seed, float2 viewport)
 {
     const float height = paper_height(spaced(place, stretch, viewport, count), fiber, 5u);
-    float ink = (1.0 - value);
-    const PaperGrain papergrain = ConstructPaperGrain((1.0 - clamp((ink + ((((8.0 * tooth) * (height - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), height);
-    return papergrain;
+    float ink = 1.0 - value;
+    return ConstructPaperGrain(1.0 - clamp(ink + 8.0 * tooth * (height - 0.5) * ink * (1.0 - ink),
+        0.0, 1.0), height);
 }
 
 /// Paper grain
@@ -461,12 +466,13 @@ PaperGrain paper_grain(float value, float2 place, float3 stretch, float count, f
 /// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
 /// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
 /// an object and does not swim through it.
-PaperGrain paper_grain_2(float value, float2 place, float3 stretch, float count, float tooth, float fiber, int seed, float2 viewport)
+PaperGrain paper_grain_2(float value, float2 place, float3 stretch, float count, float tooth,
+    float fiber, int seed, float2 viewport)
 {
     const float height = paper_height(spaced(place, stretch, viewport, count), fiber, 9u);
-    float ink = (1.0 - value);
-    const PaperGrain papergrain_1 = ConstructPaperGrain((1.0 - clamp((ink + ((((8.0 * tooth) * (height - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), height);
-    return papergrain_1;
+    float ink = 1.0 - value;
+    return ConstructPaperGrain(1.0 - clamp(ink + 8.0 * tooth * (height - 0.5) * ink * (1.0 - ink),
+        0.0, 1.0), height);
 }
 
 /// Paper grain
@@ -474,37 +480,48 @@ PaperGrain paper_grain_2(float value, float2 place, float3 stretch, float count,
 /// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
 /// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
 /// an object and does not swim through it.
-PaperGrain paper_grain_3(float value, float2 place, float3 stretch, float count, float tooth, float fiber, int seed, float2 viewport)
+PaperGrain paper_grain_3(float value, float2 place, float3 stretch, float count, float tooth,
+    float fiber, int seed, float2 viewport)
 {
     const float height = paper_height(spaced(place, stretch, viewport, count), fiber, 3u);
-    float ink = (1.0 - max(value, 0.0));
-    const PaperGrain papergrain_2 = ConstructPaperGrain((1.0 - clamp((ink + ((((8.0 * tooth) * (height - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), height);
-    return papergrain_2;
+    float ink = 1.0 - max(value, 0.0);
+    return ConstructPaperGrain(1.0 - clamp(ink + 8.0 * tooth * (height - 0.5) * ink * (1.0 - ink),
+        0.0, 1.0), height);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float shade_2 = max(((dot(surface.normal, look.key.direction) + 0.15) / 1.15), 0.0);
-    float tone = min(((shade_2 - 0.0) / 0.9), 1.0);
-    float rubbed = lerp(0.05, 0.5, min(((tone - 0.0) / 0.6), 1.0));
-    float r_bare = (1.0 - rubbed);
+    // Reflectance
+    float shade_2 = max((dot(surface.normal, look.key.direction) + 0.15) / 1.15, 0.0);
+    float tone = min((shade_2 - 0.0) / 0.9, 1.0);
+    float rubbed = lerp(0.05, 0.5, min((tone - 0.0) / 0.6, 1.0));
+    float r_bare = 1.0 - rubbed;
     const MarkPlace board = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
-    const PaperGrain r_grain = paper_grain(r_bare, board.place, board.stretch, 120.0, 0.6, 0.5, int(5), look.viewport);
-    const float r_on = bounded((1.0 - r_grain.tone));
-    float4 blue_gray = lerp(float4(0.1216, 0.1647, 0.1686, 1.0), float4(0.4275, 0.5098, 0.5647, 1.0), r_on);
-    Angle turn = ConstructAngle((0.5 * length((surface.normal - look.back.direction))), (0.5 * length((surface.normal + look.back.direction))));
+    const PaperGrain r_grain = paper_grain(r_bare, board.place, board.stretch, 120.0, 0.6, 0.5,
+        int(5), look.viewport);
+    const float r_on = bounded(1.0 - r_grain.tone);
+    float4 blue_gray = lerp(float4(0.1216, 0.1647, 0.1686, 1.0),
+        float4(0.4275, 0.5098, 0.5647, 1.0), r_on);
+    // Parametrization
+    Angle turn = ConstructAngle(0.5 * length(surface.normal - look.back.direction), 0.5
+        * length(surface.normal + look.back.direction));
     const float orange_chalk = profile_balanced(turn, 0.0, orange_chalk_shape);
-    float o_bare = (1.0 - orange_chalk);
-    const PaperGrain o_grain = paper_grain_2(o_bare, board.place, board.stretch, 220.0, 0.8, 0.5, int(9), look.viewport);
-    float4 orange = lerp(blue_gray, float4(0.9412, 0.6353, 0.3608, 1.0), bounded((1.0 - o_grain.tone)));
+    float o_bare = 1.0 - orange_chalk;
+    const PaperGrain o_grain = paper_grain_2(o_bare, board.place, board.stretch, 220.0, 0.8, 0.5,
+        int(9), look.viewport);
+    float4 orange = lerp(blue_gray, float4(0.9412, 0.6353, 0.3608, 1.0),
+        bounded(1.0 - o_grain.tone));
     float curvature = surface.kappa;
-    float hollow_to_bulge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.16), -20.0, 20.0))))))));
-    float bare_in_hollows = lerp(0.1, 1.0, clamp(((hollow_to_bulge - 0.15) / 0.35), 0.0, 1.0));
-    float white_chalk = (tone * bare_in_hollows);
-    float w_bare = (1.0 - white_chalk);
-    const PaperGrain w_grain = paper_grain_3(w_bare, board.place, board.stretch, 260.0, 0.62, 0.5, int(3), look.viewport);
-    float4 white = lerp(orange, float4(0.9686, 0.9529, 0.9098, 1.0), bounded((1.0 - w_grain.tone)));
+    // Curvature transition
+    float hollow_to_bulge = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(curvature * 0.16, -20.0, 20.0))));
+    float bare_in_hollows = lerp(0.1, 1.0, clamp((hollow_to_bulge - 0.15) / 0.35, 0.0, 1.0));
+    float white_chalk = tone * bare_in_hollows;
+    float w_bare = 1.0 - white_chalk;
+    const PaperGrain w_grain = paper_grain_3(w_bare, board.place, board.stretch, 260.0, 0.62, 0.5,
+        int(3), look.viewport);
+    float4 white = lerp(orange, float4(0.9686, 0.9529, 0.9098, 1.0), bounded(1.0 - w_grain.tone));
     return white;
 }
 
@@ -518,7 +535,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world),
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -541,9 +559,13 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    const float3 anchor_on_screen_value = anchor_on_screen(mul(float4(object.world_from_object[3].xyz, 1.0), view.camera_from_world).xyz, view.eye.w, length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    Surface surface = ConstructSurface(normal, texel.x, ((in_.clip_.xy * view.screen.xy) + view.screen.zw), anchor_on_screen_value);
+    const float3 anchor_on_screen_value = anchor_on_screen(mul(float4(object.world_from_object[3].xyz,
+        1.0), view.camera_from_world).xyz, view.eye.w,
+        length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y)));
+    Surface surface = ConstructSurface(normal, texel.x, in_.clip_.xy * view.screen.xy
+        + view.screen.zw, anchor_on_screen_value);
     return shade(surface);
 }

@@ -368,6 +368,7 @@ const orange_chalk_shape = ProfileShape(0.9689124, 0.24740396, 2.425296, 2.14445
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Reflectance
     let shade_2 = max((dot(surface.normal, look.key.direction) + 0.15) / (1.0 + 0.15), 0.0);
     let tone = min((shade_2 - 0.0) / (0.9 - 0.0), 1.0);
     let rubbed = mix(0.05, 0.5, min((tone - 0.0) / (0.6 - 0.0), 1.0));
@@ -378,6 +379,7 @@ fn shade(surface: Surface) -> vec4f {
     let r_on = bounded(1.0 - r_grain.tone);
     let blue_gray = mix(vec4f(0.1216, 0.1647, 0.1686, 1.0), vec4f(0.4275, 0.5098, 0.5647, 1.0),
         r_on);
+    // Parametrization
     let turn = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
         * length(surface.normal + look.back.direction));
     let orange_chalk = profile_balanced(turn, 0.0, orange_chalk_shape);
@@ -386,6 +388,7 @@ fn shade(surface: Surface) -> vec4f {
         look.viewport);
     let orange = mix(blue_gray, vec4f(0.9412, 0.6353, 0.3608, 1.0), bounded(1.0 - o_grain.tone));
     let curvature = surface.kappa;
+    // Curvature transition
     let hollow_to_bulge = 0.5 + 0.5 * (1.0 - 2.0
         / (1.0 + exp2(2.8853900817779268 * clamp(curvature * 0.16, -20.0, 20.0))));
     let bare_in_hollows = mix(0.1, 1.0, clamp((hollow_to_bulge - 0.15) / (0.5 - 0.15), 0.0, 1.0));

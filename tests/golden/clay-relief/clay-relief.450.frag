@@ -10,6 +10,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -21,11 +22,13 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light sky;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
@@ -33,6 +36,7 @@ struct Surface {
     float kappa;
     vec3 curvature_tensor;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -46,6 +50,7 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 /// Place on a ramp: the colors before and after it, and the way between them.
 struct RampPlace {
     vec4 before;
@@ -53,6 +58,7 @@ struct RampPlace {
     /// Way from `before` to `after`, 0 to 1; smooth ramps are level at each stop.
     float t;
 };
+
 struct Relief {
     /// The shape index: 0 a pit, 0.25 a valley, 0.5 a saddle or flat, 0.75 a ridge, 1 a bump.
     float shape;
@@ -63,17 +69,29 @@ struct Relief {
     /// The least curvature of all directions, in 1/viewport-height.
     float least;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const Ramp terracotta = Ramp(vec4[16](vec4(0.2353, 0.102, 0.1098, 1.0), vec4(0.5412, 0.251, 0.1882, 1.0), vec4(0.8118, 0.498, 0.3412, 1.0), vec4(0.949, 0.7412, 0.5725, 1.0), vec4(0.9843, 0.8627, 0.7333, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.3, 0.62, 0.9), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 0u);
-const Ramp pits_to_bumps = Ramp(vec4[16](vec4(0.2941, 0.2275, 0.3216, 1.0), vec4(0.4784, 0.2902, 0.2902, 1.0), vec4(0.7529, 0.502, 0.3765, 1.0), vec4(0.9412, 0.7529, 0.5804, 1.0), vec4(1.0, 0.9412, 0.8471, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.3, 0.5, 0.75), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 0u);
+const Ramp terracotta = Ramp(vec4[16](vec4(0.2353, 0.102, 0.1098, 1.0),
+    vec4(0.5412, 0.251, 0.1882, 1.0), vec4(0.8118, 0.498, 0.3412, 1.0),
+    vec4(0.949, 0.7412, 0.5725, 1.0), vec4(0.9843, 0.8627, 0.7333, 1.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0)), vec4[4](vec4(0.0, 0.3, 0.62, 0.9), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)),
+    5u, 0u);
+const Ramp pits_to_bumps = Ramp(vec4[16](vec4(0.2941, 0.2275, 0.3216, 1.0),
+    vec4(0.4784, 0.2902, 0.2902, 1.0), vec4(0.7529, 0.502, 0.3765, 1.0),
+    vec4(0.9412, 0.7529, 0.5804, 1.0), vec4(1.0, 0.9412, 0.8471, 1.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0)), vec4[4](vec4(0.0, 0.3, 0.5, 0.75), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)),
+    5u, 0u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
 
@@ -92,10 +110,12 @@ layout(location = 0) out vec4 out_color;
 float exp2_stable(float x) {
     float clamped = clamp(x, -126.0, 127.99999);
     float whole = roundEven(clamped);
-    float f = (clamped - whole);
+    float f = clamped - whole;
     // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -103,32 +123,37 @@ float exp2_stable(float x) {
 float exp2_stable_2(float x) {
     float clamped = max(x, -126.0);
     float whole = roundEven(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+    float f = clamped - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
 float atan2_positive(float y, float x) {
     float small = min(y, x);
     float large = max(y, x);
-    if ((large <= 0.0)) {
+    if (large <= 0.0) {
         return 0.0;
     }
-    float t = (small / large);
+    float t = small / large;
     // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    bool is_wide = (t > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t);
-    float r2 = (r * r);
-    float series = (r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x) ? (HALF_PI - a) : a);
+    bool is_wide = t > 0.41421357;
+    float r = is_wide ? (small - large) / (small + large) : t;
+    float r2 = r * r;
+    float series = r * (1.0 + r2 * (-0.33333334 + r2
+        * (0.2 + r2 * (-0.14285715 + r2
+        * (0.11111111 + r2 * (-0.09090909 + r2
+        * (0.07692308 + r2 * (-0.06666667 + r2 * 0.05882353))))))));
+    float a = is_wide ? series + 0.7853982 : series;
+    return y > x ? HALF_PI - a : a;
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -137,7 +162,7 @@ float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -151,20 +176,20 @@ vec2 bounded_vec2(vec2 v) {
 
 /// a / b; 0 where b is 0.
 float divided(float a, float b) {
-    if ((abs(b) < SMALLEST_NORMAL)) {
+    if (abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((a / b));
+    return bounded(a / b);
 }
 
 /// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
 float angle_of_point(float y, float x) {
     // Coordinates are halved where they are large, so that the sum of both stays finite.
     vec2 p = abs(bounded_vec2(vec2(x, y)));
-    vec2 scaled = ((max(p.x, p.y) > 1.0) ? (0.5 * p) : p);
+    vec2 scaled = max(p.x, p.y) > 1.0 ? 0.5 * p : p;
     float a = atan2_positive(scaled.y, scaled.x);
-    float turned = ((x < 0.0) ? (PI - a) : a);
-    return ((y < 0.0) ? -(turned) : turned);
+    float turned = x < 0.0 ? PI - a : a;
+    return y < 0.0 ? -turned : turned;
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -177,18 +202,18 @@ float footprint_of(float x) {
 /// size.
 float srgb_of_linear(float light) {
     float size = abs(light);
-    float value = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
-    return ((light < 0.0) ? -(value) : value);
+    float value = size <= 0.0031308 ? size * 12.92 : 1.055 * pow(size, 0.41666666) - 0.055;
+    return light < 0.0 ? -value : value;
 }
 
 /// Soft light: a darkened or lightened by b without ever reaching black or white (W3C Compositing
 /// and Blending 1).
 float soft_light(float a, float b) {
-    if ((b <= 0.5)) {
-        return (a - (((1.0 - (2.0 * b)) * a) * (1.0 - a)));
+    if (b <= 0.5) {
+        return a - (1.0 - 2.0 * b) * a * (1.0 - a);
     }
-    float curved = ((a <= 0.25) ? (((((16.0 * a) - 12.0) * a) + 4.0) * a) : sqrt(max(a, 0.0)));
-    return (a + (((2.0 * b) - 1.0) * (curved - a)));
+    float curved = a <= 0.25 ? ((16.0 * a - 12.0) * a + 4.0) * a : sqrt(max(a, 0.0));
+    return a + (2.0 * b - 1.0) * (curved - a);
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -197,21 +222,25 @@ vec3 oklab_of_linear(vec3 rgb) {
     float l = pow(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
     float m = pow(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
     float s = pow(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
-    return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
+    return vec3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l - 2.4285922 * m
+        + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 vec3 linear_of_oklab(vec3 lab) {
-    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    vec3 cubes = vec3(((l * l) * l), ((m * m) * m), ((s * s) * s));
-    return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
+    float l = lab.x + 0.39633778 * lab.y + 0.21580376 * lab.z;
+    float m = lab.x - 0.105561346 * lab.y - 0.06385417 * lab.z;
+    float s = lab.x - 0.08948418 * lab.y - 1.2914855 * lab.z;
+    vec3 cubes = vec3(l * l * l, m * m * m, s * s * s);
+    return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)),
+        dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)),
+        dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 vec3 oklab_of_srgb(vec3 coded) {
-    vec3 oklab_of_linear_value = oklab_of_linear(vec3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    vec3 oklab_of_linear_value = oklab_of_linear(vec3(pow((coded.x + 0.055) / 1.055, 2.4),
+        pow((coded.y + 0.055) / 1.055, 2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
     return oklab_of_linear_value;
 }
 
@@ -223,7 +252,9 @@ vec3 srgb_of_oklab(vec3 lab) {
 
 /// The place of x on a ramp that is not stepped. Transparent black for a ramp without stops.
 RampPlace ramp_place(Ramp ramp, float x) {
-    vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+    vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i = 1u;
     uint at = 0u;
@@ -232,71 +263,73 @@ RampPlace ramp_place(Ramp ramp, float x) {
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1u);
+            i = i + 1u;
         }
         loop_init = false;
-        if (!((i < 5u))) {
+        if (!(i < 5u)) {
             break;
         }
-        float places_now = places[(i / 4u)][(i % 4u)];
-        at = ((places_now <= x) ? i : at);
+        float places_now = places[i / 4u][i % 4u];
+        at = places_now <= x ? i : at;
     }
-    uint after = min((at + 1u), 4u);
-    float place = places[(at / 4u)][(at % 4u)];
-    float t = clamp(divided((x - place), (places[(after / 4u)][(after % 4u)] - place)), 0.0, 1.0);
+    uint after = min(at + 1u, 4u);
+    float place = places[at / 4u][at % 4u];
+    float t = clamp(divided(x - place, places[after / 4u][after % 4u] - place), 0.0, 1.0);
     return RampPlace(colors[at], colors[after], t);
 }
 
 vec4 mix_colors_screen(vec4 a, vec4 b, float factor) {
-    return vec4(mix(a.xyz, ((a.xyz + b.xyz) - (a.xyz * b.xyz)), factor), 1.0);
+    return vec4(mix(a.xyz, a.xyz + b.xyz - a.xyz * b.xyz, factor), 1.0);
 }
 
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
 float curvature_signed(float kappa, float slope) {
-    float a = (kappa * slope);
+    float a = kappa * slope;
     float magnitude = min(abs(a), 50.0);
-    if ((magnitude < 0.0625)) {
-        float a2 = (a * a);
-        return (a * (1.0 - (a2 * (0.33333334 - (a2 * (0.13333334 - (a2 * 0.053968254)))))));
+    if (magnitude < 0.0625) {
+        float a2 = a * a;
+        return a * (1.0 - a2 * (0.33333334 - a2 * (0.13333334 - a2 * 0.053968254)));
     }
-    float z = exp2_stable_2((-2.88539 * magnitude));
-    float t = ((1.0 - z) / (1.0 + z));
-    return ((a >= 0.0) ? t : -(t));
+    float z = exp2_stable_2(-2.88539 * magnitude);
+    float t = (1.0 - z) / (1.0 + z);
+    return a >= 0.0 ? t : -t;
 }
 
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
 float curvature_signed_2(float kappa, float slope) {
-    float a = (min(kappa, 10000.0) * slope);
+    float a = min(kappa, 10000.0) * slope;
     float magnitude = min(a, 50.0);
-    if ((magnitude < 0.0625)) {
-        float a2 = (a * a);
-        return (a * (1.0 - (a2 * (0.33333334 - (a2 * (0.13333334 - (a2 * 0.053968254)))))));
+    if (magnitude < 0.0625) {
+        float a2 = a * a;
+        return a * (1.0 - a2 * (0.33333334 - a2 * (0.13333334 - a2 * 0.053968254)));
     }
-    float z = exp2_stable_2((-2.88539 * magnitude));
-    float t = ((1.0 - z) / (1.0 + z));
+    float z = exp2_stable_2(-2.88539 * magnitude);
+    float t = (1.0 - z) / (1.0 + z);
     return t;
 }
 
 /// The greatest and the least curvature of a tensor (xx, xy, yy): its eigenvalues.
 vec2 principal_curvatures(vec3 tensor) {
-    float mean = (0.5 * (tensor.x + tensor.z));
-    float spread = length(vec2((0.5 * (tensor.x - tensor.z)), tensor.y));
+    float mean = 0.5 * (tensor.x + tensor.z);
+    float spread = length(vec2(0.5 * (tensor.x - tensor.z), tensor.y));
     // The curvature nearer 0 would have no digits left as a difference; the product of both, the
     // determinant, gives it.
-    float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
-    float near = divided(((tensor.x * tensor.z) - (tensor.y * tensor.y)), far);
-    return ((mean >= 0.0) ? vec2(far, near) : vec2(near, far));
+    float far = mean + (mean >= 0.0 ? spread : -spread);
+    float near = divided(tensor.x * tensor.z - tensor.y * tensor.y, far);
+    return mean >= 0.0 ? vec2(far, near) : vec2(near, far);
 }
 
 vec4 ramp_oklab(float value, Ramp ramp) {
     RampPlace place = ramp_place(ramp, value);
-    vec3 srgb_of_oklab_value = srgb_of_oklab(mix(oklab_of_srgb(place.before.xyz), oklab_of_srgb(place.after.xyz), place.t));
-    return ((place.t <= 0.0) ? place.before : ((place.t >= 1.0) ? place.after : vec4(srgb_of_oklab_value, 1.0)));
+    vec3 srgb_of_oklab_value = srgb_of_oklab(mix(oklab_of_srgb(place.before.xyz),
+        oklab_of_srgb(place.after.xyz), place.t));
+    return place.t <= 0.0 ? place.before : (place.t
+        >= 1.0 ? place.after : vec4(srgb_of_oklab_value, 1.0));
 }
 
 float reflectance_half_lambert(Light light, vec3 normal) {
-    float half_ = (0.5 + (0.5 * dot(normal, light.direction)));
-    return min((half_ * half_), 1.0);
+    float half_ = 0.5 + 0.5 * dot(normal, light.direction);
+    return min(half_ * half_, 1.0);
 }
 
 /// Rim light
@@ -305,23 +338,24 @@ float reflectance_half_lambert(Light light, vec3 normal) {
 /// background.
 float rim(Light light, vec3 normal, vec3 view, float width, float softness, float follow) {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float edge = max((width * softness), min(footprint_of(facing), 1.0));
-    vec3 aside = (normal - view);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - width)) : (width - facing));
-    float within = ((further / edge) + 0.0);
+    float edge = max(width * softness, min(footprint_of(facing), 1.0));
+    vec3 aside = normal - view;
+    float further = facing > 0.5 ? 0.5 * dot(aside, aside) - (1.0 - width) : width - facing;
+    float within = further / edge + 0.0;
     float inside = clamp(within, 0.0, 1.0);
-    vec3 across = (light.direction - (dot(light.direction, view) * view));
-    float side = dot((normal - (dot(normal, view) * view)), (across * inversesqrt(max(dot(across, across), 1e-30))));
-    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), follow));
+    vec3 across = light.direction - dot(light.direction, view) * view;
+    float side = dot(normal - dot(normal, view) * view, across
+        * inversesqrt(max(dot(across, across), 1e-30)));
+    return inside * mix(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 /// A tone from 0 to 1 scaled by e^curved where it is dark and by e^-curved where it is light; the
 /// tone `turning` stays.
 float radiance_scaled(float tone, float curved, float turning) {
-    float e = exp2_stable((curved * LOG2_E));
-    float dark = (turning * (1.0 - tone));
-    float light = (tone * (1.0 - turning));
-    return ((tone * ((e * dark) + light)) / max((dark + (e * light)), 1e-20));
+    float e = exp2_stable(curved * LOG2_E);
+    float dark = turning * (1.0 - tone);
+    float light = tone * (1.0 - turning);
+    return tone * (e * dark + light) / max(dark + e * light, 1e-20);
 }
 
 /// Scale by curvature
@@ -329,9 +363,9 @@ float radiance_scaled(float tone, float curved, float turning) {
 /// Makes a tone lighter where the surface bulges and darker where it is hollow, and the other way
 /// around where it is very light: any shading shows its shape more plainly.
 float radiance_scaling(float tone, float kappa, float amount, float slope, float turning) {
-    float curved = (amount * curvature_signed(kappa, slope));
+    float curved = amount * curvature_signed(kappa, slope);
     float radiance_scaled_value = radiance_scaled(tone, curved, turning);
-    return min(((curved == 0.0) ? tone : radiance_scaled_value), 1.0);
+    return min(curved == 0.0 ? tone : radiance_scaled_value, 1.0);
 }
 
 /// Relief
@@ -340,10 +374,10 @@ float radiance_scaling(float tone, float kappa, float amount, float slope, float
 /// valley, saddle, ridge or bump) and how strongly it has it.
 Relief relief(vec3 tensor, float slope) {
     vec2 k = principal_curvatures(tensor);
-    float around = angle_of_point((k.x + k.y), (k.x - k.y));
-    float curvedness = sqrt((0.5 * dot(k, k)));
+    float around = angle_of_point(k.x + k.y, k.x - k.y);
+    float curvedness = sqrt(0.5 * dot(k, k));
     float strength = curvature_signed_2(curvedness, slope);
-    return Relief((0.5 + (around / PI)), strength, k.x, k.y);
+    return Relief(0.5 + around / PI, strength, k.x, k.y);
 }
 
 /// The look at one point of the surface.
@@ -355,9 +389,12 @@ vec4 shade(Surface surface) {
     vec4 pits_to_bumps_2 = ramp_oklab(what_the_surface_does.shape, pits_to_bumps);
     float soft_light_value = soft_light(terracotta_2.y, pits_to_bumps_2.y);
     float soft_light_value_1 = soft_light(terracotta_2.z, pits_to_bumps_2.z);
-    vec4 slip_in_the_hollows = vec4(mix(terracotta_2.xyz, vec3(soft_light(terracotta_2.x, pits_to_bumps_2.x), soft_light_value, soft_light_value_1), clamp(what_the_surface_does.strength, 0.0, 1.0)), 1.0);
+    vec4 slip_in_the_hollows = vec4(mix(terracotta_2.xyz,
+        vec3(soft_light(terracotta_2.x, pits_to_bumps_2.x), soft_light_value, soft_light_value_1),
+        clamp(what_the_surface_does.strength, 0.0, 1.0)), 1.0);
     float sky_along_the_edge = rim(u_look.sky, surface.normal, surface.view, 0.4, 0.9, 1.0);
-    vec4 cool_edge = mix_colors_screen(slip_in_the_hollows, vec4(0.3725, 0.498, 0.6588, 1.0), sky_along_the_edge);
+    vec4 cool_edge = mix_colors_screen(slip_in_the_hollows, vec4(0.3725, 0.498, 0.6588, 1.0),
+        sky_along_the_edge);
     return cool_edge;
 }
 
@@ -365,11 +402,10 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
     vec4 texel_1 = texelFetch(u_curvature_tensor_map, ivec2(in_.clip.xy), 0);
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), texel.x, texel_1.xyz);
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position),
+        texel.x, texel_1.xyz);
     out_color = shade(surface);
-    return;
 }
-

@@ -14,12 +14,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -33,21 +35,34 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const Ramp terracotta = Ramp(vec4[16](vec4(0.2353, 0.102, 0.1098, 1.0), vec4(0.5412, 0.251, 0.1882, 1.0), vec4(0.8118, 0.498, 0.3412, 1.0), vec4(0.949, 0.7412, 0.5725, 1.0), vec4(0.9843, 0.8627, 0.7333, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.3, 0.62, 0.9), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 0u);
-const Ramp pits_to_bumps = Ramp(vec4[16](vec4(0.2941, 0.2275, 0.3216, 1.0), vec4(0.4784, 0.2902, 0.2902, 1.0), vec4(0.7529, 0.502, 0.3765, 1.0), vec4(0.9412, 0.7529, 0.5804, 1.0), vec4(1.0, 0.9412, 0.8471, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.3, 0.5, 0.75), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 0u);
+const Ramp terracotta = Ramp(vec4[16](vec4(0.2353, 0.102, 0.1098, 1.0),
+    vec4(0.5412, 0.251, 0.1882, 1.0), vec4(0.8118, 0.498, 0.3412, 1.0),
+    vec4(0.949, 0.7412, 0.5725, 1.0), vec4(0.9843, 0.8627, 0.7333, 1.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0)), vec4[4](vec4(0.0, 0.3, 0.62, 0.9), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)),
+    5u, 0u);
+const Ramp pits_to_bumps = Ramp(vec4[16](vec4(0.2941, 0.2275, 0.3216, 1.0),
+    vec4(0.4784, 0.2902, 0.2902, 1.0), vec4(0.7529, 0.502, 0.3765, 1.0),
+    vec4(0.9412, 0.7529, 0.5804, 1.0), vec4(1.0, 0.9412, 0.8471, 1.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0)), vec4[4](vec4(0.0, 0.3, 0.5, 0.75), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)),
+    5u, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -60,11 +75,10 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_position = _tmp_return.position;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, world.xyz,
+        u_object.world_from_normal * vertex.normal);
+    gl_Position = varyings.clip;
+    v_position = varyings.position;
+    v_normal = varyings.normal;
 }
-

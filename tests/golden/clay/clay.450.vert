@@ -10,12 +10,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -34,21 +36,27 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 position_object;
     vec3 normal;
 };
+
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
-const ProfileShape body_tone_shape = ProfileShape(0.9996875, 0.024997396, 1.0955735, 1.3436927, 0.05, 1.2296002, 0.5273893, 0u);
-const ProfileShape bounce_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.7091175, 1.516349, 0.1, 0.70851815, 0.28734237, 0u);
-const ProfileShape soft_sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 2.1865644, 2.5171125, 0.05, 0.45394465, 0.19900247, 0u);
+const ProfileShape body_tone_shape = ProfileShape(0.9996875, 0.024997396, 1.0955735, 1.3436927,
+    0.05, 1.2296002, 0.5273893, 0u);
+const ProfileShape bounce_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.7091175, 1.516349,
+    0.1, 0.70851815, 0.28734237, 0u);
+const ProfileShape soft_sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 2.1865644,
+    2.5171125, 0.05, 0.45394465, 0.19900247, 0u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
 
@@ -62,12 +70,11 @@ layout(location = 2) smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, vertex.position, (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_position = _tmp_return.position;
-    v_position_object = _tmp_return.position_object;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, world.xyz, vertex.position,
+        u_object.world_from_normal * vertex.normal);
+    gl_Position = varyings.clip;
+    v_position = varyings.position;
+    v_position_object = varyings.position_object;
+    v_normal = varyings.normal;
 }
-

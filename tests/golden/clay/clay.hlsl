@@ -105,9 +105,12 @@ struct Varyings {
 
 static const float SMALLEST_NORMAL = 1.1754944e-38;
 static const uint NOISE_PERLIN = 1u;
-static const ProfileShape body_tone_shape = {0.9996875, 0.024997396, 1.0955735, 1.3436927, 0.05, 1.2296002, 0.5273893, 0u};
-static const ProfileShape bounce_tone_shape = {0.99875027, 0.04997917, 1.7091175, 1.516349, 0.1, 0.70851815, 0.28734237, 0u};
-static const ProfileShape soft_sheen_tone_shape = {0.9996875, 0.024997396, 2.1865644, 2.5171125, 0.05, 0.45394465, 0.19900247, 0u};
+static const ProfileShape body_tone_shape = {0.9996875, 0.024997396, 1.0955735, 1.3436927, 0.05,
+    1.2296002, 0.5273893, 0u};
+static const ProfileShape bounce_tone_shape = {0.99875027, 0.04997917, 1.7091175, 1.516349, 0.1,
+    0.70851815, 0.28734237, 0u};
+static const ProfileShape soft_sheen_tone_shape = {0.9996875, 0.024997396, 2.1865644, 2.5171125,
+    0.05, 0.45394465, 0.19900247, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -133,7 +136,7 @@ struct FragmentInput_fs_main {
 /// never happens.
 bool is_finite(float x)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
+    return (asuint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -142,32 +145,34 @@ bool is_finite(float x)
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) & (largest < 1e30)))) {
+    if (!((largest > 1e-30) & (largest < 1e30))) {
         return otherwise;
     }
-    float3 scaled = (v * (1.0 / largest));
+    float3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return float2(s, c);
 }
 
@@ -178,7 +183,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -192,14 +197,13 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_1 = ConstructAngle(turned.x, turned.y);
-    return angle_1;
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -209,25 +213,25 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high)
 {
-    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// The length of v, also where its square would over- or underflow.
 float length_of(float3 v)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if ((largest < SMALLEST_NORMAL)) {
+    if (largest < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((largest * length((v / (largest).xxx))));
+    return bounded(largest * length(v / (largest).xxx));
 }
 
 /// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
@@ -244,7 +248,7 @@ float footprint_of_vec3(float3 v)
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 /// The normal of a surface that is raised by a height (Mikkelsen 2010): `along_x` and `along_y`
@@ -257,19 +261,20 @@ float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
     if (((largest < 1e-18) | (largest > 1e18))) {
         return normal;
     }
-    float3 s = (along_x.xyz / (largest).xxx);
-    float3 t = (along_y.xyz / (largest).xxx);
-    float2 rise = clamp((float2(along_x.w, along_y.w) / (largest).xx), (-1000000.0).xx, (1000000.0).xx);
+    float3 s = along_x.xyz / (largest).xxx;
+    float3 t = along_y.xyz / (largest).xxx;
+    float2 rise = clamp(float2(along_x.w, along_y.w) / (largest).xx, (-1000000.0).xx,
+        (1000000.0).xx);
     float3 right = cross(t, normal);
     float3 up = cross(normal, s);
     float area = dot(s, right);
-    if ((abs(area) < 1e-6)) {
+    if (abs(area) < 1e-6) {
         return normal;
     }
-    float3 slope = (((rise.x * right) + (rise.y * up)) / (area).xxx);
+    float3 slope = (rise.x * right + rise.y * up) / (area).xxx;
     float steepness = length(slope);
-    float3 limited = (slope * (min(steepness, 10.0) / max(steepness, 1e-20)));
-    return normalize_or((normal - limited), normal);
+    float3 limited = slope * (min(steepness, 10.0) / max(steepness, 1e-20));
+    return normalize_or(normal - limited, normal);
 }
 
 /// Bump map
@@ -278,7 +283,7 @@ float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
 /// else. It needs no texture coordinates.
 float3 bump_map(float height, float scale, float3 normal, float3 position)
 {
-    float raised = (height * scale);
+    float raised = height * scale;
     float4 along_x = float4(ddx(position), ddx(raised));
     float4 along_y = float4(ddy(position), ddy(raised));
     return bumped_normal(along_x, along_y, normal);
@@ -286,7 +291,7 @@ float3 bump_map(float height, float scale, float3 normal, float3 position)
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + tone * (color.xyz - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -303,43 +308,42 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_2 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
-    return angle_2;
+    float3 d = 2.0 * dot(normal, view) * normal - view;
+    return ConstructAngle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
@@ -349,21 +353,21 @@ uint3 hash_pcg3d(uint3 seed)
 {
     uint3 v = (uint3)0;
 
-    v = ((seed * 1664525u) + (1013904223u).xxx);
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + (1013904223u).xxx;
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> (16u).xxx));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
 /// The hash of a lattice point.
 uint3 lattice_hash(int3 cell, uint seed)
 {
-    return hash_pcg3d((asuint(cell) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
+    return hash_pcg3d(asuint(cell) + seed * uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 uint naga_mod(uint lhs, uint rhs) {
@@ -375,15 +379,15 @@ uint naga_mod(uint lhs, uint rhs) {
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
-    float a = ((axis == 0u) ? d.y : d.x);
-    float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 float3 fade_quintic(float3 t)
 {
-    return (((t * t) * t) * ((t * ((t * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    return t * t * t * (t * (t * 6.0 - (15.0).xxx) + (10.0).xxx);
 }
 
 int3 naga_f2i32(float3 value) {
@@ -397,7 +401,7 @@ float perlin_noise(float3 p, uint seed)
     int i = int(0);
 
     float3 corner = floor(p);
-    float3 d = (p - corner);
+    float3 d = p - corner;
     const float3 f = fade_quintic(d);
     int3 cell = naga_f2i32(corner);
     bool loop_init = true;
@@ -406,19 +410,20 @@ float perlin_noise(float3 p, uint seed)
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if ((i < int(8))) {
+        if (i < int(8)) {
         } else {
             break;
         }
         {
             int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
-            float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
-            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)), seed), (d - float3(at)));
-            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot_value));
+            float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
+                + asuint(at)), seed), d - float3(at));
+            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -439,57 +444,84 @@ float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed,
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if (!((i < int(2)))) {
+        if (!(i < int(2))) {
             break;
         }
-        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
-        if ((visible > 0.0)) {
-            float3 place = clamp(((p * frequency) + (float(i) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-            octave = lerp(0.5, perlin_noise(place, (0u + uint(i))), visible);
+        if (visible > 0.0) {
+            float3 place = clamp(p * frequency + float(i) * float3(17.31, 5.17, 11.73),
+                (-4194304.0).xxx, (4194304.0).xxx);
+            octave = lerp(0.5, perlin_noise(place, 0u + uint(i)), visible);
         }
-        sum = (sum + (strength * octave));
-        total = (total + strength);
-        strength = (strength * roughness);
-        frequency = (frequency * 2.0);
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    return min((sum / total), 1.0);
+    return min(sum / total, 1.0);
 }
 
 float noise_perlin(float3 position, float scale, int octaves, float roughness, int seed)
 {
-    float3 p = (position * scale);
+    float3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float shade_in_hollows_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.09), -20.0, 20.0))))))));
-    const float4 body_color = curvature_color(shade_in_hollows_convexity, float4(0.851, 0.5412, 0.4, 1.0), float4(0.6902, 0.3765, 0.2902, 1.0));
+    // Body (Light layer)
+    float shade_in_hollows_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.09, -20.0, 20.0))));
+    const float4 body_color = curvature_color(shade_in_hollows_convexity,
+        float4(0.851, 0.5412, 0.4, 1.0), float4(0.6902, 0.3765, 0.2902, 1.0));
+
     const float finger_marks = noise_perlin(surface.position_object, 2.6, int(2), 0.4, int(0));
     const float3 skin = bump_map(finger_marks, 0.05, surface.normal, surface.position);
-    Angle body_angle = ConstructAngle((0.5 * length((skin - look.window.direction))), (0.5 * length((skin + look.window.direction))));
-    float body_warp = (((2.0 * shade_in_hollows_convexity) - 1.0) * 0.2);
+
+    // Body
+    Angle body_angle = ConstructAngle(0.5 * length(skin - look.window.direction), 0.5
+        * length(skin + look.window.direction));
+    float body_warp = (2.0 * shade_in_hollows_convexity - 1.0) * 0.2;
     const float body_tone = profile_balanced(body_angle, body_warp, body_tone_shape);
     const LitLayer body_lit = light_apply(look.window, body_color, body_tone);
-    const float4 body_blend = blend_alpha(float4(0.3529, 0.2, 0.1529, 1.0), body_lit.color, body_lit.tone, 1.0, true);
-    const float4 shade_in_hollows_color = curvature_color(shade_in_hollows_convexity, (1.0).xxxx, float4(0.7216, 0.4706, 0.4235, 1.0));
+    const float4 body_blend = blend_alpha(float4(0.3529, 0.2, 0.1529, 1.0), body_lit.color,
+        body_lit.tone, 1.0, true);
+
+    // Shade in hollows (Light layer)
+    const float4 shade_in_hollows_color = curvature_color(shade_in_hollows_convexity, (1.0).xxxx,
+        float4(0.7216, 0.4706, 0.4235, 1.0));
     const LitLayer shade_in_hollows_lit = light_apply(look.window, shade_in_hollows_color, 1.0);
-    float4 shade_in_hollows_blend = clamp(float4((body_blend.xyz + (0.8 * ((body_blend.xyz * (shade_in_hollows_lit.tone * shade_in_hollows_lit.color.xyz)) - body_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float soft_sheen_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.15), -20.0, 20.0))))))));
-    const float4 bounce_color = curvature_color(soft_sheen_convexity, float4(0.4157, 0.2353, 0.1804, 1.0), float4(0.2902, 0.1412, 0.1216, 1.0));
-    Angle bounce_angle = ConstructAngle((0.5 * length((skin - look.table.direction))), (0.5 * length((skin + look.table.direction))));
-    float bounce_warp = (((2.0 * soft_sheen_convexity) - 1.0) * 0.15);
+    float4 shade_in_hollows_blend = clamp(float4(body_blend.xyz + 0.8
+        * (body_blend.xyz * (shade_in_hollows_lit.tone * shade_in_hollows_lit.color.xyz)
+        - body_blend.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
+
+    // Bounce (Light layer)
+    float soft_sheen_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.15, -20.0, 20.0))));
+    const float4 bounce_color = curvature_color(soft_sheen_convexity,
+        float4(0.4157, 0.2353, 0.1804, 1.0), float4(0.2902, 0.1412, 0.1216, 1.0));
+    Angle bounce_angle = ConstructAngle(0.5 * length(skin - look.table.direction), 0.5
+        * length(skin + look.table.direction));
+    float bounce_warp = (2.0 * soft_sheen_convexity - 1.0) * 0.15;
     const float bounce_tone = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
     const LitLayer bounce_lit = light_apply(look.table, bounce_color, bounce_tone);
-    float4 bounce_blend = clamp(float4((shade_in_hollows_blend.xyz + (bounce_lit.tone * bounce_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 soft_sheen_color = curvature_color(soft_sheen_convexity, float4(0.302, 0.2039, 0.1686, 1.0), float4(0.1647, 0.102, 0.0863, 1.0));
-    const Angle soft_sheen_angle = parametrization_specular_balanced(look.window, skin, surface.view);
-    float soft_sheen_warp = (((2.0 * soft_sheen_convexity) - 1.0) * 0.1);
-    const float soft_sheen_tone = profile_balanced(soft_sheen_angle, soft_sheen_warp, soft_sheen_tone_shape);
+    float4 bounce_blend = clamp(float4(shade_in_hollows_blend.xyz + bounce_lit.tone
+        * bounce_lit.color.xyz, 1.0), (0.0).xxxx, (1.0).xxxx);
+
+    // Soft sheen (Light layer)
+    const float4 soft_sheen_color = curvature_color(soft_sheen_convexity,
+        float4(0.302, 0.2039, 0.1686, 1.0), float4(0.1647, 0.102, 0.0863, 1.0));
+    const Angle soft_sheen_angle = parametrization_specular_balanced(look.window, skin,
+        surface.view);
+    float soft_sheen_warp = (2.0 * soft_sheen_convexity - 1.0) * 0.1;
+    const float soft_sheen_tone = profile_balanced(soft_sheen_angle, soft_sheen_warp,
+        soft_sheen_tone_shape);
     const LitLayer soft_sheen_lit = light_apply(look.window, soft_sheen_color, soft_sheen_tone);
-    float4 soft_sheen_blend = clamp(float4((bounce_blend.xyz + (soft_sheen_lit.tone * soft_sheen_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 soft_sheen_blend = clamp(float4(bounce_blend.xyz + soft_sheen_lit.tone
+        * soft_sheen_lit.color.xyz, 1.0), (0.0).xxxx, (1.0).xxxx);
+
     return soft_sheen_blend;
 }
 
@@ -505,8 +537,10 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        vertex.position, mul(vertex.normal, object.world_from_normal));
+    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
+        varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
@@ -526,11 +560,13 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_4 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3,
+        fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_4 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), in_.position, in_.position_object, texel.x);
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        in_.position, in_.position_object, texel.x);
     return shade(surface);
 }

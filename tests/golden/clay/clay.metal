@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,11 +36,13 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light window;
     Light table;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
@@ -47,6 +51,7 @@ struct Surface {
     metal::packed_float3 position_object;
     float kappa;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -57,6 +62,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -64,6 +70,7 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -82,21 +89,27 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 position_object;
     metal::float3 normal;
 };
+
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant uint NOISE_PERLIN = 1u;
-constant ProfileShape body_tone_shape = ProfileShape {0.9996875, 0.024997396, 1.0955735, 1.3436927, 0.05, 1.2296002, 0.5273893, 0u};
-constant ProfileShape bounce_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.7091175, 1.516349, 0.1, 0.70851815, 0.28734237, 0u};
-constant ProfileShape soft_sheen_tone_shape = ProfileShape {0.9996875, 0.024997396, 2.1865644, 2.5171125, 0.05, 0.45394465, 0.19900247, 0u};
+constant ProfileShape body_tone_shape = ProfileShape {0.9996875, 0.024997396, 1.0955735, 1.3436927,
+    0.05, 1.2296002, 0.5273893, 0u};
+constant ProfileShape bounce_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.7091175, 1.516349,
+    0.1, 0.70851815, 0.28734237, 0u};
+constant ProfileShape soft_sheen_tone_shape = ProfileShape {0.9996875, 0.024997396, 2.1865644,
+    2.5171125, 0.05, 0.45394465, 0.19900247, 0u};
 
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
@@ -114,13 +127,14 @@ metal::float3 normalize_or(
     metal::float3 otherwise
 ) {
     float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
-    if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
+    if (!((largest > 0.000000000000000000000000000001)
+        & (largest < 1000000000000000000000000000000.0))) {
         return otherwise;
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
@@ -140,8 +154,10 @@ metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
-    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 0.0000026347564))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (0.00002477458 - y * 0.00000026297516))));
     return metal::float2(s, c);
 }
 
@@ -162,9 +178,9 @@ Angle angle_turned(
     Angle u,
     metal::float2 t
 ) {
-    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
-    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
@@ -179,7 +195,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -190,7 +206,7 @@ float eased(
     float high
 ) {
     float t = metal::clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// The length of v, also where its square would over- or underflow.
@@ -222,7 +238,7 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (convex - concave));
+    return concave + convexity * (convex - concave);
 }
 
 /// The normal of a surface that is raised by a height (Mikkelsen 2010): `along_x` and `along_y`
@@ -240,16 +256,18 @@ metal::float3 bumped_normal(
     }
     metal::float3 s = along_x.xyz / metal::float3(largest);
     metal::float3 t = along_y.xyz / metal::float3(largest);
-    metal::float2 rise = metal::clamp(metal::float2(along_x.w, along_y.w) / metal::float2(largest), metal::float2(-1000000.0), metal::float2(1000000.0));
+    metal::float2 rise = metal::clamp(metal::float2(along_x.w, along_y.w) / metal::float2(largest),
+        metal::float2(-1000000.0), metal::float2(1000000.0));
     metal::float3 right = metal::cross(t, normal);
     metal::float3 up = metal::cross(normal, s);
     float area = metal::dot(s, right);
     if (metal::abs(area) < 0.000001) {
         return normal;
     }
-    metal::float3 slope = ((rise.x * right) + (rise.y * up)) / metal::float3(area);
+    metal::float3 slope = (rise.x * right + rise.y * up) / metal::float3(area);
     float steepness = metal::length(slope);
-    metal::float3 limited = slope * (metal::min(steepness, 10.0) / metal::max(steepness, 0.00000000000000000001));
+    metal::float3 limited = slope * (metal::min(steepness, 10.0)
+        / metal::max(steepness, 0.00000000000000000001));
     return normalize_or(normal - limited, normal);
 }
 
@@ -276,7 +294,8 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + tone * (color.xyz - below.xyz), 1.0),
+        metal::float4(0.0), metal::float4(1.0));
 }
 
 /// Light on a layer
@@ -288,8 +307,9 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_specular_balanced(
@@ -297,8 +317,9 @@ Angle parametrization_specular_balanced(
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
+    metal::float3 d = 2.0 * metal::dot(normal, view) * normal - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5
+        * metal::length(d + light.direction)};
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -307,7 +328,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -317,16 +338,18 @@ float profile_filtered_quick(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -344,14 +367,14 @@ metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
     metal::uint3 v = {};
-    v = (seed * 1664525u) + metal::uint3(1013904223u);
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v = seed * 1664525u + metal::uint3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = v ^ (v >> metal::uint3(16u));
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -360,7 +383,8 @@ metal::uint3 lattice_hash(
     metal::int3 cell,
     uint seed
 ) {
-    return hash_pcg3d(as_type<metal::uint3>(cell) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+    return hash_pcg3d(as_type<metal::uint3>(cell) + seed
+        * metal::uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 uint naga_mod(uint lhs, uint rhs) {
@@ -374,16 +398,16 @@ float gradient_dot(
     metal::float3 d
 ) {
     uint axis = naga_mod(hash.x >> 8u, 3u);
-    float a = (axis == 0u) ? d.y : d.x;
-    float b = (axis == 2u) ? d.y : d.z;
-    return (((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 metal::float3 fade_quintic(
     metal::float3 t
 ) {
-    return ((t * t) * t) * ((t * ((t * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    return t * t * t * (t * (t * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
@@ -414,12 +438,14 @@ float perlin_noise(
         {
             metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
             metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)), seed);
-            sum = sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at)));
+            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
+                seed);
+            sum = sum + weight.x * weight.y * weight.z
+                * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return metal::clamp(0.5 + (0.48244 * sum), 0.0, 1.0);
+    return metal::clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -445,16 +471,18 @@ float fractal_noise(
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 2))) {
+        if (!(i < 2)) {
             break;
         }
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
-            metal::float3 place = metal::clamp((p * frequency) + (static_cast<float>(i) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            metal::float3 place = metal::clamp(p * frequency + static_cast<float>(i)
+                * metal::float3(17.31, 5.17, 11.73), metal::float3(-4194304.0),
+                metal::float3(4194304.0));
             octave = metal::mix(0.5, perlin_noise(place, 0u + static_cast<uint>(i)), visible);
         }
-        sum = sum + (strength * octave);
+        sum = sum + strength * octave;
         total = total + strength;
         strength = strength * roughness;
         frequency = frequency * 2.0;
@@ -478,31 +506,59 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    float shade_in_hollows_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.09, -20.0, 20.0))))));
-    Color body_color = curvature_color(shade_in_hollows_convexity, metal::float4(0.851, 0.5412, 0.4, 1.0), metal::float4(0.6902, 0.3765, 0.2902, 1.0));
+    // Body (Light layer)
+    float shade_in_hollows_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + metal::exp2(2.88539
+        * metal::clamp(surface.kappa * 0.09, -20.0, 20.0))));
+    Color body_color = curvature_color(shade_in_hollows_convexity,
+        metal::float4(0.851, 0.5412, 0.4, 1.0), metal::float4(0.6902, 0.3765, 0.2902, 1.0));
+
     float finger_marks = noise_perlin(surface.position_object, 2.6, 2, 0.4, 0);
     metal::float3 skin = bump_map(finger_marks, 0.05, surface.normal, surface.position);
-    Angle body_angle = Angle {0.5 * metal::length(skin - look.window.direction), 0.5 * metal::length(skin + look.window.direction)};
-    float body_warp = ((2.0 * shade_in_hollows_convexity) - 1.0) * 0.2;
+
+    // Body
+    Angle body_angle = Angle {0.5 * metal::length(skin - look.window.direction), 0.5
+        * metal::length(skin + look.window.direction)};
+    float body_warp = (2.0 * shade_in_hollows_convexity - 1.0) * 0.2;
     float body_tone = profile_balanced(body_angle, body_warp, body_tone_shape);
     LitLayer body_lit = light_apply(look.window, body_color, body_tone);
-    Composite body_blend = blend_alpha(metal::float4(0.3529, 0.2, 0.1529, 1.0), body_lit.color, body_lit.tone, 1.0, true);
-    Color shade_in_hollows_color = curvature_color(shade_in_hollows_convexity, metal::float4(1.0), metal::float4(0.7216, 0.4706, 0.4235, 1.0));
+    Composite body_blend = blend_alpha(metal::float4(0.3529, 0.2, 0.1529, 1.0), body_lit.color,
+        body_lit.tone, 1.0, true);
+
+    // Shade in hollows (Light layer)
+    Color shade_in_hollows_color = curvature_color(shade_in_hollows_convexity, metal::float4(1.0),
+        metal::float4(0.7216, 0.4706, 0.4235, 1.0));
     LitLayer shade_in_hollows_lit = light_apply(look.window, shade_in_hollows_color, 1.0);
-    metal::float4 shade_in_hollows_blend = metal::clamp(metal::float4(body_blend.xyz + (0.8 * ((body_blend.xyz * (shade_in_hollows_lit.tone * shade_in_hollows_lit.color.xyz)) - body_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float soft_sheen_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.15, -20.0, 20.0))))));
-    Color bounce_color = curvature_color(soft_sheen_convexity, metal::float4(0.4157, 0.2353, 0.1804, 1.0), metal::float4(0.2902, 0.1412, 0.1216, 1.0));
-    Angle bounce_angle = Angle {0.5 * metal::length(skin - look.table.direction), 0.5 * metal::length(skin + look.table.direction)};
-    float bounce_warp = ((2.0 * soft_sheen_convexity) - 1.0) * 0.15;
+    metal::float4 shade_in_hollows_blend = metal::clamp(metal::float4(body_blend.xyz + 0.8
+        * (body_blend.xyz * (shade_in_hollows_lit.tone * shade_in_hollows_lit.color.xyz)
+        - body_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+
+    // Bounce (Light layer)
+    float soft_sheen_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + metal::exp2(2.88539
+        * metal::clamp(surface.kappa * 0.15, -20.0, 20.0))));
+    Color bounce_color = curvature_color(soft_sheen_convexity,
+        metal::float4(0.4157, 0.2353, 0.1804, 1.0), metal::float4(0.2902, 0.1412, 0.1216, 1.0));
+    Angle bounce_angle = Angle {0.5 * metal::length(skin - look.table.direction), 0.5
+        * metal::length(skin + look.table.direction)};
+    float bounce_warp = (2.0 * soft_sheen_convexity - 1.0) * 0.15;
     float bounce_tone = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
     LitLayer bounce_lit = light_apply(look.table, bounce_color, bounce_tone);
-    metal::float4 bounce_blend = metal::clamp(metal::float4(shade_in_hollows_blend.xyz + (bounce_lit.tone * bounce_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color soft_sheen_color = curvature_color(soft_sheen_convexity, metal::float4(0.302, 0.2039, 0.1686, 1.0), metal::float4(0.1647, 0.102, 0.0863, 1.0));
+    metal::float4 bounce_blend = metal::clamp(metal::float4(shade_in_hollows_blend.xyz
+        + bounce_lit.tone * bounce_lit.color.xyz, 1.0), metal::float4(0.0), metal::float4(1.0));
+
+    // Soft sheen (Light layer)
+    Color soft_sheen_color = curvature_color(soft_sheen_convexity,
+        metal::float4(0.302, 0.2039, 0.1686, 1.0), metal::float4(0.1647, 0.102, 0.0863, 1.0));
     Angle soft_sheen_angle = parametrization_specular_balanced(look.window, skin, surface.view);
-    float soft_sheen_warp = ((2.0 * soft_sheen_convexity) - 1.0) * 0.1;
-    float soft_sheen_tone = profile_balanced(soft_sheen_angle, soft_sheen_warp, soft_sheen_tone_shape);
+    float soft_sheen_warp = (2.0 * soft_sheen_convexity - 1.0) * 0.1;
+    float soft_sheen_tone = profile_balanced(soft_sheen_angle, soft_sheen_warp,
+        soft_sheen_tone_shape);
     LitLayer soft_sheen_lit = light_apply(look.window, soft_sheen_color, soft_sheen_tone);
-    metal::float4 soft_sheen_blend = metal::clamp(metal::float4(bounce_blend.xyz + (soft_sheen_lit.tone * soft_sheen_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 soft_sheen_blend = metal::clamp(metal::float4(bounce_blend.xyz
+        + soft_sheen_lit.tone * soft_sheen_lit.color.xyz, 1.0), metal::float4(0.0),
+        metal::float4(1.0));
+
     return soft_sheen_blend;
 }
 
@@ -510,12 +566,14 @@ struct vs_mainInput {
     metal::float3 position_2 [[attribute(0)]];
     metal::float3 normal_3 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal [[user(loc2), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -523,7 +581,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position_2, varyings.normal_3 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position,
+        object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -537,9 +596,11 @@ struct fs_mainInput {
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal_3 [[user(loc2), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -548,10 +609,12 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object, varyings_1.normal_3 };
+    const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object,
+        varyings_1.normal_3 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position, in.position_object, texel.x};
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position, in.position_object, texel.x};
     return fs_mainOutput { shade(surface, look) };
 }

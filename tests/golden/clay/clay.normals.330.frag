@@ -9,21 +9,25 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 layout(std140) uniform ViewBlock { View u_view; };
 
 layout(std140) uniform ObjectBlock { Object u_object; };
@@ -36,7 +40,7 @@ layout(location = 0) out vec4 out_color;
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -47,7 +51,7 @@ vec3 normalize_seen(vec3 v) {
 
 /// The slope n.xy / n.z of a normal in camera axes.
 vec2 slope_of(vec3 normal) {
-    return (normal.xy / vec2(max(normal.z, 0.2)));
+    return normal.xy / vec2(max(normal.z, 0.2));
 }
 
 /// The surface that a pixel shows, in one texel: its slope in xy, its depth in z, and in w the
@@ -55,7 +59,7 @@ vec2 slope_of(vec3 normal) {
 /// unit, in camera axes.
 vec4 surface_texel(vec3 normal, float depth, float number) {
     vec2 slope_of_value = slope_of(normal);
-    return vec4(slope_of_value, depth, ((normal.z < 0.0) ? -(number) : number));
+    return vec4(slope_of_value, depth, normal.z < 0.0 ? -number : number);
 }
 
 /// The normal that the curvature pass sees.
@@ -68,18 +72,16 @@ void main() {
     bool is_front = gl_FrontFacing;
     bool local = false;
     vec3 facing = normalize_seen(in_.normal);
-    vec3 toward = normalize((u_view.eye.xyz - (u_view.eye.w * in_.position)));
-    if (!(is_front)) {
-        local = (dot(facing, toward) < -0.1);
+    vec3 toward = normalize(u_view.eye.xyz - u_view.eye.w * in_.position);
+    if (!is_front) {
+        local = dot(facing, toward) < -0.1;
     } else {
         local = false;
     }
     bool is_behind = local;
-    vec3 normal = (is_behind ? -(facing) : facing);
+    vec3 normal = is_behind ? -facing : facing;
     Surface surface = Surface(normal);
     vec3 seen = (u_view.camera_from_world * vec4(shade(surface), 0.0)).xyz;
-    float depth = -((u_view.camera_from_world * vec4(in_.position, 1.0)).z);
-    out_color = surface_texel(seen, depth, (u_object.id + 1.0));
-    return;
+    float depth = -(u_view.camera_from_world * vec4(in_.position, 1.0)).z;
+    out_color = surface_texel(seen, depth, u_object.id + 1.0);
 }
-

@@ -367,12 +367,16 @@ const soft_sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 2.1865644, 2.
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Body (Light layer)
     let shade_in_hollows_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.09, -20.0, 20.0))));
     let body_color = curvature_color(shade_in_hollows_convexity, vec4f(0.851, 0.5412, 0.4, 1.0),
         vec4f(0.6902, 0.3765, 0.2902, 1.0));
+
     let finger_marks = noise_perlin(surface.position_object, 2.6, 2i, 0.4, 0i);
     let skin = bump_map(finger_marks, 0.05, surface.normal, surface.position);
+
+    // Body
     let body_angle = Angle(0.5 * length(skin - look.window.direction), 0.5
         * length(skin + look.window.direction));
     let body_warp = (2.0 * shade_in_hollows_convexity - 1.0) * 0.2;
@@ -380,12 +384,16 @@ fn shade(surface: Surface) -> vec4f {
     let body_lit = light_apply(look.window, body_color, body_tone);
     let body_blend = blend_alpha(vec4f(0.3529, 0.2, 0.1529, 1.0), body_lit.color, body_lit.tone,
         1.0, true);
+
+    // Shade in hollows (Light layer)
     let shade_in_hollows_color = curvature_color(shade_in_hollows_convexity, vec4f(1.0),
         vec4f(0.7216, 0.4706, 0.4235, 1.0));
     let shade_in_hollows_lit = light_apply(look.window, shade_in_hollows_color, 1.0);
     let shade_in_hollows_blend = clamp(vec4f(body_blend.xyz + 0.8
         * (body_blend.xyz * (shade_in_hollows_lit.tone * shade_in_hollows_lit.color.xyz)
         - body_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+
+    // Bounce (Light layer)
     let soft_sheen_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.15, -20.0, 20.0))));
     let bounce_color = curvature_color(soft_sheen_convexity, vec4f(0.4157, 0.2353, 0.1804, 1.0),
@@ -397,6 +405,8 @@ fn shade(surface: Surface) -> vec4f {
     let bounce_lit = light_apply(look.table, bounce_color, bounce_tone);
     let bounce_blend = clamp(vec4f(shade_in_hollows_blend.xyz + bounce_lit.tone
         * bounce_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+
+    // Soft sheen (Light layer)
     let soft_sheen_color = curvature_color(soft_sheen_convexity, vec4f(0.302, 0.2039, 0.1686, 1.0),
         vec4f(0.1647, 0.102, 0.0863, 1.0));
     let soft_sheen_angle = parametrization_specular_balanced(look.window, skin, surface.view);
@@ -406,6 +416,7 @@ fn shade(surface: Surface) -> vec4f {
     let soft_sheen_lit = light_apply(look.window, soft_sheen_color, soft_sheen_tone);
     let soft_sheen_blend = clamp(vec4f(bounce_blend.xyz + soft_sheen_lit.tone
         * soft_sheen_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+
     return soft_sheen_blend;
 }
 

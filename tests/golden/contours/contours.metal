@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,6 +36,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     metal::float2 viewport;
@@ -41,6 +44,7 @@ struct Look {
     metal::float3x3 camera_from_world;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
@@ -49,13 +53,16 @@ struct Surface {
     metal::float3 curvature_tensor;
     metal::float3 smooth_normal_4_;
 };
+
 typedef metal::float4 Color;
 struct type_7 {
     metal::float4 inner[16];
 };
+
 struct type_8 {
     metal::float4 inner[4];
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -70,17 +77,26 @@ struct Ramp {
     uint interpolation;
     char _pad4[8];
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
+
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
-constant Ramp three_washes = Ramp {type_7 {{metal::float4(0.7255, 0.7686, 0.8118, 1.0), metal::float4(0.8627, 0.8627, 0.8235, 1.0), metal::float4(0.9725, 0.949, 0.8863, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_8 {{metal::float4(0.0, 0.16, 0.42, 0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 3u, 2u};
+constant Ramp three_washes = Ramp {type_7 {{metal::float4(0.7255, 0.7686, 0.8118, 1.0),
+    metal::float4(0.8627, 0.8627, 0.8235, 1.0), metal::float4(0.9725, 0.949, 0.8863, 1.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0)}}, type_8 {{metal::float4(0.0, 0.16, 0.42, 0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0)}}, 3u, 2u};
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
@@ -89,7 +105,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -108,7 +125,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// a / b; 0 where b is 0.
@@ -145,7 +162,8 @@ float step_filtered(
     float w
 ) {
     float d = x - edge;
-    return (w < 0.000000000000000000000000000001) ? ((d >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d / w), 0.0, 1.0);
+    return w < 0.000000000000000000000000000001 ? (d >= 0.0 ? 1.0 : 0.0) : metal::clamp(0.5 + d / w,
+        0.0, 1.0);
 }
 
 uint naga_mod(uint lhs, uint rhs) {
@@ -172,10 +190,11 @@ Color ramp_at(
             i = i + 1u;
         }
         loop_init = false;
-        if (!((i < 3u))) {
+        if (!(i < 3u)) {
             break;
         }
-        color = color + ((colors.inner[i] - colors.inner[i - 1u]) * step_filtered(x, places.inner[0][naga_mod(i, 4u)], w));
+        color = color + (colors.inner[i] - colors.inner[i - 1u])
+            * step_filtered(x, places.inner[0][naga_mod(i, 4u)], w);
     }
     return color;
 }
@@ -188,16 +207,16 @@ metal::float2 principal_curvatures(
     float spread = metal::length(metal::float2(0.5 * (tensor.x - tensor.z), tensor.y));
     // The curvature nearer 0 would have no digits left as a difference; the product of both, the
     // determinant, gives it.
-    float far = mean + ((mean >= 0.0) ? spread : -(spread));
-    float near = divided((tensor.x * tensor.z) - (tensor.y * tensor.y), far);
-    return (mean >= 0.0) ? metal::float2(far, near) : metal::float2(near, far);
+    float far = mean + (mean >= 0.0 ? spread : -spread);
+    float near = divided(tensor.x * tensor.z - tensor.y * tensor.y, far);
+    return mean >= 0.0 ? metal::float2(far, near) : metal::float2(near, far);
 }
 
 float reflectance_half_lambert(
     Light light,
     metal::float3 normal
 ) {
-    float half_ = 0.5 + (0.5 * metal::dot(normal, light.direction));
+    float half_ = 0.5 + 0.5 * metal::dot(normal, light.direction);
     return metal::min(half_ * half_, 1.0);
 }
 
@@ -218,19 +237,24 @@ float inner_contour_suggestive(
 ) {
     metal::float3 n = camera_from_world * normal;
     float square = metal::dot(n.xy, n.xy);
-    float radial = ((((tensor.x * n.x) * n.x) + (((2.0 * tensor.y) * n.x) * n.y)) + ((tensor.z * n.y) * n.y)) / metal::max(square, 0.000001);
+    float radial = (tensor.x * n.x * n.x + 2.0 * tensor.y * n.x * n.y + tensor.z * n.y * n.y)
+        / metal::max(square, 0.000001);
     metal::float2 change = metal::float2(metal::dfdx(radial), metal::dfdy(radial));
     metal::float3 v = camera_from_world * view;
     metal::float3 row = metal::dfdy(place);
-    float up = ((row - (metal::dot(row, v) * v)).y >= 0.0) ? 1.0 : -1.0;
+    float up = (row - metal::dot(row, v) * v).y >= 0.0 ? 1.0 : -1.0;
     float height = metal::clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square, 0.000001));
-    float pixels = (1.5 * height) / 1000.0;
+    float toward_eye = -(change.x * n.x + up * change.y * n.y)
+        * metal::rsqrt(metal::max(square, 0.000001));
+    float pixels = 1.5 * height / 1000.0;
     float distance = metal::abs(radial) / metal::max(metal::length(change), 0.000001);
-    float x = (toward_eye * height) * 0.05;
+    float x = toward_eye * height * 0.05;
     float footprint_of_value = footprint_of(x);
-    float strength = metal::clamp(0.5 + ((x - limit) / metal::length(metal::float2(metal::min(footprint_of_value, 1000000000000000.0), 22.0))), 0.0, 1.0);
-    return (metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * strength) * metal::smoothstep(0.05, 0.3, metal::dot(normal, view));
+    float strength = metal::clamp(0.5 + (x - limit)
+        / metal::length(metal::float2(metal::min(footprint_of_value, 1000000000000000.0), 22.0)),
+        0.0, 1.0);
+    return metal::clamp(pixels + 0.5 - distance, 0.0, metal::min(pixels, 1.0)) * strength
+        * metal::smoothstep(0.05, 0.3, metal::dot(normal, view));
 }
 
 /// Fade at a limit: 0 below and 1 above, over `softness` of the limit and never less than a pixel.
@@ -239,8 +263,9 @@ float faded_in(
     float limit,
     float softness
 ) {
-    float width = metal::length(metal::float2(metal::min(footprint_of(x), 1000000000000000.0), 45.0));
-    return metal::clamp(0.5 + (bounded(bounded(x) - limit) / width), 0.0, 1.0);
+    float width = metal::length(metal::float2(metal::min(footprint_of(x), 1000000000000000.0),
+        45.0));
+    return metal::clamp(0.5 + bounded(bounded(x) - limit) / width, 0.0, 1.0);
 }
 
 /// Outer contour
@@ -254,10 +279,10 @@ float outer_contour(
     metal::float2 viewport
 ) {
     float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
-    float pixels = (width * metal::clamp(viewport.y, 1.0, 100000.0)) / 1000.0;
+    float pixels = width * metal::clamp(viewport.y, 1.0, 100000.0) / 1000.0;
     float distance = facing / metal::max(2.0 * footprint_of_2(facing), 0.000001);
     float near = 1.0 - metal::smoothstep(0.45, 0.75, facing);
-    return metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * near;
+    return metal::clamp(pixels + 0.5 - distance, 0.0, metal::min(pixels, 1.0)) * near;
 }
 
 /// The look at one point of the surface.
@@ -268,13 +293,19 @@ metal::float4 shade(
     metal::float3 broad_forms = normalize_moderate(surface.smooth_normal_4_, surface.normal);
     float light_and_dark = reflectance_half_lambert(look.key, broad_forms);
     Color three_washes_2 = ramp_at(three_washes, light_and_dark, footprint_of_2(light_and_dark));
-    float faded_in_value = faded_in(-(principal_curvatures(surface.curvature_tensor).y), 45.0, 1.0);
-    float hollows = faded_in_value * metal::smoothstep(0.05, 0.3, metal::dot(surface.normal, surface.view));
-    metal::float4 hollows_in_sepia = metal::mix(three_washes_2, metal::float4(0.6588, 0.5294, 0.4235, 1.0), hollows);
-    float inner_lines = inner_contour_suggestive(3.0, 22.0, 1.0, surface.curvature_tensor, surface.normal, surface.view, look.camera_from_world, surface.position_camera, look.viewport);
+    float faded_in_value = faded_in(-principal_curvatures(surface.curvature_tensor).y, 45.0, 1.0);
+    // Inner contour
+    float hollows = faded_in_value * metal::smoothstep(0.05, 0.3,
+        metal::dot(surface.normal, surface.view));
+    metal::float4 hollows_in_sepia = metal::mix(three_washes_2,
+        metal::float4(0.6588, 0.5294, 0.4235, 1.0), hollows);
+    float inner_lines = inner_contour_suggestive(3.0, 22.0, 1.0, surface.curvature_tensor,
+        surface.normal, surface.view, look.camera_from_world, surface.position_camera,
+        look.viewport);
     float outline = outer_contour(5.0, surface.normal, surface.view, look.viewport);
     float all_lines = metal::max(inner_lines, outline);
-    metal::float4 ink = metal::mix(hollows_in_sepia, metal::float4(0.1647, 0.1412, 0.1882, 1.0), all_lines);
+    metal::float4 ink = metal::mix(hollows_in_sepia, metal::float4(0.1647, 0.1412, 0.1882, 1.0),
+        all_lines);
     return ink;
 }
 
@@ -282,11 +313,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_3 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -294,7 +327,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_3 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -307,9 +341,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_3 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -321,9 +357,11 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_3 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
     metal::float4 texel_1 = smooth_normal_4_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), (view.camera_from_world * metal::float4(in.position, 1.0)).xyz, texel.xyz, (metal::float4(texel_1.xyz, 0.0) * view.camera_from_world).xyz};
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        (view.camera_from_world * metal::float4(in.position, 1.0)).xyz, texel.xyz,
+        (metal::float4(texel_1.xyz, 0.0) * view.camera_from_world).xyz};
     return fs_mainOutput { shade(surface, look) };
 }

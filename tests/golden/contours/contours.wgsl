@@ -202,6 +202,7 @@ fn shade(surface: Surface) -> vec4f {
     let broad_forms = normalize_moderate(surface.smooth_normal_4, surface.normal);
     let light_and_dark = reflectance_half_lambert(look.key, broad_forms);
     let three_washes_2 = ramp_at(three_washes, light_and_dark, footprint_of_2(light_and_dark));
+    // Inner contour
     let hollows = faded_in(-principal_curvatures(surface.curvature_tensor).y, 45.0, 1.0)
         * smoothstep(0.05, 0.3, dot(surface.normal, surface.view));
     let hollows_in_sepia = mix(three_washes_2, vec4f(0.6588, 0.5294, 0.4235, 1.0), hollows);

@@ -246,7 +246,7 @@ fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick_2(place.x, w, shape);
     }
     let point = profile_soft_quick_2(place.x, shape);
@@ -274,6 +274,7 @@ const highlight_tone_shape = ProfileShape(0.9971888, 0.07492971, 5.743557, 3.187
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Body (Light layer)
     let body_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
         * length(surface.normal + look.key.direction));
     let body_tone = profile_balanced(body_angle, 0.0, look.body_tone_shape);
@@ -281,17 +282,22 @@ fn shade(surface: Surface) -> vec4f {
     let body_blend = blend_finish(look.shadow, look.shadow.xyz + body_lit.tone
         * (body_lit.color.xyz - look.shadow.xyz), look.shadow.w + body_lit.tone * body_lit.color.w
         * (1.0 - look.shadow.w), body_lit.color.w, true);
+
+    // Highlight (Light layer)
     let highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let highlight_tone = profile_balanced_2(highlight_angle, 0.0, highlight_tone_shape);
     let highlight_lit = light_apply(look.key, look.highlight_color_convex, highlight_tone);
     let highlight_blend = blend_alpha(body_blend, highlight_lit.color, highlight_lit.tone, 0.8,
         true);
+
+    // Back-light (Light layer)
     let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
         * length(surface.normal + look.back.direction));
     let back_light_tone = profile_balanced(back_light_angle, 0.0, look.back_light_tone_shape);
     let back_light_lit = light_apply(look.back, look.back_light_color_convex, back_light_tone);
     let back_light_blend = blend_finish(highlight_blend, highlight_blend.xyz + back_light_lit.tone
         * back_light_lit.color.xyz, highlight_blend.w, back_light_lit.color.w, true);
+
     let output = finite_vec4(select(vec4f(back_light_blend.xyz / back_light_blend.w,
         back_light_blend.w), back_light_blend, back_light_blend.w <= 0.0));
     return output;

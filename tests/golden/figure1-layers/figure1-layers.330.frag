@@ -10,6 +10,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -21,17 +22,20 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light back;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     float kappa;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -40,12 +44,14 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     vec4 color;
     /// The tone under this light.
     float tone;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -64,14 +70,19 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
-const ProfileShape diffuse_tone_shape = ProfileShape(0.9996875, 0.024997396, 1.2521588, 1.266106, 0.05, 1.0661367, 0.43393037, 0u);
-const ProfileShape specular_tone_shape = ProfileShape(0.99875027, 0.04997917, 5.0334897, 3.5734937, 0.1, 0.16954242, 0.07703013, 0u);
-const ProfileShape back_light_tone_shape = ProfileShape(0.9689124, 0.24740396, 2.7302074, 1.803181, 0.5, 0.40960917, 0.16836384, 0u);
+
+const ProfileShape diffuse_tone_shape = ProfileShape(0.9996875, 0.024997396, 1.2521588, 1.266106,
+    0.05, 1.0661367, 0.43393037, 0u);
+const ProfileShape specular_tone_shape = ProfileShape(0.99875027, 0.04997917, 5.0334897, 3.5734937,
+    0.1, 0.16954242, 0.07703013, 0u);
+const ProfileShape back_light_tone_shape = ProfileShape(0.9689124, 0.24740396, 2.7302074, 1.803181,
+    0.5, 0.40960917, 0.16836384, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -86,15 +97,17 @@ layout(location = 0) out vec4 out_color;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 vec2 sin_cos_quick(float x) {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return vec2(s, c);
 }
 
@@ -104,18 +117,18 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    vec2 upper = c <= 0.0 ? vec2(1.0, 0.0) : vec2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
+    vec2 turned = (s <= 0.0 && s < c) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -123,18 +136,18 @@ Angle angle_turned(Angle u, vec2 t) {
 ///
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 float transition_balanced(float kappa, float slope) {
-    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(kappa * slope, -20.0, 20.0))));
 }
 
 /// Blend
 ///
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + (tone * color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4(below.xyz + tone * color.xyz, 1.0), vec4(0.0), vec4(1.0));
 }
 
 /// Light on a layer
@@ -143,99 +156,120 @@ vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) 
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
-    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
+    vec3 d = 2.0 * dot(normal, view) * normal - view;
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_2(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false || is_narrow)) {
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = w > 0.0 && w >= 3.4641016 * shape.edge_deviation;
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
-    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
-    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
+    // Fill (Light layer)
     float fill_convexity = transition_balanced(surface.kappa, 0.25);
-    vec4 fill_color = curvature_color(fill_convexity, vec4(0.0863, 0.0745, 0.1216, 1.0), vec4(0.0314, 0.0235, 0.051, 1.0));
+    vec4 fill_color = curvature_color(fill_convexity, vec4(0.0863, 0.0745, 0.1216, 1.0),
+        vec4(0.0314, 0.0235, 0.051, 1.0));
     LitLayer fill_lit = light_apply(u_look.key, fill_color, 1.0);
-    vec4 fill_blend = blend_add(vec4(0.0824, 0.0745, 0.1098, 1.0), fill_lit.color, fill_lit.tone, 1.0, true);
+    vec4 fill_blend = blend_add(vec4(0.0824, 0.0745, 0.1098, 1.0), fill_lit.color, fill_lit.tone,
+        1.0, true);
+
+    // Diffuse (Light layer)
     float back_light_convexity = transition_balanced(surface.kappa, 0.2);
-    vec4 diffuse_color = curvature_color(back_light_convexity, vec4(0.7098, 0.4, 0.1804, 1.0), vec4(0.4314, 0.1647, 0.1176, 1.0));
-    Angle diffuse_angle = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
-    float diffuse_warp = (((2.0 * back_light_convexity) - 1.0) * 0.25);
+    vec4 diffuse_color = curvature_color(back_light_convexity, vec4(0.7098, 0.4, 0.1804, 1.0),
+        vec4(0.4314, 0.1647, 0.1176, 1.0));
+    Angle diffuse_angle = Angle(0.5 * length(surface.normal - u_look.key.direction), 0.5
+        * length(surface.normal + u_look.key.direction));
+    float diffuse_warp = (2.0 * back_light_convexity - 1.0) * 0.25;
     float diffuse_tone = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
     LitLayer diffuse_lit = light_apply(u_look.key, diffuse_color, diffuse_tone);
     vec4 diffuse_blend = blend_add(fill_blend, diffuse_lit.color, diffuse_lit.tone, 1.0, true);
+
+    // Specular (Light layer)
     float specular_convexity = transition_balanced(surface.kappa, 0.15);
-    vec4 specular_color = curvature_color(specular_convexity, vec4(0.9098, 0.851, 0.7216, 1.0), vec4(0.5412, 0.3608, 0.251, 1.0));
-    Angle specular_angle = parametrization_specular_balanced(u_look.key, surface.normal, surface.view);
-    float specular_warp = (((2.0 * specular_convexity) - 1.0) * 0.1);
+    vec4 specular_color = curvature_color(specular_convexity, vec4(0.9098, 0.851, 0.7216, 1.0),
+        vec4(0.5412, 0.3608, 0.251, 1.0));
+    Angle specular_angle = parametrization_specular_balanced(u_look.key, surface.normal,
+        surface.view);
+    float specular_warp = (2.0 * specular_convexity - 1.0) * 0.1;
     float specular_tone = profile_balanced_2(specular_angle, specular_warp, specular_tone_shape);
     LitLayer specular_lit = light_apply(u_look.key, specular_color, specular_tone);
-    vec4 specular_blend = blend_add(diffuse_blend, specular_lit.color, specular_lit.tone, 1.0, true);
-    vec4 back_light_color = curvature_color(back_light_convexity, vec4(0.3098, 0.5255, 0.7216, 1.0), vec4(0.1294, 0.2706, 0.4314, 1.0));
-    Angle back_light_angle = Angle((0.5 * length((surface.normal - u_look.back.direction))), (0.5 * length((surface.normal + u_look.back.direction))));
-    float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * 0.15);
-    float back_light_tone = profile_balanced(back_light_angle, back_light_warp, back_light_tone_shape);
+    vec4 specular_blend = blend_add(diffuse_blend, specular_lit.color, specular_lit.tone, 1.0,
+        true);
+
+    // Back-light (Light layer)
+    vec4 back_light_color = curvature_color(back_light_convexity, vec4(0.3098, 0.5255, 0.7216, 1.0),
+        vec4(0.1294, 0.2706, 0.4314, 1.0));
+    Angle back_light_angle = Angle(0.5 * length(surface.normal - u_look.back.direction), 0.5
+        * length(surface.normal + u_look.back.direction));
+    float back_light_warp = (2.0 * back_light_convexity - 1.0) * 0.15;
+    float back_light_tone = profile_balanced(back_light_angle, back_light_warp,
+        back_light_tone_shape);
     LitLayer back_light_lit = light_apply(u_look.back, back_light_color, back_light_tone);
-    vec4 back_light_blend = blend_add(specular_blend, back_light_lit.color, back_light_lit.tone, 1.0, true);
+    vec4 back_light_blend = blend_add(specular_blend, back_light_lit.color, back_light_lit.tone,
+        1.0, true);
+
     return back_light_blend;
 }
 
@@ -243,10 +277,9 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), texel.x);
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position),
+        texel.x);
     out_color = shade(surface);
-    return;
 }
-

@@ -196,7 +196,7 @@ fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -226,12 +226,15 @@ const back_light_tone_shape = ProfileShape(0.9689124, 0.24740396, 2.7302074, 1.8
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Fill (Light layer)
     let fill_convexity = transition_balanced(surface.kappa, 0.25);
     let fill_color = curvature_color(fill_convexity, vec4f(0.0863, 0.0745, 0.1216, 1.0),
         vec4f(0.0314, 0.0235, 0.051, 1.0));
     let fill_lit = light_apply(look.key, fill_color, 1.0);
     let fill_blend = blend_add(vec4f(0.0824, 0.0745, 0.1098, 1.0), fill_lit.color, fill_lit.tone,
         1.0, true);
+
+    // Diffuse (Light layer)
     let back_light_convexity = transition_balanced(surface.kappa, 0.2);
     let diffuse_color = curvature_color(back_light_convexity, vec4f(0.7098, 0.4, 0.1804, 1.0),
         vec4f(0.4314, 0.1647, 0.1176, 1.0));
@@ -241,6 +244,8 @@ fn shade(surface: Surface) -> vec4f {
     let diffuse_tone = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
     let diffuse_lit = light_apply(look.key, diffuse_color, diffuse_tone);
     let diffuse_blend = blend_add(fill_blend, diffuse_lit.color, diffuse_lit.tone, 1.0, true);
+
+    // Specular (Light layer)
     let specular_convexity = transition_balanced(surface.kappa, 0.15);
     let specular_color = curvature_color(specular_convexity, vec4f(0.9098, 0.851, 0.7216, 1.0),
         vec4f(0.5412, 0.3608, 0.251, 1.0));
@@ -249,6 +254,8 @@ fn shade(surface: Surface) -> vec4f {
     let specular_tone = profile_balanced_2(specular_angle, specular_warp, specular_tone_shape);
     let specular_lit = light_apply(look.key, specular_color, specular_tone);
     let specular_blend = blend_add(diffuse_blend, specular_lit.color, specular_lit.tone, 1.0, true);
+
+    // Back-light (Light layer)
     let back_light_color = curvature_color(back_light_convexity, vec4f(0.3098, 0.5255, 0.7216, 1.0),
         vec4f(0.1294, 0.2706, 0.4314, 1.0));
     let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
@@ -259,6 +266,7 @@ fn shade(surface: Surface) -> vec4f {
     let back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
     let back_light_blend = blend_add(specular_blend, back_light_lit.color, back_light_lit.tone, 1.0,
         true);
+
     return back_light_blend;
 }
 

@@ -9,12 +9,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -28,17 +30,25 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 normal;
 };
+
 const float HALF_PI = 1.5707964;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const Ramp color_code = Ramp(vec4[16](vec4(1.0, 0.9686, 0.8392, 1.0), vec4(1.0, 0.8196, 0.4, 1.0), vec4(0.9529, 0.4471, 0.1725, 1.0), vec4(0.7843, 0.1961, 0.3529, 1.0), vec4(0.4157, 0.1725, 0.549, 1.0), vec4(0.1529, 0.2039, 0.4353, 1.0), vec4(0.0431, 0.0627, 0.149, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.1, 0.22, 0.36), vec4(0.52, 0.72, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 1u);
+const Ramp color_code = Ramp(vec4[16](vec4(1.0, 0.9686, 0.8392, 1.0), vec4(1.0, 0.8196, 0.4, 1.0),
+    vec4(0.9529, 0.4471, 0.1725, 1.0), vec4(0.7843, 0.1961, 0.3529, 1.0),
+    vec4(0.4157, 0.1725, 0.549, 1.0), vec4(0.1529, 0.2039, 0.4353, 1.0),
+    vec4(0.0431, 0.0627, 0.149, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)),
+    vec4[4](vec4(0.0, 0.1, 0.22, 0.36), vec4(0.52, 0.72, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 1u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -50,10 +60,9 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, u_object.world_from_normal
+        * vertex.normal);
+    gl_Position = varyings.clip;
+    v_normal = varyings.normal;
 }
-

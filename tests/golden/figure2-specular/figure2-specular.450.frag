@@ -9,6 +9,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -20,15 +21,18 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -37,6 +41,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -50,14 +55,21 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float HALF_PI = 1.5707964;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const Ramp color_code = Ramp(vec4[16](vec4(1.0, 0.9686, 0.8392, 1.0), vec4(1.0, 0.8196, 0.4, 1.0), vec4(0.9529, 0.4471, 0.1725, 1.0), vec4(0.7843, 0.1961, 0.3529, 1.0), vec4(0.4157, 0.1725, 0.549, 1.0), vec4(0.1529, 0.2039, 0.4353, 1.0), vec4(0.0431, 0.0627, 0.149, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.1, 0.22, 0.36), vec4(0.52, 0.72, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 1u);
+const Ramp color_code = Ramp(vec4[16](vec4(1.0, 0.9686, 0.8392, 1.0), vec4(1.0, 0.8196, 0.4, 1.0),
+    vec4(0.9529, 0.4471, 0.1725, 1.0), vec4(0.7843, 0.1961, 0.3529, 1.0),
+    vec4(0.4157, 0.1725, 0.549, 1.0), vec4(0.1529, 0.2039, 0.4353, 1.0),
+    vec4(0.0431, 0.0627, 0.149, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)),
+    vec4[4](vec4(0.0, 0.1, 0.22, 0.36), vec4(0.52, 0.72, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 1u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
 
@@ -76,29 +88,32 @@ vec4 finite_vec4(vec4 v) {
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
 float atan2_positive(float y, float x) {
     float small = min(y, x);
     float large = max(y, x);
-    if ((large <= 0.0)) {
+    if (large <= 0.0) {
         return 0.0;
     }
-    float t = (small / large);
+    float t = small / large;
     // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    bool is_wide = (t > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t);
-    float r2 = (r * r);
-    float series = (r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x) ? (HALF_PI - a) : a);
+    bool is_wide = t > 0.41421357;
+    float r = is_wide ? (small - large) / (small + large) : t;
+    float r2 = r * r;
+    float series = r * (1.0 + r2 * (-0.33333334 + r2
+        * (0.2 + r2 * (-0.14285715 + r2
+        * (0.11111111 + r2 * (-0.09090909 + r2
+        * (0.07692308 + r2 * (-0.06666667 + r2 * 0.05882353))))))));
+    float a = is_wide ? series + 0.7853982 : series;
+    return y > x ? HALF_PI - a : a;
 }
 
 /// The angle u in radians.
 float angle_radians(Angle u) {
-    return (2.0 * atan2_positive(u.half_sin, u.half_cos));
+    return 2.0 * atan2_positive(u.half_sin, u.half_cos);
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -107,7 +122,7 @@ float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -121,10 +136,10 @@ vec4 bounded_vec4(vec4 v) {
 
 /// a / b; 0 where b is 0.
 float divided(float a, float b) {
-    if ((abs(b) < SMALLEST_NORMAL)) {
+    if (abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((a / b));
+    return bounded(a / b);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -136,36 +151,43 @@ float footprint_of(float x) {
 /// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
 /// t.
 vec4 hermite(vec4 a, vec4 b, vec4 from_a, vec4 to_b, float t) {
-    vec4 d = (b - a);
-    return (a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d))))))));
+    vec4 d = b - a;
+    return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
 /// [`ramp_slope`] of one component.
 float harmonic_slope(float before, float span_before, float after, float span_after) {
-    if (((before * after) <= 0.0)) {
+    if (before * after <= 0.0) {
         return 0.0;
     }
-    float weight_before = ((2.0 * span_after) + span_before);
-    float weight_after = (span_after + (2.0 * span_before));
-    return divided((weight_before + weight_after), ((weight_before / before) + (weight_after / after)));
+    float weight_before = 2.0 * span_after + span_before;
+    float weight_after = span_after + 2.0 * span_before;
+    return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
 /// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
 /// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
 vec4 ramp_slope(vec4 rise_before, float span_before, vec4 rise_after, float span_after) {
-    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after);
+    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before,
+        divided(rise_after.x, span_after), span_after);
     float divided_value = divided(rise_after.y, span_after);
     float divided_value_1 = divided(rise_after.z, span_after);
-    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_1, span_after);
+    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before,
+        divided_value_1, span_after);
     float divided_value_2 = divided(rise_after.w, span_after);
-    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_2, span_after);
-    return vec4(harmonic_slope_value, harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after), harmonic_slope_value_1, harmonic_slope_value_2);
+    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before,
+        divided_value_2, span_after);
+    return vec4(harmonic_slope_value,
+        harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after),
+        harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
 /// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
 /// Transparent black for a ramp without stops.
 vec4 ramp_at(Ramp ramp, float x, float w) {
-    vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+    vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i_2 = 1u;
     uint at = 0u;
@@ -176,45 +198,47 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i_2 = (i_2 + 1u);
+            i_2 = i_2 + 1u;
         }
         loop_init = false;
-        if (!((i_2 < 7u))) {
+        if (!(i_2 < 7u)) {
             break;
         }
-        float places_now = places[(i_2 / 4u)][(i_2 % 4u)];
-        at = ((places_now <= x) ? i_2 : at);
+        float places_now = places[i_2 / 4u][i_2 % 4u];
+        at = places_now <= x ? i_2 : at;
     }
-    float place = places[(at / 4u)][(at % 4u)];
-    if ((((at + 1u) >= 7u) || (x <= place))) {
+    float place = places[at / 4u][at % 4u];
+    if (at + 1u >= 7u || x <= place) {
         return colors[at];
     }
-    uint after = (at + 1u);
-    float span = (places[(after / 4u)][(after % 4u)] - place);
-    float t = clamp(divided((x - place), span), 0.0, 1.0);
-    if ((at > 0u)) {
-        float before = places[((at - 1u) / 4u)][((at - 1u) % 4u)];
-        from_a = ramp_slope((colors[at] - colors[(at - 1u)]), (place - before), (colors[after] - colors[at]), span);
+    uint after = at + 1u;
+    float span = places[after / 4u][after % 4u] - place;
+    float t = clamp(divided(x - place, span), 0.0, 1.0);
+    if (at > 0u) {
+        float before = places[(at - 1u) / 4u][(at - 1u) % 4u];
+        from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after]
+            - colors[at], span);
     }
-    if (((after + 1u) < 7u)) {
-        float next = (places[((after + 1u) / 4u)][((after + 1u) % 4u)] - (place + span));
-        to_b = ramp_slope((colors[after] - colors[at]), span, (colors[(after + 1u)] - colors[after]), next);
+    if (after + 1u < 7u) {
+        float next = places[(after + 1u) / 4u][(after + 1u) % 4u] - (place + span);
+        to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after],
+            next);
     }
-    return bounded_vec4(hermite(colors[at], colors[after], (span * from_a), (span * to_b), t));
+    return bounded_vec4(hermite(colors[at], colors[after], span * from_a, span * to_b, t));
 }
 
 /// Premultiplied RGBA of a straight color.
 vec4 premultiplied(vec4 color) {
-    return vec4((color.xyz * color.w), color.w);
+    return vec4(color.xyz * color.w, color.w);
 }
 
 /// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
 /// is, so that light added over transparency is not lost.
 vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
+    if (composite.w <= 0.0) {
         return composite;
     }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
+    return vec4(composite.xyz / vec3(composite.w), composite.w);
 }
 
 /// Output
@@ -226,14 +250,14 @@ vec4 output_(vec4 color) {
 }
 
 Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
-    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
+    vec3 d = 2.0 * dot(normal, view) * normal - view;
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
     Angle angle = parametrization_specular_balanced(u_look.key, surface.normal, surface.view);
-    float angle_over_pi = (angle_radians(angle) / 3.1415927);
+    float angle_over_pi = angle_radians(angle) / 3.1415927;
     vec4 color_code_2 = ramp_at(color_code, angle_over_pi, footprint_of(angle_over_pi));
     vec4 output_alpha = vec4(color_code_2.xyz, clamp(color_code_2.w, 0.0, 1.0));
     return output_(premultiplied(output_alpha));
@@ -243,9 +267,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))));
+    vec3 normal = is_front ? facing : -facing;
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position));
     out_color = finite_vec4(shade(surface));
-    return;
 }
-

@@ -74,9 +74,12 @@ struct Varyings {
 };
 
 static const float PI = 3.1415927;
-static const ProfileShape lambert_shape = {1.0, 0.0, 1.4142109, 1.0, 0.0, 0.9999519, 0.37607926, 0u};
-static const ProfileShape half_lambert_shape = {1.0, 0.0, 1.0, 0.9999963, 0.0, 1.5707985, 0.68337417, 0u};
-static const ProfileShape custom_shape = {0.9689124, 0.24740396, 1.6523834, 4.0124283, 0.5, 0.49992928, 0.2351043, 0u};
+static const ProfileShape lambert_shape = {1.0, 0.0, 1.4142109, 1.0, 0.0, 0.9999519, 0.37607926,
+    0u};
+static const ProfileShape half_lambert_shape = {1.0, 0.0, 1.0, 0.9999963, 0.0, 1.5707985,
+    0.68337417, 0u};
+static const ProfileShape custom_shape = {0.9689124, 0.24740396, 1.6523834, 4.0124283, 0.5,
+    0.49992928, 0.2351043, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -95,14 +98,14 @@ struct FragmentInput_fs_main {
 /// never happens.
 bool is_finite(float x)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
+    return (asuint(x) & 2139095040u) != 2139095040u;
 }
 
 /// x, or `otherwise` where x is NaN or infinite.
 float finite_or(float x, float otherwise)
 {
     const bool is_finite_value = is_finite(x);
-    return (is_finite_value ? x : otherwise);
+    return is_finite_value ? x : otherwise;
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
@@ -112,12 +115,15 @@ float2 sin_cos_quarter(float x)
     // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
     // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
     // whose cut-off is pi is 0 there, in f64 too.
-    float h = (0.5 * x);
-    float h2 = (h * h);
-    float s = (h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (2.7557319e-6 + (h2 * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-2.4801588e-5 + (h2 * (2.755732e-7 + (h2 * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+    float h = 0.5 * x;
+    float h2 = h * h;
+    float s = h * (1.0 + h2 * (-0.16666667 + h2
+        * (0.008333334 + h2 * (-0.0001984127 + h2 * (2.7557319e-6 + h2 * -2.5052108e-8)))));
+    float one_minus_c = h2 * (0.5 + h2
+        * (-0.041666668 + h2 * (0.0013888889 + h2
+        * (-2.4801588e-5 + h2 * (2.755732e-7 + h2 * -2.0876756e-9)))));
+    float c = 1.0 - one_minus_c;
+    return float2(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -130,10 +136,9 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// The angle of `radians`, clamped to [0, pi]; 0 where it is not finite.
 Angle angle_of(float radians_)
 {
-    float half_angle = (0.5 * clamp(finite_or(radians_, 0.0), 0.0, PI));
+    float half_angle = 0.5 * clamp(finite_or(radians_, 0.0), 0.0, PI);
     const float2 sc = sin_cos_quarter(half_angle);
-    const Angle angle_3 = ConstructAngle(max(sc.x, 0.0), max(sc.y, 0.0));
-    return angle_3;
+    return ConstructAngle(max(sc.x, 0.0), max(sc.y, 0.0));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -143,19 +148,18 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = (u.half_sin - (u.half_cos * 0.0));
-    float c = (u.half_cos + (u.half_sin * 0.0));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_4 = ConstructAngle(turned.x, turned.y);
-    return angle_4;
+    float s = u.half_sin - u.half_cos * 0.0;
+    float c = u.half_cos + u.half_sin * 0.0;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -168,92 +172,94 @@ float footprint_of(float x)
 /// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 float step_filtered(float x, float edge, float w)
 {
-    float d = (x - edge);
-    return ((w < 1e-30) ? ((d >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d / w)), 0.0, 1.0));
+    float d = x - edge;
+    return w < 1e-30 ? (d >= 0.0 ? 1.0 : 0.0) : clamp(0.5 + d / w, 0.0, 1.0);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
+    return float4(below.xyz + tone * (color.xyz - below.xyz), 1.0);
 }
 
 float4 blend_alpha_2(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 float4 blend_alpha_3(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + tone * (color.xyz - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), 1.0));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), 1.0);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick_2(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick_3(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow((1.0 - (q * q)), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(1.0 - q * q, shape.exponent);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2((u.half_sin - (u.half_cos * 0.0)), (u.half_cos + (u.half_sin * 0.0)));
+    float2 place = float2(u.half_sin - u.half_cos * 0.0, u.half_cos + u.half_sin * 0.0);
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2((u.half_sin - (u.half_cos * 0.0)), (u.half_cos + (u.half_sin * 0.0)));
+    float2 place = float2(u.half_sin - u.half_cos * 0.0, u.half_cos + u.half_sin * 0.0);
     const float point_ = profile_soft_quick_2(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick_3(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick_3(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_3(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     const float point_ = profile_soft_quick_2(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
@@ -297,42 +303,58 @@ VectorParts ConstructVectorParts(float arg0, float arg1, float arg2) {
 /// The three numbers of a vector.
 VectorParts separate_vector(float3 vector_)
 {
-    const VectorParts vectorparts = ConstructVectorParts(vector_.x, vector_.y, 0.0);
-    return vectorparts;
+    return ConstructVectorParts(vector_.x, vector_.y, 0.0);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
     const VectorParts place = separate_vector(float3(surface.uv, 0.0));
-    float tone = ((place.y - 0.14) / 0.72);
-    float angles_tone = max((threshold(tone, -0.006, 0.0) - threshold(tone, 0.006, 0.0)), 0.0);
-    const float4 angles = blend_alpha(float4(0.98, 0.965, 0.925, 1.0), float4(0.24, 0.26, 0.3, 1.0), angles_tone, 1.0, true);
-    float angle = lerp(0.0, 3.1415927, ((place.x - 0.08) / 0.84));
-    float tones_tone = max((threshold(angle, -0.012, 0.0) - threshold(angle, 0.012, 0.0)), 0.0);
-    float4 tones = max(float4((angles.xyz + (tones_tone * (float3(0.24, 0.26, 0.3) - angles.xyz))), 1.0), (0.0).xxxx);
-    float offset_tone = max((threshold(angle, 0.492, 0.0) - threshold(angle, 0.508, 0.0)), 0.0);
-    const float4 offset = blend_alpha_2(tones, float4(0.2, 0.38, 0.78, 1.0), offset_tone, 0.55, true);
-    float falloff_tone = max((threshold(angle, 0.942, 0.0) - threshold(angle, 0.958, 0.0)), 0.0);
-    const float4 falloff = blend_alpha_2(offset, float4(0.2, 0.38, 0.78, 1.0), falloff_tone, 0.55, true);
-    float cutoff_tone = max((threshold(angle, 1.792, 0.0) - threshold(angle, 1.808, 0.0)), 0.0);
-    const float4 cutoff = blend_alpha_2(falloff, float4(0.2, 0.38, 0.78, 1.0), cutoff_tone, 0.55, true);
+    float tone = (place.y - 0.14) / 0.72;
+    // Blend
+    float angles_tone = max(threshold(tone, -0.006, 0.0) - threshold(tone, 0.006, 0.0), 0.0);
+    const float4 angles = blend_alpha(float4(0.98, 0.965, 0.925, 1.0), float4(0.24, 0.26, 0.3, 1.0),
+        angles_tone, 1.0, true);
+    float angle = lerp(0.0, 3.1415927, (place.x - 0.08) / 0.84);
+    // Blend
+    float tones_tone = max(threshold(angle, -0.012, 0.0) - threshold(angle, 0.012, 0.0), 0.0);
+    // Blend
+    float4 tones = max(float4(angles.xyz + tones_tone * (float3(0.24, 0.26, 0.3) - angles.xyz),
+        1.0), (0.0).xxxx);
+    // Blend
+    float offset_tone = max(threshold(angle, 0.492, 0.0) - threshold(angle, 0.508, 0.0), 0.0);
+    const float4 offset = blend_alpha_2(tones, float4(0.2, 0.38, 0.78, 1.0), offset_tone, 0.55,
+        true);
+    // Blend
+    float falloff_tone = max(threshold(angle, 0.942, 0.0) - threshold(angle, 0.958, 0.0), 0.0);
+    const float4 falloff = blend_alpha_2(offset, float4(0.2, 0.38, 0.78, 1.0), falloff_tone, 0.55,
+        true);
+    // Blend
+    float cutoff_tone = max(threshold(angle, 1.792, 0.0) - threshold(angle, 1.808, 0.0), 0.0);
+    const float4 cutoff = blend_alpha_2(falloff, float4(0.2, 0.38, 0.78, 1.0), cutoff_tone, 0.55,
+        true);
     const float lambert = profile_balanced(angle_of(angle), 0.0, lambert_shape);
-    float lambert_off = (tone - lambert);
-    float lambert_line = (threshold(lambert_off, -0.012, 0.0) - threshold(lambert_off, 0.012, 0.0));
+    float lambert_off = tone - lambert;
+    float lambert_line = threshold(lambert_off, -0.012, 0.0) - threshold(lambert_off, 0.012, 0.0);
+    // Blend
     float lambert_tone = max(lambert_line, 0.0);
-    const float4 lambert_2 = blend_alpha_3(cutoff, float4(0.8, 0.2, 0.17, 1.0), lambert_tone, 1.0, true);
+    const float4 lambert_2 = blend_alpha_3(cutoff, float4(0.8, 0.2, 0.17, 1.0), lambert_tone, 1.0,
+        true);
     const float half_lambert = profile_balanced_2(angle_of(angle), 0.0, half_lambert_shape);
-    float half_lambert_off = (tone - half_lambert);
+    float half_lambert_off = tone - half_lambert;
     const float half_lambert_to = threshold(half_lambert_off, 0.012, 0.0);
-    float half_lambert_line = (threshold(half_lambert_off, -0.012, 0.0) - half_lambert_to);
+    float half_lambert_line = threshold(half_lambert_off, -0.012, 0.0) - half_lambert_to;
+    // Blend
     float half_lambert_tone = max(half_lambert_line, 0.0);
-    const float4 half_lambert_2 = blend_alpha_3(lambert_2, float4(0.18, 0.55, 0.27, 1.0), half_lambert_tone, 1.0, true);
+    const float4 half_lambert_2 = blend_alpha_3(lambert_2, float4(0.18, 0.55, 0.27, 1.0),
+        half_lambert_tone, 1.0, true);
     const float custom = profile_balanced_3(angle_of(angle), 0.0, custom_shape);
-    float custom_off = (tone - custom);
-    float custom_line = (threshold(custom_off, -0.012, 0.0) - threshold(custom_off, 0.012, 0.0));
+    float custom_off = tone - custom;
+    float custom_line = threshold(custom_off, -0.012, 0.0) - threshold(custom_off, 0.012, 0.0);
+    // Blend
     float custom_tone = max(custom_line, 0.0);
-    const float4 custom_2 = blend_alpha_3(half_lambert_2, float4(0.5, 0.31, 0.14, 1.0), custom_tone, 1.0, true);
+    const float4 custom_2 = blend_alpha_3(half_lambert_2, float4(0.5, 0.31, 0.14, 1.0), custom_tone,
+        1.0, true);
     return custom_2;
 }
 

@@ -255,34 +255,43 @@ const custom_shape = ProfileShape(0.9689124, 0.24740396, 1.6523834, 4.0124283, 0
 fn shade(surface: Surface) -> vec4f {
     let place = separate_vector(vec3f(surface.uv, 0.0));
     let tone = (place.y - 0.14) / (0.86 - 0.14);
+    // Blend
     let angles_tone = max(threshold(tone, -0.006, 0.0) - threshold(tone, 0.006, 0.0), 0.0);
     let angles = blend_alpha(vec4f(0.98, 0.965, 0.925, 1.0), vec4f(0.24, 0.26, 0.3, 1.0),
         angles_tone, 1.0, true);
     let angle = mix(0.0, 3.1415927, (place.x - 0.08) / (0.92 - 0.08));
+    // Blend
     let tones_tone = max(threshold(angle, -0.012, 0.0) - threshold(angle, 0.012, 0.0), 0.0);
+    // Blend
     let tones = max(vec4f(angles.xyz + tones_tone * (vec4f(0.24, 0.26, 0.3, 1.0).xyz - angles.xyz),
         1.0), vec4f(0.0));
+    // Blend
     let offset_tone = max(threshold(angle, 0.492, 0.0) - threshold(angle, 0.508, 0.0), 0.0);
     let offset = blend_alpha_2(tones, vec4f(0.2, 0.38, 0.78, 1.0), offset_tone, 0.55, true);
+    // Blend
     let falloff_tone = max(threshold(angle, 0.942, 0.0) - threshold(angle, 0.958, 0.0), 0.0);
     let falloff = blend_alpha_2(offset, vec4f(0.2, 0.38, 0.78, 1.0), falloff_tone, 0.55, true);
+    // Blend
     let cutoff_tone = max(threshold(angle, 1.792, 0.0) - threshold(angle, 1.808, 0.0), 0.0);
     let cutoff = blend_alpha_2(falloff, vec4f(0.2, 0.38, 0.78, 1.0), cutoff_tone, 0.55, true);
     let lambert = profile_balanced(angle_of(angle), 0.0, lambert_shape);
     let lambert_off = tone - lambert;
     let lambert_line = threshold(lambert_off, -0.012, 0.0) - threshold(lambert_off, 0.012, 0.0);
+    // Blend
     let lambert_tone = max(lambert_line, 0.0);
     let lambert_2 = blend_alpha_3(cutoff, vec4f(0.8, 0.2, 0.17, 1.0), lambert_tone, 1.0, true);
     let half_lambert = profile_balanced_2(angle_of(angle), 0.0, half_lambert_shape);
     let half_lambert_off = tone - half_lambert;
     let half_lambert_to = threshold(half_lambert_off, 0.012, 0.0);
     let half_lambert_line = threshold(half_lambert_off, -0.012, 0.0) - half_lambert_to;
+    // Blend
     let half_lambert_tone = max(half_lambert_line, 0.0);
     let half_lambert_2 = blend_alpha_3(lambert_2, vec4f(0.18, 0.55, 0.27, 1.0), half_lambert_tone,
         1.0, true);
     let custom = profile_balanced_3(angle_of(angle), 0.0, custom_shape);
     let custom_off = tone - custom;
     let custom_line = threshold(custom_off, -0.012, 0.0) - threshold(custom_off, 0.012, 0.0);
+    // Blend
     let custom_tone = max(custom_line, 0.0);
     let custom_2 = blend_alpha_3(half_lambert_2, vec4f(0.5, 0.31, 0.14, 1.0), custom_tone, 1.0,
         true);

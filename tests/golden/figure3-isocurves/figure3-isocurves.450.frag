@@ -14,6 +14,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -32,6 +33,7 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light key;
@@ -40,10 +42,12 @@ struct Look {
     float offset;
     ProfileShape profile_tone_shape;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -52,16 +56,19 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     vec4 color;
     /// The tone under this light.
     float tone;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 normal;
 };
+
 const float HALF_PI = 1.5707964;
 const float LOG2_E = 1.442695;
 const uint PROFILE_STEP = 1u;
@@ -76,7 +83,7 @@ layout(location = 0) out vec4 out_color;
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -88,30 +95,33 @@ vec3 normalize_seen(vec3 v) {
 /// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
 /// hardware's; -100 at 1.
 float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
+    float series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.33333334 + y * (0.25 + y * 0.2))));
+    return y < 0.0625 ? series : log2(max(1.0 - y, 7.888609e-31));
 }
 
 /// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
 float atan2_positive(float y, float x) {
     float small = min(y, x);
     float large = max(y, x);
-    if ((large <= 0.0)) {
+    if (large <= 0.0) {
         return 0.0;
     }
-    float t = (small / large);
+    float t = small / large;
     // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    bool is_wide = (t > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t);
-    float r2 = (r * r);
-    float series = (r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x) ? (HALF_PI - a) : a);
+    bool is_wide = t > 0.41421357;
+    float r = is_wide ? (small - large) / (small + large) : t;
+    float r2 = r * r;
+    float series = r * (1.0 + r2 * (-0.33333334 + r2
+        * (0.2 + r2 * (-0.14285715 + r2
+        * (0.11111111 + r2 * (-0.09090909 + r2
+        * (0.07692308 + r2 * (-0.06666667 + r2 * 0.05882353))))))));
+    float a = is_wide ? series + 0.7853982 : series;
+    return y > x ? HALF_PI - a : a;
 }
 
 /// The angle u in radians.
 float angle_radians(Angle u) {
-    return (2.0 * atan2_positive(u.half_sin, u.half_cos));
+    return 2.0 * atan2_positive(u.half_sin, u.half_cos);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -120,15 +130,15 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = (u.half_sin - 0.0);
-    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
-    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - 0.0;
+    vec2 upper = u.half_cos <= 0.0 ? vec2(1.0, 0.0) : vec2(s, u.half_cos);
+    vec2 turned = (s <= 0.0 && s < u.half_cos) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -138,7 +148,7 @@ float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -149,15 +159,15 @@ float footprint_of(float x) {
 
 /// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 float step_filtered(float x, float edge, float w) {
-    float d = bounded((x - edge));
-    if ((w < 1e-30)) {
-        return ((d >= 0.0) ? 1.0 : 0.0);
+    float d = bounded(x - edge);
+    if (w < 1e-30) {
+        return d >= 0.0 ? 1.0 : 0.0;
     }
-    return clamp((0.5 + bounded((d / w))), 0.0, 1.0);
+    return clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4(below.xyz + tone * (color.xyz - below.xyz), 1.0), vec4(0.0), vec4(1.0));
 }
 
 /// Light on a layer
@@ -166,59 +176,60 @@ vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 /// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
 /// exponent would amplify their errors.
 float profile_power_quick(float q, float exponent) {
-    float y = min((q * q), 1.0);
-    float power = exp2(max((exponent * log2_one_minus(y)), -126.0));
-    return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
+    float y = min(q * q, 1.0);
+    float power = exp2(max(exponent * log2_one_minus(y), -126.0));
+    return q >= 1.0 ? 0.0 : clamp(power, 0.0, 1.0);
 }
 
 /// Sine and cosine of half the angle from tau to u.
 vec2 profile_place(Angle u, ProfileShape shape) {
-    return vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    return vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float profile_power_quick_value = profile_power_quick((s * shape.scale), shape.exponent);
-    return ((s <= 0.0) ? 1.0 : profile_power_quick_value);
+    float profile_power_quick_value = profile_power_quick(s * shape.scale, shape.exponent);
+    return s <= 0.0 ? 1.0 : profile_power_quick_value;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
     // 2 asin(s) by its series: the ramp is narrow.
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    if ((shape.kind == PROFILE_AMBIENT)) {
+    if (shape.kind == PROFILE_AMBIENT) {
         return 1.0;
     }
     vec2 place = profile_place(u, shape);
-    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
-    if (((shape.kind == PROFILE_STEP) || is_narrow)) {
+    bool is_narrow = w > 0.0 && w >= 3.4641016 * shape.edge_deviation;
+    if (shape.kind == PROFILE_STEP || is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     // Half of the quadrature's reach is below 0.1.
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
@@ -232,30 +243,41 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape) {
 /// shape out of anything smooth. Where the value does not change on the screen the edge is hard,
 /// and the edge itself is 1.
 float threshold(float value, float edge, float softness) {
-    return step_filtered(bounded(value), edge, length(vec2(min(footprint_of(value), 1000000000000000.0), softness)));
+    return step_filtered(bounded(value), edge,
+        length(vec2(min(footprint_of(value), 1000000000000000.0), softness)));
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    Angle profile_angle = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
+    // Profile (Light layer)
+    Angle profile_angle = Angle(0.5 * length(surface.normal - u_look.key.direction), 0.5
+        * length(surface.normal + u_look.key.direction));
     float profile_tone = profile_balanced(profile_angle, 0.0, u_look.profile_tone_shape);
     LitLayer profile_lit = light_apply(u_look.key, vec4(0.86, 0.8, 0.7, 1.0), profile_tone);
-    vec4 profile_blend = clamp(vec4((vec3(0.11, 0.13, 0.19) + (profile_lit.tone * profile_lit.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    float offset_apart = bounded((angle_radians(profile_angle) - u_look.offset));
+    vec4 profile_blend = clamp(vec4(vec3(0.11, 0.13, 0.19) + profile_lit.tone
+        * profile_lit.color.xyz, 1.0), vec4(0.0), vec4(1.0));
+
+    float offset_apart = bounded(angle_radians(profile_angle) - u_look.offset);
     float offset_isocurve_to = threshold(offset_apart, 0.012, 0.0);
-    float offset_isocurve_line = (threshold(offset_apart, -0.012, 0.0) - offset_isocurve_to);
+    float offset_isocurve_line = threshold(offset_apart, -0.012, 0.0) - offset_isocurve_to;
+    // Blend
     float offset_isocurve_tone = max(offset_isocurve_line, 0.0);
-    vec4 offset_isocurve = blend_alpha(profile_blend, vec4(0.16, 0.36, 0.85, 1.0), offset_isocurve_tone, 1.0, true);
-    float falloff_apart = bounded((angle_radians(profile_angle) - u_look.fall_off));
+    vec4 offset_isocurve = blend_alpha(profile_blend, vec4(0.16, 0.36, 0.85, 1.0),
+        offset_isocurve_tone, 1.0, true);
+    float falloff_apart = bounded(angle_radians(profile_angle) - u_look.fall_off);
     float falloff_isocurve_to = threshold(falloff_apart, 0.012, 0.0);
-    float falloff_isocurve_line = (threshold(falloff_apart, -0.012, 0.0) - falloff_isocurve_to);
+    float falloff_isocurve_line = threshold(falloff_apart, -0.012, 0.0) - falloff_isocurve_to;
+    // Blend
     float falloff_isocurve_tone = max(falloff_isocurve_line, 0.0);
-    vec4 falloff_isocurve = blend_alpha(offset_isocurve, vec4(0.16, 0.36, 0.85, 1.0), falloff_isocurve_tone, 1.0, true);
-    float cutoff_apart = bounded((angle_radians(profile_angle) - u_look.cut_off));
+    vec4 falloff_isocurve = blend_alpha(offset_isocurve, vec4(0.16, 0.36, 0.85, 1.0),
+        falloff_isocurve_tone, 1.0, true);
+    float cutoff_apart = bounded(angle_radians(profile_angle) - u_look.cut_off);
     float cutoff_isocurve_to = threshold(cutoff_apart, 0.012, 0.0);
-    float cutoff_isocurve_line = (threshold(cutoff_apart, -0.012, 0.0) - cutoff_isocurve_to);
+    float cutoff_isocurve_line = threshold(cutoff_apart, -0.012, 0.0) - cutoff_isocurve_to;
+    // Blend
     float cutoff_isocurve_tone = max(cutoff_isocurve_line, 0.0);
-    vec4 cutoff_isocurve = blend_alpha(falloff_isocurve, vec4(0.16, 0.36, 0.85, 1.0), cutoff_isocurve_tone, 1.0, true);
+    vec4 cutoff_isocurve = blend_alpha(falloff_isocurve, vec4(0.16, 0.36, 0.85, 1.0),
+        cutoff_isocurve_tone, 1.0, true);
     return cutoff_isocurve;
 }
 
@@ -263,9 +285,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     Surface surface = Surface(normal);
     out_color = shade(surface);
-    return;
 }
-

@@ -124,7 +124,7 @@ struct FragmentInput_fs_main {
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -138,8 +138,8 @@ float3 normalize_seen(float3 v)
 /// hardware's; -100 at 1.
 float log2_one_minus(float y)
 {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
+    float series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.33333334 + y * (0.25 + y * 0.2))));
+    return y < 0.0625 ? series : log2(max(1.0 - y, 7.888609e-31));
 }
 
 /// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
@@ -147,23 +147,26 @@ float atan2_positive(float y, float x)
 {
     float small = min(y, x);
     float large = max(y, x);
-    if ((large <= 0.0)) {
+    if (large <= 0.0) {
         return 0.0;
     }
-    float t = (small / large);
+    float t = small / large;
     // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    bool is_wide = (t > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t);
-    float r2 = (r * r);
-    float series = (r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x) ? (HALF_PI - a) : a);
+    bool is_wide = t > 0.41421357;
+    float r = is_wide ? (small - large) / (small + large) : t;
+    float r2 = r * r;
+    float series = r * (1.0 + r2 * (-0.33333334 + r2
+        * (0.2 + r2 * (-0.14285715 + r2
+        * (0.11111111 + r2 * (-0.09090909 + r2
+        * (0.07692308 + r2 * (-0.06666667 + r2 * 0.05882353))))))));
+    float a = is_wide ? series + 0.7853982 : series;
+    return y > x ? HALF_PI - a : a;
 }
 
 /// The angle u in radians.
 float angle_radians(Angle u)
 {
-    return (2.0 * atan2_positive(u.half_sin, u.half_cos));
+    return 2.0 * atan2_positive(u.half_sin, u.half_cos);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -173,7 +176,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -187,11 +190,10 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = (u.half_sin - 0.0);
-    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
-    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_1 = ConstructAngle(turned.x, turned.y);
-    return angle_1;
+    float s = u.half_sin - 0.0;
+    float2 upper = u.half_cos <= 0.0 ? float2(1.0, 0.0) : float2(s, u.half_cos);
+    float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -201,7 +203,7 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -214,16 +216,16 @@ float footprint_of(float x)
 /// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 float step_filtered(float x, float edge, float w)
 {
-    const float d = bounded((x - edge));
-    if ((w < 1e-30)) {
-        return ((d >= 0.0) ? 1.0 : 0.0);
+    const float d = bounded(x - edge);
+    if (w < 1e-30) {
+        return d >= 0.0 ? 1.0 : 0.0;
     }
-    return clamp((0.5 + bounded((d / w))), 0.0, 1.0);
+    return clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + tone * (color.xyz - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -240,65 +242,65 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 /// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
 /// exponent would amplify their errors.
 float profile_power_quick(float q, float exponent)
 {
-    float y = min((q * q), 1.0);
-    float power = exp2(max((exponent * log2_one_minus(y)), -126.0));
-    return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
+    float y = min(q * q, 1.0);
+    float power = exp2(max(exponent * log2_one_minus(y), -126.0));
+    return q >= 1.0 ? 0.0 : clamp(power, 0.0, 1.0);
 }
 
 /// Sine and cosine of half the angle from tau to u.
 float2 profile_place(Angle u, ProfileShape shape)
 {
-    return float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    return float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    const float profile_power_quick_value = profile_power_quick((s * shape.scale), shape.exponent);
-    return ((s <= 0.0) ? 1.0 : profile_power_quick_value);
+    const float profile_power_quick_value = profile_power_quick(s * shape.scale, shape.exponent);
+    return s <= 0.0 ? 1.0 : profile_power_quick_value;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
     // 2 asin(s) by its series: the ramp is narrow.
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    if ((shape.kind == PROFILE_AMBIENT)) {
+    if (shape.kind == PROFILE_AMBIENT) {
         return 1.0;
     }
     const float2 place = profile_place(u, shape);
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
     if (((shape.kind == PROFILE_STEP) | is_narrow)) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
     // Half of the quadrature's reach is below 0.1.
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
@@ -314,31 +316,42 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape)
 /// and the edge itself is 1.
 float threshold(float value, float edge, float softness)
 {
-    return step_filtered(bounded(value), edge, length(float2(min(footprint_of(value), 1000000000000000.0), softness)));
+    return step_filtered(bounded(value), edge,
+        length(float2(min(footprint_of(value), 1000000000000000.0), softness)));
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    Angle profile_angle = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
+    // Profile (Light layer)
+    Angle profile_angle = ConstructAngle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
     const float profile_tone = profile_balanced(profile_angle, 0.0, look.profile_tone_shape);
     const LitLayer profile_lit = light_apply(look.key, float4(0.86, 0.8, 0.7, 1.0), profile_tone);
-    float4 profile_blend = clamp(float4((float3(0.11, 0.13, 0.19) + (profile_lit.tone * profile_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float offset_apart = bounded((angle_radians(profile_angle) - look.offset));
+    float4 profile_blend = clamp(float4(float3(0.11, 0.13, 0.19) + profile_lit.tone
+        * profile_lit.color.xyz, 1.0), (0.0).xxxx, (1.0).xxxx);
+
+    const float offset_apart = bounded(angle_radians(profile_angle) - look.offset);
     const float offset_isocurve_to = threshold(offset_apart, 0.012, 0.0);
-    float offset_isocurve_line = (threshold(offset_apart, -0.012, 0.0) - offset_isocurve_to);
+    float offset_isocurve_line = threshold(offset_apart, -0.012, 0.0) - offset_isocurve_to;
+    // Blend
     float offset_isocurve_tone = max(offset_isocurve_line, 0.0);
-    const float4 offset_isocurve = blend_alpha(profile_blend, float4(0.16, 0.36, 0.85, 1.0), offset_isocurve_tone, 1.0, true);
-    const float falloff_apart = bounded((angle_radians(profile_angle) - look.fall_off));
+    const float4 offset_isocurve = blend_alpha(profile_blend, float4(0.16, 0.36, 0.85, 1.0),
+        offset_isocurve_tone, 1.0, true);
+    const float falloff_apart = bounded(angle_radians(profile_angle) - look.fall_off);
     const float falloff_isocurve_to = threshold(falloff_apart, 0.012, 0.0);
-    float falloff_isocurve_line = (threshold(falloff_apart, -0.012, 0.0) - falloff_isocurve_to);
+    float falloff_isocurve_line = threshold(falloff_apart, -0.012, 0.0) - falloff_isocurve_to;
+    // Blend
     float falloff_isocurve_tone = max(falloff_isocurve_line, 0.0);
-    const float4 falloff_isocurve = blend_alpha(offset_isocurve, float4(0.16, 0.36, 0.85, 1.0), falloff_isocurve_tone, 1.0, true);
-    const float cutoff_apart = bounded((angle_radians(profile_angle) - look.cut_off));
+    const float4 falloff_isocurve = blend_alpha(offset_isocurve, float4(0.16, 0.36, 0.85, 1.0),
+        falloff_isocurve_tone, 1.0, true);
+    const float cutoff_apart = bounded(angle_radians(profile_angle) - look.cut_off);
     const float cutoff_isocurve_to = threshold(cutoff_apart, 0.012, 0.0);
-    float cutoff_isocurve_line = (threshold(cutoff_apart, -0.012, 0.0) - cutoff_isocurve_to);
+    float cutoff_isocurve_line = threshold(cutoff_apart, -0.012, 0.0) - cutoff_isocurve_to;
+    // Blend
     float cutoff_isocurve_tone = max(cutoff_isocurve_line, 0.0);
-    const float4 cutoff_isocurve = blend_alpha(falloff_isocurve, float4(0.16, 0.36, 0.85, 1.0), cutoff_isocurve_tone, 1.0, true);
+    const float4 cutoff_isocurve = blend_alpha(falloff_isocurve, float4(0.16, 0.36, 0.85, 1.0),
+        cutoff_isocurve_tone, 1.0, true);
     return cutoff_isocurve;
 }
 
@@ -352,7 +365,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world),
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -368,7 +382,7 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     Surface surface = ConstructSurface(normal);
     return shade(surface);
 }

@@ -266,27 +266,32 @@ fn threshold(value: f32, edge: f32, softness: f32) -> f32 {
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Profile (Light layer)
     let profile_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
         * length(surface.normal + look.key.direction));
     let profile_tone = profile_balanced(profile_angle, 0.0, look.profile_tone_shape);
     let profile_lit = light_apply(look.key, vec4f(0.86, 0.8, 0.7, 1.0), profile_tone);
     let profile_blend = clamp(vec4f(vec4f(0.11, 0.13, 0.19, 1.0).xyz + profile_lit.tone
         * profile_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+
     let offset_apart = bounded(angle_radians(profile_angle) - look.offset);
     let offset_isocurve_to = threshold(offset_apart, 0.012, 0.0);
     let offset_isocurve_line = threshold(offset_apart, -0.012, 0.0) - offset_isocurve_to;
+    // Blend
     let offset_isocurve_tone = max(offset_isocurve_line, 0.0);
     let offset_isocurve = blend_alpha(profile_blend, vec4f(0.16, 0.36, 0.85, 1.0),
         offset_isocurve_tone, 1.0, true);
     let falloff_apart = bounded(angle_radians(profile_angle) - look.fall_off);
     let falloff_isocurve_to = threshold(falloff_apart, 0.012, 0.0);
     let falloff_isocurve_line = threshold(falloff_apart, -0.012, 0.0) - falloff_isocurve_to;
+    // Blend
     let falloff_isocurve_tone = max(falloff_isocurve_line, 0.0);
     let falloff_isocurve = blend_alpha(offset_isocurve, vec4f(0.16, 0.36, 0.85, 1.0),
         falloff_isocurve_tone, 1.0, true);
     let cutoff_apart = bounded(angle_radians(profile_angle) - look.cut_off);
     let cutoff_isocurve_to = threshold(cutoff_apart, 0.012, 0.0);
     let cutoff_isocurve_line = threshold(cutoff_apart, -0.012, 0.0) - cutoff_isocurve_to;
+    // Blend
     let cutoff_isocurve_tone = max(cutoff_isocurve_line, 0.0);
     let cutoff_isocurve = blend_alpha(falloff_isocurve, vec4f(0.16, 0.36, 0.85, 1.0),
         cutoff_isocurve_tone, 1.0, true);

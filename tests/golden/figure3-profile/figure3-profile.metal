@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,6 +36,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -52,15 +55,18 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light key;
     ProfileShape profile_tone_shape;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
 };
+
 typedef metal::float4 Color;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
@@ -70,6 +76,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -77,14 +84,17 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 normal;
 };
+
 constant float LOG2_E = 1.442695;
 constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
@@ -102,8 +112,9 @@ metal::float3 normalize_seen_balanced(
 float log2_one_minus(
     float y
 ) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
+    float series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.33333334 + y * (0.25 + y * 0.2))));
+    return y < 0.0625 ? series : metal::log2(metal::max(1.0 - y,
+        0.0000000000000000000000000000007888609));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -124,7 +135,8 @@ Angle angle_turned(
     metal::float2 t
 ) {
     float s = u.half_sin - 0.0;
-    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 upper = u.half_cos
+        <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
     metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
@@ -138,8 +150,9 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 /// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
@@ -150,7 +163,7 @@ float profile_power_quick(
 ) {
     float y = metal::min(q * q, 1.0);
     float power = metal::exp2(metal::max(exponent * log2_one_minus(y), -126.0));
-    return (q >= 1.0) ? 0.0 : metal::clamp(power, 0.0, 1.0);
+    return q >= 1.0 ? 0.0 : metal::clamp(power, 0.0, 1.0);
 }
 
 /// Sine and cosine of half the angle from tau to u.
@@ -158,7 +171,8 @@ metal::float2 profile_place(
     Angle u,
     ProfileShape shape
 ) {
-    return metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    return metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -167,7 +181,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float profile_power_quick_value = profile_power_quick(s * shape.scale, shape.exponent);
-    return (s <= 0.0) ? 1.0 : profile_power_quick_value;
+    return s <= 0.0 ? 1.0 : profile_power_quick_value;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -177,11 +191,12 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
     // 2 asin(s) by its series: the ramp is narrow.
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / metal::max(width, 0.000001),
+        0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -195,20 +210,20 @@ float profile_filtered_quick(
         return 1.0;
     }
     metal::float2 place = profile_place(u, shape);
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
     if ((shape.kind == PROFILE_STEP) | is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     // Half of the quadrature's reach is below 0.1.
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -225,10 +240,15 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    Angle profile_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
+    // Profile (Light layer)
+    Angle profile_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5
+        * metal::length(surface.normal + look.key.direction)};
     float profile_tone = profile_balanced(profile_angle, 0.0, look.profile_tone_shape);
-    LitLayer profile_lit = light_apply(look.key, metal::float4(0.949, 0.8941, 0.7843, 1.0), profile_tone);
-    metal::float4 profile_blend = metal::clamp(metal::float4(metal::float3(0.1098, 0.1333, 0.1882) + (profile_lit.tone * profile_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    LitLayer profile_lit = light_apply(look.key, metal::float4(0.949, 0.8941, 0.7843, 1.0),
+        profile_tone);
+    metal::float4 profile_blend = metal::clamp(metal::float4(metal::float3(0.1098, 0.1333, 0.1882)
+        + profile_lit.tone * profile_lit.color.xyz, 1.0), metal::float4(0.0), metal::float4(1.0));
+
     return profile_blend;
 }
 
@@ -236,10 +256,12 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 normal [[user(loc0), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -247,7 +269,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -255,9 +278,11 @@ vertex vs_mainOutput vs_main(
 struct fs_mainInput {
     metal::float3 normal [[user(loc0), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -266,7 +291,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.normal };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     Surface surface = Surface {normal};
     return fs_mainOutput { shade(surface, look) };
 }

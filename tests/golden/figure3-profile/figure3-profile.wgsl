@@ -187,12 +187,14 @@ fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Profile (Light layer)
     let profile_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
         * length(surface.normal + look.key.direction));
     let profile_tone = profile_balanced(profile_angle, 0.0, look.profile_tone_shape);
     let profile_lit = light_apply(look.key, vec4f(0.949, 0.8941, 0.7843, 1.0), profile_tone);
     let profile_blend = clamp(vec4f(vec4f(0.1098, 0.1333, 0.1882, 1.0).xyz + profile_lit.tone
         * profile_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+
     return profile_blend;
 }
 

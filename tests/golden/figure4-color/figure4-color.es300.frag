@@ -19,15 +19,18 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     float kappa;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -36,12 +39,14 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     vec4 color;
     /// The tone under this light.
     float tone;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -60,11 +65,14 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const ProfileShape diffuse_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.6002629, 1.3188459, 0.25, 0.79761744, 0.31569642, 0u);
+
+const ProfileShape diffuse_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.6002629, 1.3188459,
+    0.25, 0.79761744, 0.31569642, 0u);
 
 layout(std140) uniform LookBlock { Look u_look; };
 
@@ -76,7 +84,7 @@ layout(location = 0) out vec4 out_color;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -85,15 +93,15 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = (u.half_sin - 0.0);
-    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
-    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - 0.0;
+    vec2 upper = u.half_cos <= 0.0 ? vec2(1.0, 0.0) : vec2(s, u.half_cos);
+    vec2 turned = (s <= 0.0 && s < u.half_cos) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -101,7 +109,7 @@ Angle angle_turned(Angle u, vec2 t) {
 ///
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 /// Light on a layer
@@ -110,7 +118,7 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), split.x);
+    return LitLayer(vec4(color.xyz * light.color * split.y, 1.0), split.x);
 }
 
 /// Light on a layer
@@ -119,28 +127,29 @@ LitLayer light_apply(Light light, vec4 color, float tone) {
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply_2(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
@@ -150,15 +159,25 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape) {
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    float diffuse_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
-    vec4 fill_color = curvature_color(diffuse_convexity, vec4(0.2275, 0.1569, 0.1882, 1.0), vec4(0.0863, 0.0431, 0.0667, 1.0));
+    // Fill (Light layer)
+    float diffuse_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.3, -20.0, 20.0))));
+    vec4 fill_color = curvature_color(diffuse_convexity, vec4(0.2275, 0.1569, 0.1882, 1.0),
+        vec4(0.0863, 0.0431, 0.0667, 1.0));
     LitLayer fill_lit = light_apply(u_look.key, fill_color, 1.0);
-    vec4 fill_blend = clamp(vec4((vec3(0.1373, 0.0941, 0.1255) + (fill_lit.tone * fill_lit.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 diffuse_color = curvature_color(diffuse_convexity, vec4(0.7255, 0.5137, 0.3529, 1.0), vec4(0.3608, 0.1216, 0.1725, 1.0));
-    Angle diffuse_angle = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
+    vec4 fill_blend = clamp(vec4(vec3(0.1373, 0.0941, 0.1255) + fill_lit.tone * fill_lit.color.xyz,
+        1.0), vec4(0.0), vec4(1.0));
+
+    // Diffuse (Light layer)
+    vec4 diffuse_color = curvature_color(diffuse_convexity, vec4(0.7255, 0.5137, 0.3529, 1.0),
+        vec4(0.3608, 0.1216, 0.1725, 1.0));
+    Angle diffuse_angle = Angle(0.5 * length(surface.normal - u_look.key.direction), 0.5
+        * length(surface.normal + u_look.key.direction));
     float diffuse_tone = profile_balanced(diffuse_angle, 0.0, diffuse_tone_shape);
     LitLayer diffuse_lit = light_apply_2(u_look.key, diffuse_color, diffuse_tone);
-    vec4 diffuse_blend = clamp(vec4((fill_blend.xyz + (diffuse_lit.tone * diffuse_lit.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 diffuse_blend = clamp(vec4(fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz, 1.0),
+        vec4(0.0), vec4(1.0));
+
     return diffuse_blend;
 }
 
@@ -166,9 +185,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     Surface surface = Surface(normal, texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0).x);
     out_color = shade(surface);
-    return;
 }
-

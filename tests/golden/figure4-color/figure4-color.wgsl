@@ -163,6 +163,7 @@ const diffuse_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.6002629, 1.3188
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Fill (Light layer)
     let diffuse_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.3, -20.0, 20.0))));
     let fill_color = curvature_color(diffuse_convexity, vec4f(0.2275, 0.1569, 0.1882, 1.0),
@@ -170,6 +171,8 @@ fn shade(surface: Surface) -> vec4f {
     let fill_lit = light_apply(look.key, fill_color, 1.0);
     let fill_blend = clamp(vec4f(vec4f(0.1373, 0.0941, 0.1255, 1.0).xyz + fill_lit.tone
         * fill_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+
+    // Diffuse (Light layer)
     let diffuse_color = curvature_color(diffuse_convexity, vec4f(0.7255, 0.5137, 0.3529, 1.0),
         vec4f(0.3608, 0.1216, 0.1725, 1.0));
     let diffuse_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
@@ -178,6 +181,7 @@ fn shade(surface: Surface) -> vec4f {
     let diffuse_lit = light_apply_2(look.key, diffuse_color, diffuse_tone);
     let diffuse_blend = clamp(vec4f(fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz, 1.0),
         vec4f(0.0), vec4f(1.0));
+
     return diffuse_blend;
 }
 

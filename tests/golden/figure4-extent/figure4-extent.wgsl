@@ -162,6 +162,7 @@ const diffuse_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.6002629, 1.3188
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Diffuse (Light layer)
     let diffuse_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
         * length(surface.normal + look.key.direction));
     let diffuse_convexity = 0.5 + 0.5
@@ -171,6 +172,7 @@ fn shade(surface: Surface) -> vec4f {
     let diffuse_lit = light_apply(look.key, vec4f(0.6275, 0.4157, 0.2902, 1.0), diffuse_tone);
     let diffuse_blend = clamp(vec4f(look.fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz,
         1.0), vec4f(0.0), vec4f(1.0));
+
     return diffuse_blend;
 }
 

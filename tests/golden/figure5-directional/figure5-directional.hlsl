@@ -112,7 +112,8 @@ static const float PI = 3.1415927;
 static const float LOG2_E = 1.442695;
 static const uint PROFILE_STEP = 1u;
 static const uint PROFILE_AMBIENT = 2u;
-static const ProfileShape highlight_tone_shape = {0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u};
+static const ProfileShape highlight_tone_shape = {0.9959527, 0.08987855, 11.126125, 3.022525, 0.18,
+    0.08196669, 0.036355104, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -136,16 +137,18 @@ struct FragmentInput_fs_main {
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return float2(s, c);
 }
 
@@ -153,8 +156,8 @@ float2 sin_cos_quick(float x)
 /// hardware's; -100 at 1.
 float log2_one_minus(float y)
 {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
+    float series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.33333334 + y * (0.25 + y * 0.2))));
+    return y < 0.0625 ? series : log2(max(1.0 - y, 7.888609e-31));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -164,7 +167,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -178,14 +181,13 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
-    return angle_3;
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// Convex/concave color
@@ -193,17 +195,17 @@ Angle angle_turned(Angle u, float2 t)
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 /// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
 /// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bool clamped)
 {
-    if ((opacity <= 0.0)) {
+    if (opacity <= 0.0) {
         return below;
     }
-    float4 mixed = float4((below.xyz + (opacity * (blended - below.xyz))), alpha);
+    float4 mixed = float4(below.xyz + opacity * (blended - below.xyz), alpha);
     return clamp(mixed, (0.0).xxxx, (1.0).xxxx);
 }
 
@@ -228,8 +230,7 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     const float2 split = light_split(light.intensity);
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), color.w), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, color.w), tone * split.x);
 }
 
 /// Light on a layer
@@ -239,8 +240,7 @@ LitLayer light_apply(Light light, float4 color, float tone)
 LitLayer light_apply_2(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), split.x);
-    return litlayer_1;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), split.x);
 }
 
 /// Light on a layer
@@ -250,183 +250,210 @@ LitLayer light_apply_2(Light light, float4 color, float tone)
 LitLayer light_apply_3(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer_2 = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer_2;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_4 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
-    return angle_4;
+    float3 d = 2.0 * dot(normal, view) * normal - view;
+    return ConstructAngle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
 /// exponent would amplify their errors.
 float profile_power_quick(float q, float exponent)
 {
-    float y = min((q * q), 1.0);
-    float power = exp2(max((exponent * log2_one_minus(y)), -126.0));
-    return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
+    float y = min(q * q, 1.0);
+    float power = exp2(max(exponent * log2_one_minus(y), -126.0));
+    return q >= 1.0 ? 0.0 : clamp(power, 0.0, 1.0);
 }
 
 /// Sine and cosine of half the angle from tau to u.
 float2 profile_place(Angle u, ProfileShape shape)
 {
-    return float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    return float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    const float profile_power_quick_value = profile_power_quick((s * shape.scale), shape.exponent);
-    return ((s <= 0.0) ? 1.0 : profile_power_quick_value);
+    const float profile_power_quick_value = profile_power_quick(s * shape.scale, shape.exponent);
+    return s <= 0.0 ? 1.0 : profile_power_quick_value;
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick_2(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    const float log2_one_minus_value = log2_one_minus(min((q * q), 1.0));
-    return ((s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : min(exp2(max((shape.exponent * log2_one_minus_value), -126.0)), 1.0)));
+    float q = s * shape.scale;
+    const float log2_one_minus_value = log2_one_minus(min(q * q, 1.0));
+    return s <= 0.0 ? 1.0 : (q >= 1.0 ? 0.0 : min(exp2(max(shape.exponent * log2_one_minus_value,
+        -126.0)), 1.0));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick_3(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
     // 2 asin(s) by its series: the ramp is narrow.
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick_2(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    if ((shape.kind == PROFILE_AMBIENT)) {
+    if (shape.kind == PROFILE_AMBIENT) {
         return 1.0;
     }
     const float2 place = profile_place(u, shape);
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
     if (((shape.kind == PROFILE_STEP) | is_narrow)) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
     // Half of the quadrature's reach is below 0.1.
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
     if (((shape.kind == PROFILE_STEP) | is_narrow)) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick_2(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_3(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick_2(place.x, w, shape);
     }
     const float point_ = profile_soft_quick_3(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick_3(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick_3(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick_3(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick_3(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * clamp(shift, -3.1415927, PI))));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * clamp(shift, -3.1415927, PI)));
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
 float profile_balanced_3(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float back_light_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.25), -20.0, 20.0))))))));
-    const float4 fill_color = curvature_color(back_light_convexity, float4(0.1647, 0.1843, 0.2392, 1.0), float4(0.0706, 0.0784, 0.1098, 1.0));
+    // Fill (Light layer)
+    float back_light_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.25, -20.0, 20.0))));
+    const float4 fill_color = curvature_color(back_light_convexity,
+        float4(0.1647, 0.1843, 0.2392, 1.0), float4(0.0706, 0.0784, 0.1098, 1.0));
     const LitLayer fill_lit = light_apply_2(look.key, fill_color, 1.0);
-    float4 fill_blend = clamp(float4((float3(0.0784, 0.0863, 0.1137) + (fill_lit.tone * fill_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 diffuse_color = curvature_color(back_light_convexity, float4(0.498, 0.6039, 0.3216, 1.0), float4(0.2471, 0.4, 0.251, 1.0));
-    Angle diffuse_angle = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
-    float diffuse_warp = (((2.0 * back_light_convexity) - 1.0) * 0.3);
-    const float diffuse_tone = profile_balanced(diffuse_angle, diffuse_warp, look.diffuse_tone_shape);
+    float4 fill_blend = clamp(float4(float3(0.0784, 0.0863, 0.1137) + fill_lit.tone
+        * fill_lit.color.xyz, 1.0), (0.0).xxxx, (1.0).xxxx);
+
+    // Diffuse (Light layer)
+    const float4 diffuse_color = curvature_color(back_light_convexity,
+        float4(0.498, 0.6039, 0.3216, 1.0), float4(0.2471, 0.4, 0.251, 1.0));
+    Angle diffuse_angle = ConstructAngle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
+    float diffuse_warp = (2.0 * back_light_convexity - 1.0) * 0.3;
+    const float diffuse_tone = profile_balanced(diffuse_angle, diffuse_warp,
+        look.diffuse_tone_shape);
     const LitLayer diffuse_lit = light_apply_3(look.key, diffuse_color, diffuse_tone);
-    float4 diffuse_blend = clamp(float4((fill_blend.xyz + (diffuse_lit.tone * diffuse_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float4 back_light_color = (look.back_light_color_concave + (back_light_convexity * (look.back_light_color_convex - look.back_light_color_concave)));
-    Angle back_light_angle = ConstructAngle((0.5 * length((surface.normal - look.back.direction))), (0.5 * length((surface.normal + look.back.direction))));
-    float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * clamp(look.back_light_warp_amount, -3.1415927, 3.1415927));
-    const float back_light_tone = profile_balanced_2(back_light_angle, back_light_warp, look.back_light_tone_shape);
+    float4 diffuse_blend = clamp(float4(fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz,
+        1.0), (0.0).xxxx, (1.0).xxxx);
+
+    // Back-light (Light layer)
+    float4 back_light_color = look.back_light_color_concave + back_light_convexity
+        * (look.back_light_color_convex - look.back_light_color_concave);
+    Angle back_light_angle = ConstructAngle(0.5 * length(surface.normal - look.back.direction),
+        0.5 * length(surface.normal + look.back.direction));
+    float back_light_warp = (2.0 * back_light_convexity - 1.0)
+        * clamp(look.back_light_warp_amount, -3.1415927, 3.1415927);
+    const float back_light_tone = profile_balanced_2(back_light_angle, back_light_warp,
+        look.back_light_tone_shape);
     const LitLayer back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
-    const float4 back_light_blend = blend_finish(diffuse_blend, (diffuse_blend.xyz + (back_light_lit.tone * back_light_lit.color.xyz)), 1.0, back_light_lit.color.w, true);
-    float highlight_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
-    float4 highlight_color = (look.highlight_color_concave + (highlight_convexity * (look.highlight_color_convex - look.highlight_color_concave)));
-    const Angle highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
-    float highlight_warp = (((2.0 * highlight_convexity) - 1.0) * 0.05);
-    const float highlight_tone = profile_balanced_3(highlight_angle, highlight_warp, highlight_tone_shape);
+    const float4 back_light_blend = blend_finish(diffuse_blend, diffuse_blend.xyz
+        + back_light_lit.tone * back_light_lit.color.xyz, 1.0, back_light_lit.color.w, true);
+
+    // Highlight (Light layer)
+    float highlight_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    float4 highlight_color = look.highlight_color_concave + highlight_convexity
+        * (look.highlight_color_convex - look.highlight_color_concave);
+    const Angle highlight_angle = parametrization_specular_balanced(look.key, surface.normal,
+        surface.view);
+    float highlight_warp = (2.0 * highlight_convexity - 1.0) * 0.05;
+    const float highlight_tone = profile_balanced_3(highlight_angle, highlight_warp,
+        highlight_tone_shape);
     const LitLayer highlight_lit = light_apply(look.key, highlight_color, highlight_tone);
-    const float4 highlight_blend = blend_finish(back_light_blend, (back_light_blend.xyz + (highlight_lit.tone * highlight_lit.color.xyz)), 1.0, highlight_lit.color.w, true);
+    const float4 highlight_blend = blend_finish(back_light_blend, back_light_blend.xyz
+        + highlight_lit.tone * highlight_lit.color.xyz, 1.0, highlight_lit.color.w, true);
+
     return highlight_blend;
 }
 
@@ -441,7 +468,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -460,11 +488,13 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), texel.x);
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        texel.x);
     return shade(surface);
 }

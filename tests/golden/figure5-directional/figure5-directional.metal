@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,6 +36,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -52,6 +55,7 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 /// What is known before the fragment.
 struct Look {
     metal::float4 highlight_color_convex;
@@ -65,12 +69,14 @@ struct Look {
     ProfileShape back_light_tone_shape;
     ProfileShape diffuse_tone_shape;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::packed_float3 view;
     float kappa;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -81,6 +87,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -88,20 +95,24 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
+
 constant float PI = 3.1415927;
 constant float LOG2_E = 1.442695;
 constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
-constant ProfileShape highlight_tone_shape = ProfileShape {0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u};
+constant ProfileShape highlight_tone_shape = ProfileShape {0.9959527, 0.08987855, 11.126125,
+    3.022525, 0.18, 0.08196669, 0.036355104, 0u};
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
@@ -117,8 +128,10 @@ metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
-    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 0.0000026347564))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (0.00002477458 - y * 0.00000026297516))));
     return metal::float2(s, c);
 }
 
@@ -127,8 +140,9 @@ metal::float2 sin_cos_quick(
 float log2_one_minus(
     float y
 ) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
+    float series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.33333334 + y * (0.25 + y * 0.2))));
+    return y < 0.0625 ? series : metal::log2(metal::max(1.0 - y,
+        0.0000000000000000000000000000007888609));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -148,9 +162,9 @@ Angle angle_turned(
     Angle u,
     metal::float2 t
 ) {
-    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
-    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
@@ -165,7 +179,7 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (convex - concave));
+    return concave + convexity * (convex - concave);
 }
 
 /// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
@@ -180,7 +194,7 @@ Composite blend_finish(
     if (opacity <= 0.0) {
         return below;
     }
-    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
+    metal::float4 mixed = metal::float4(below.xyz + opacity * (blended - below.xyz), alpha);
     return metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0));
 }
 
@@ -202,7 +216,7 @@ LitLayer light_apply(
     float tone
 ) {
     metal::float2 split = light_split(light.intensity);
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, color.w), tone * split.x};
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, color.w), tone * split.x};
 }
 
 /// Light on a layer
@@ -214,8 +228,9 @@ LitLayer light_apply_2(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), split.x};
 }
 
 /// Light on a layer
@@ -227,8 +242,9 @@ LitLayer light_apply_3(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_specular_balanced(
@@ -236,8 +252,9 @@ Angle parametrization_specular_balanced(
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
+    metal::float3 d = 2.0 * metal::dot(normal, view) * normal - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5
+        * metal::length(d + light.direction)};
 }
 
 /// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
@@ -248,7 +265,7 @@ float profile_power_quick(
 ) {
     float y = metal::min(q * q, 1.0);
     float power = metal::exp2(metal::max(exponent * log2_one_minus(y), -126.0));
-    return (q >= 1.0) ? 0.0 : metal::clamp(power, 0.0, 1.0);
+    return q >= 1.0 ? 0.0 : metal::clamp(power, 0.0, 1.0);
 }
 
 /// Sine and cosine of half the angle from tau to u.
@@ -256,7 +273,8 @@ metal::float2 profile_place(
     Angle u,
     ProfileShape shape
 ) {
-    return metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    return metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -265,7 +283,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float profile_power_quick_value = profile_power_quick(s * shape.scale, shape.exponent);
-    return (s <= 0.0) ? 1.0 : profile_power_quick_value;
+    return s <= 0.0 ? 1.0 : profile_power_quick_value;
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -275,7 +293,8 @@ float profile_soft_quick_2(
 ) {
     float q = s * shape.scale;
     float log2_one_minus_value = log2_one_minus(metal::min(q * q, 1.0));
-    return (s <= 0.0) ? 1.0 : ((q >= 1.0) ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent * log2_one_minus_value, -126.0)), 1.0));
+    return s <= 0.0 ? 1.0 : (q >= 1.0 ? 0.0 : metal::min(metal::exp2(metal::max(shape.exponent
+        * log2_one_minus_value, -126.0)), 1.0));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -284,7 +303,7 @@ float profile_soft_quick_3(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -294,11 +313,12 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
     // 2 asin(s) by its series: the ramp is narrow.
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / metal::max(width, 0.000001),
+        0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -308,10 +328,10 @@ float profile_ramp_quick_2(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -325,20 +345,20 @@ float profile_filtered_quick(
         return 1.0;
     }
     metal::float2 place = profile_place(u, shape);
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
     if ((shape.kind == PROFILE_STEP) | is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     // Half of the quadrature's reach is below 0.1.
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -348,20 +368,22 @@ float profile_filtered_quick_2(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
     if ((shape.kind == PROFILE_STEP) | is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick_2(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick_2((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick_2((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -371,20 +393,22 @@ float profile_filtered_quick_3(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick_2(place.x, w, shape);
     }
     float point = profile_soft_quick_3(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick_3((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick_3((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick_3(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick_3(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -419,29 +443,55 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    float back_light_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.25, -20.0, 20.0))))));
-    Color fill_color = curvature_color(back_light_convexity, metal::float4(0.1647, 0.1843, 0.2392, 1.0), metal::float4(0.0706, 0.0784, 0.1098, 1.0));
+    // Fill (Light layer)
+    float back_light_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + metal::exp2(2.88539
+        * metal::clamp(surface.kappa * 0.25, -20.0, 20.0))));
+    Color fill_color = curvature_color(back_light_convexity,
+        metal::float4(0.1647, 0.1843, 0.2392, 1.0), metal::float4(0.0706, 0.0784, 0.1098, 1.0));
     LitLayer fill_lit = light_apply_2(look.key, fill_color, 1.0);
-    metal::float4 fill_blend = metal::clamp(metal::float4(metal::float3(0.0784, 0.0863, 0.1137) + (fill_lit.tone * fill_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color diffuse_color = curvature_color(back_light_convexity, metal::float4(0.498, 0.6039, 0.3216, 1.0), metal::float4(0.2471, 0.4, 0.251, 1.0));
-    Angle diffuse_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
-    float diffuse_warp = ((2.0 * back_light_convexity) - 1.0) * 0.3;
+    metal::float4 fill_blend = metal::clamp(metal::float4(metal::float3(0.0784, 0.0863, 0.1137)
+        + fill_lit.tone * fill_lit.color.xyz, 1.0), metal::float4(0.0), metal::float4(1.0));
+
+    // Diffuse (Light layer)
+    Color diffuse_color = curvature_color(back_light_convexity,
+        metal::float4(0.498, 0.6039, 0.3216, 1.0), metal::float4(0.2471, 0.4, 0.251, 1.0));
+    Angle diffuse_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5
+        * metal::length(surface.normal + look.key.direction)};
+    float diffuse_warp = (2.0 * back_light_convexity - 1.0) * 0.3;
     float diffuse_tone = profile_balanced(diffuse_angle, diffuse_warp, look.diffuse_tone_shape);
     LitLayer diffuse_lit = light_apply_3(look.key, diffuse_color, diffuse_tone);
-    metal::float4 diffuse_blend = metal::clamp(metal::float4(fill_blend.xyz + (diffuse_lit.tone * diffuse_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    metal::float4 back_light_color = look.back_light_color_concave + (back_light_convexity * (look.back_light_color_convex - look.back_light_color_concave));
-    Angle back_light_angle = Angle {0.5 * metal::length(surface.normal - look.back.direction), 0.5 * metal::length(surface.normal + look.back.direction)};
-    float back_light_warp = ((2.0 * back_light_convexity) - 1.0) * metal::clamp(look.back_light_warp_amount, -3.1415927, 3.1415927);
-    float back_light_tone = profile_balanced_2(back_light_angle, back_light_warp, look.back_light_tone_shape);
+    metal::float4 diffuse_blend = metal::clamp(metal::float4(fill_blend.xyz + diffuse_lit.tone
+        * diffuse_lit.color.xyz, 1.0), metal::float4(0.0), metal::float4(1.0));
+
+    // Back-light (Light layer)
+    metal::float4 back_light_color = look.back_light_color_concave + back_light_convexity
+        * (look.back_light_color_convex - look.back_light_color_concave);
+    Angle back_light_angle = Angle {0.5 * metal::length(surface.normal - look.back.direction), 0.5
+        * metal::length(surface.normal + look.back.direction)};
+    float back_light_warp = (2.0 * back_light_convexity - 1.0)
+        * metal::clamp(look.back_light_warp_amount, -3.1415927, 3.1415927);
+    float back_light_tone = profile_balanced_2(back_light_angle, back_light_warp,
+        look.back_light_tone_shape);
     LitLayer back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
-    Composite back_light_blend = blend_finish(diffuse_blend, diffuse_blend.xyz + (back_light_lit.tone * back_light_lit.color.xyz), 1.0, back_light_lit.color.w, true);
-    float highlight_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))))));
-    metal::float4 highlight_color = look.highlight_color_concave + (highlight_convexity * (look.highlight_color_convex - look.highlight_color_concave));
-    Angle highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
-    float highlight_warp = ((2.0 * highlight_convexity) - 1.0) * 0.05;
-    float highlight_tone = profile_balanced_3(highlight_angle, highlight_warp, highlight_tone_shape);
+    Composite back_light_blend = blend_finish(diffuse_blend, diffuse_blend.xyz
+        + back_light_lit.tone * back_light_lit.color.xyz, 1.0, back_light_lit.color.w, true);
+
+    // Highlight (Light layer)
+    float highlight_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + metal::exp2(2.88539
+        * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    metal::float4 highlight_color = look.highlight_color_concave + highlight_convexity
+        * (look.highlight_color_convex - look.highlight_color_concave);
+    Angle highlight_angle = parametrization_specular_balanced(look.key, surface.normal,
+        surface.view);
+    float highlight_warp = (2.0 * highlight_convexity - 1.0) * 0.05;
+    float highlight_tone = profile_balanced_3(highlight_angle, highlight_warp,
+        highlight_tone_shape);
     LitLayer highlight_lit = light_apply(look.key, highlight_color, highlight_tone);
-    Composite highlight_blend = blend_finish(back_light_blend, back_light_blend.xyz + (highlight_lit.tone * highlight_lit.color.xyz), 1.0, highlight_lit.color.w, true);
+    Composite highlight_blend = blend_finish(back_light_blend, back_light_blend.xyz
+        + highlight_lit.tone * highlight_lit.color.xyz, 1.0, highlight_lit.color.w, true);
+
     return highlight_blend;
 }
 
@@ -449,11 +499,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_1 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -461,7 +513,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -474,9 +527,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -487,8 +542,9 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.x};
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        texel.x};
     return fs_mainOutput { shade(surface, look) };
 }

@@ -303,7 +303,7 @@ fn profile_filtered_quick_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick_2(place.x, w, shape);
     }
     let point = profile_soft_quick_3(place.x, shape);
@@ -336,6 +336,7 @@ const highlight_tone_shape = ProfileShape(0.9959527, 0.08987855, 11.126125, 3.02
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Fill (Light layer)
     let back_light_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.25, -20.0, 20.0))));
     let fill_color = curvature_color(back_light_convexity, vec4f(0.1647, 0.1843, 0.2392, 1.0),
@@ -343,6 +344,8 @@ fn shade(surface: Surface) -> vec4f {
     let fill_lit = light_apply_2(look.key, fill_color, 1.0);
     let fill_blend = clamp(vec4f(vec4f(0.0784, 0.0863, 0.1137, 1.0).xyz + fill_lit.tone
         * fill_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+
+    // Diffuse (Light layer)
     let diffuse_color = curvature_color(back_light_convexity, vec4f(0.498, 0.6039, 0.3216, 1.0),
         vec4f(0.2471, 0.4, 0.251, 1.0));
     let diffuse_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
@@ -352,6 +355,8 @@ fn shade(surface: Surface) -> vec4f {
     let diffuse_lit = light_apply_3(look.key, diffuse_color, diffuse_tone);
     let diffuse_blend = clamp(vec4f(fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz, 1.0),
         vec4f(0.0), vec4f(1.0));
+
+    // Back-light (Light layer)
     let back_light_color = look.back_light_color_concave + back_light_convexity
         * (look.back_light_color_convex - look.back_light_color_concave);
     let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
@@ -363,6 +368,8 @@ fn shade(surface: Surface) -> vec4f {
     let back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
     let back_light_blend = blend_finish(diffuse_blend, diffuse_blend.xyz + back_light_lit.tone
         * back_light_lit.color.xyz, 1.0, back_light_lit.color.w, true);
+
+    // Highlight (Light layer)
     let highlight_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
     let highlight_color = look.highlight_color_concave + highlight_convexity
@@ -373,6 +380,7 @@ fn shade(surface: Surface) -> vec4f {
     let highlight_lit = light_apply(look.key, highlight_color, highlight_tone);
     let highlight_blend = blend_finish(back_light_blend, back_light_blend.xyz + highlight_lit.tone
         * highlight_lit.color.xyz, 1.0, highlight_lit.color.w, true);
+
     return highlight_blend;
 }
 

@@ -98,9 +98,12 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-static const ProfileShape diffuse_tone_shape = {0.99875027, 0.04997917, 1.3613818, 1.3042344, 0.1, 0.957938, 0.38615924, 0u};
-static const ProfileShape back_light_tone_shape = {0.9624252, 0.27154693, 3.3838634, 1.9110762, 0.55, 0.32249987, 0.13348491, 0u};
-static const ProfileShape highlight_tone_shape = {0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u};
+static const ProfileShape diffuse_tone_shape = {0.99875027, 0.04997917, 1.3613818, 1.3042344, 0.1,
+    0.957938, 0.38615924, 0u};
+static const ProfileShape back_light_tone_shape = {0.9624252, 0.27154693, 3.3838634, 1.9110762,
+    0.55, 0.32249987, 0.13348491, 0u};
+static const ProfileShape highlight_tone_shape = {0.9959527, 0.08987855, 11.126125, 3.022525, 0.18,
+    0.08196669, 0.036355104, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -124,16 +127,18 @@ struct FragmentInput_fs_main {
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return float2(s, c);
 }
 
@@ -144,7 +149,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -158,14 +163,13 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
-    return angle_2;
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// Convex/concave color
@@ -173,7 +177,7 @@ Angle angle_turned(Angle u, float2 t)
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 /// Blend
@@ -181,7 +185,7 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (tone * color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + tone * color.xyz, 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -198,108 +202,131 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_3 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
-    return angle_3;
+    float3 d = 2.0 * dot(normal, view) * normal - view;
+    return ConstructAngle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float back_light_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.25), -20.0, 20.0))))))));
-    const float4 fill_color = curvature_color(back_light_convexity, float4(0.1647, 0.1843, 0.2392, 1.0), float4(0.0706, 0.0784, 0.1098, 1.0));
+    // Fill (Light layer)
+    float back_light_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.25, -20.0, 20.0))));
+    const float4 fill_color = curvature_color(back_light_convexity,
+        float4(0.1647, 0.1843, 0.2392, 1.0), float4(0.0706, 0.0784, 0.1098, 1.0));
     const LitLayer fill_lit = light_apply(look.key, fill_color, 1.0);
-    const float4 fill_blend = blend_add(float4(0.0784, 0.0863, 0.1137, 1.0), fill_lit.color, fill_lit.tone, 1.0, true);
-    const float4 diffuse_color = curvature_color(back_light_convexity, float4(0.498, 0.6039, 0.3216, 1.0), float4(0.2471, 0.4, 0.251, 1.0));
-    Angle diffuse_angle = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
-    float diffuse_warp = (((2.0 * back_light_convexity) - 1.0) * 0.3);
+    const float4 fill_blend = blend_add(float4(0.0784, 0.0863, 0.1137, 1.0), fill_lit.color,
+        fill_lit.tone, 1.0, true);
+
+    // Diffuse (Light layer)
+    const float4 diffuse_color = curvature_color(back_light_convexity,
+        float4(0.498, 0.6039, 0.3216, 1.0), float4(0.2471, 0.4, 0.251, 1.0));
+    Angle diffuse_angle = ConstructAngle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
+    float diffuse_warp = (2.0 * back_light_convexity - 1.0) * 0.3;
     const float diffuse_tone = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
     const LitLayer diffuse_lit = light_apply(look.key, diffuse_color, diffuse_tone);
-    const float4 diffuse_blend = blend_add(fill_blend, diffuse_lit.color, diffuse_lit.tone, 1.0, true);
-    const float4 back_light_color = curvature_color(back_light_convexity, float4(0.7882, 0.8471, 1.0, 1.0), float4(0.4784, 0.5608, 0.8157, 1.0));
-    Angle back_light_angle = ConstructAngle((0.5 * length((surface.normal - look.back.direction))), (0.5 * length((surface.normal + look.back.direction))));
-    float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * 0.1);
-    const float back_light_tone = profile_balanced_2(back_light_angle, back_light_warp, back_light_tone_shape);
+    const float4 diffuse_blend = blend_add(fill_blend, diffuse_lit.color, diffuse_lit.tone, 1.0,
+        true);
+
+    // Back-light (Light layer)
+    const float4 back_light_color = curvature_color(back_light_convexity,
+        float4(0.7882, 0.8471, 1.0, 1.0), float4(0.4784, 0.5608, 0.8157, 1.0));
+    Angle back_light_angle = ConstructAngle(0.5 * length(surface.normal - look.back.direction),
+        0.5 * length(surface.normal + look.back.direction));
+    float back_light_warp = (2.0 * back_light_convexity - 1.0) * 0.1;
+    const float back_light_tone = profile_balanced_2(back_light_angle, back_light_warp,
+        back_light_tone_shape);
     const LitLayer back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
-    const float4 back_light_blend = blend_add(diffuse_blend, back_light_lit.color, back_light_lit.tone, 1.0, true);
-    float highlight_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
-    const float4 highlight_color = curvature_color(highlight_convexity, (1.0).xxxx, float4(0.8745, 0.9098, 0.7529, 1.0));
-    const Angle highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
-    float highlight_warp = (((2.0 * highlight_convexity) - 1.0) * 0.05);
-    const float highlight_tone = profile_balanced_2(highlight_angle, highlight_warp, highlight_tone_shape);
+    const float4 back_light_blend = blend_add(diffuse_blend, back_light_lit.color,
+        back_light_lit.tone, 1.0, true);
+
+    // Highlight (Light layer)
+    float highlight_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    const float4 highlight_color = curvature_color(highlight_convexity, (1.0).xxxx,
+        float4(0.8745, 0.9098, 0.7529, 1.0));
+    const Angle highlight_angle = parametrization_specular_balanced(look.key, surface.normal,
+        surface.view);
+    float highlight_warp = (2.0 * highlight_convexity - 1.0) * 0.05;
+    const float highlight_tone = profile_balanced_2(highlight_angle, highlight_warp,
+        highlight_tone_shape);
     const LitLayer highlight_lit = light_apply(look.key, highlight_color, highlight_tone);
-    const float4 highlight_blend = blend_add(back_light_blend, highlight_lit.color, highlight_lit.tone, 1.0, true);
+    const float4 highlight_blend = blend_add(back_light_blend, highlight_lit.color,
+        highlight_lit.tone, 1.0, true);
+
     return highlight_blend;
 }
 
@@ -314,7 +341,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -333,11 +361,13 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), texel.x);
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        texel.x);
     return shade(surface);
 }

@@ -191,7 +191,7 @@ fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -221,6 +221,7 @@ const highlight_tone_shape = ProfileShape(0.9959527, 0.08987855, 11.126125, 3.02
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Fill (Light layer)
     let back_light_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.25, -20.0, 20.0))));
     let fill_color = curvature_color(back_light_convexity, vec4f(0.1647, 0.1843, 0.2392, 1.0),
@@ -228,6 +229,8 @@ fn shade(surface: Surface) -> vec4f {
     let fill_lit = light_apply(look.key, fill_color, 1.0);
     let fill_blend = blend_add(vec4f(0.0784, 0.0863, 0.1137, 1.0), fill_lit.color, fill_lit.tone,
         1.0, true);
+
+    // Diffuse (Light layer)
     let diffuse_color = curvature_color(back_light_convexity, vec4f(0.498, 0.6039, 0.3216, 1.0),
         vec4f(0.2471, 0.4, 0.251, 1.0));
     let diffuse_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
@@ -236,6 +239,8 @@ fn shade(surface: Surface) -> vec4f {
     let diffuse_tone = profile_balanced(diffuse_angle, diffuse_warp, diffuse_tone_shape);
     let diffuse_lit = light_apply(look.key, diffuse_color, diffuse_tone);
     let diffuse_blend = blend_add(fill_blend, diffuse_lit.color, diffuse_lit.tone, 1.0, true);
+
+    // Back-light (Light layer)
     let back_light_color = curvature_color(back_light_convexity, vec4f(0.7882, 0.8471, 1.0, 1.0),
         vec4f(0.4784, 0.5608, 0.8157, 1.0));
     let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
@@ -246,6 +251,8 @@ fn shade(surface: Surface) -> vec4f {
     let back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
     let back_light_blend = blend_add(diffuse_blend, back_light_lit.color, back_light_lit.tone, 1.0,
         true);
+
+    // Highlight (Light layer)
     let highlight_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
     let highlight_color = curvature_color(highlight_convexity, vec4f(1.0),
@@ -256,6 +263,7 @@ fn shade(surface: Surface) -> vec4f {
     let highlight_lit = light_apply(look.key, highlight_color, highlight_tone);
     let highlight_blend = blend_add(back_light_blend, highlight_lit.color, highlight_lit.tone, 1.0,
         true);
+
     return highlight_blend;
 }
 

@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,18 +36,21 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light key;
     Light rim;
     Light fill;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::packed_float3 view;
     float kappa;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -56,6 +61,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -63,6 +69,7 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -81,20 +88,28 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
-constant ProfileShape key_tone_shape = ProfileShape {0.8472551, 0.5311862, 0.0, 1.0, 1.12, 0.0, 0.0, 1u};
-constant ProfileShape bounce_tone_shape = ProfileShape {0.9358968, 0.35227424, 0.0, 1.0, 0.72, 0.0, 0.0, 1u};
-constant ProfileShape light_tone_shape = ProfileShape {0.96638995, 0.25708055, 0.0, 1.0, 0.52, 0.0, 0.0, 1u};
-constant ProfileShape rim_tone_shape = ProfileShape {0.9130889, 0.40776044, 0.0, 1.0, 0.84, 0.0, 0.0, 1u};
-constant ProfileShape highlight_tone_shape = ProfileShape {0.99280864, 0.119712204, 0.0, 1.0, 0.24, 0.0, 0.0, 1u};
+
+constant ProfileShape key_tone_shape = ProfileShape {0.8472551, 0.5311862, 0.0, 1.0, 1.12, 0.0, 0.0,
+    1u};
+constant ProfileShape bounce_tone_shape = ProfileShape {0.9358968, 0.35227424, 0.0, 1.0, 0.72, 0.0,
+    0.0, 1u};
+constant ProfileShape light_tone_shape = ProfileShape {0.96638995, 0.25708055, 0.0, 1.0, 0.52, 0.0,
+    0.0, 1u};
+constant ProfileShape rim_tone_shape = ProfileShape {0.9130889, 0.40776044, 0.0, 1.0, 0.84, 0.0,
+    0.0, 1u};
+constant ProfileShape highlight_tone_shape = ProfileShape {0.99280864, 0.119712204, 0.0, 1.0, 0.24,
+    0.0, 0.0, 1u};
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
@@ -110,8 +125,10 @@ metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
-    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 0.0000026347564))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (0.00002477458 - y * 0.00000026297516))));
     return metal::float2(s, c);
 }
 
@@ -132,9 +149,9 @@ Angle angle_turned(
     Angle u,
     metal::float2 t
 ) {
-    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
-    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
@@ -149,14 +166,15 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (convex - concave));
+    return concave + convexity * (convex - concave);
 }
 
 float transition_balanced(
     float kappa,
     float slope
 ) {
-    return 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))))));
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0
+        + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))));
 }
 
 Composite blend_alpha(
@@ -166,7 +184,8 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + tone * (color.xyz - below.xyz), 1.0),
+        metal::float4(0.0), metal::float4(1.0));
 }
 
 /// Light on a layer
@@ -178,15 +197,17 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_diffuse_balanced(
     Light light,
     metal::float3 normal
 ) {
-    return Angle {0.5 * metal::length(normal - light.direction), 0.5 * metal::length(normal + light.direction)};
+    return Angle {0.5 * metal::length(normal - light.direction), 0.5
+        * metal::length(normal + light.direction)};
 }
 
 Angle parametrization_specular_balanced(
@@ -194,8 +215,9 @@ Angle parametrization_specular_balanced(
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
+    metal::float3 d = 2.0 * metal::dot(normal, view) * normal - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5
+        * metal::length(d + light.direction)};
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -206,9 +228,9 @@ float profile_ramp_quick(
     ProfileShape shape
 ) {
     float width = metal::sqrt(w * w);
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((0.0 - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (0.0 - from_offset) / metal::max(width, 0.000001), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 float profile_balanced(
@@ -218,7 +240,8 @@ float profile_balanced(
 ) {
     Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset), angle_footprint_value, shape);
+    return profile_ramp_quick(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// The look at one point of the surface.
@@ -226,41 +249,62 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
+    // Shadow (Light layer)
     float key_convexity = transition_balanced(surface.kappa, 0.35);
-    Color shadow_color = curvature_color(key_convexity, metal::float4(0.7059, 0.3412, 0.2902, 1.0), metal::float4(0.2941, 0.1098, 0.2, 1.0));
+    Color shadow_color = curvature_color(key_convexity, metal::float4(0.7059, 0.3412, 0.2902, 1.0),
+        metal::float4(0.2941, 0.1098, 0.2, 1.0));
     LitLayer shadow_lit = light_apply(look.key, shadow_color, 1.0);
-    Composite shadow_blend = blend_alpha(metal::float4(0.8863, 0.6275, 0.4353, 1.0), shadow_lit.color, shadow_lit.tone, 1.0, true);
-    Color key_color = curvature_color(key_convexity, metal::float4(0.9529, 0.6902, 0.4392, 1.0), metal::float4(0.7686, 0.3451, 0.2902, 1.0));
+    Composite shadow_blend = blend_alpha(metal::float4(0.8863, 0.6275, 0.4353, 1.0),
+        shadow_lit.color, shadow_lit.tone, 1.0, true);
+
+    // Key (Light layer)
+    Color key_color = curvature_color(key_convexity, metal::float4(0.9529, 0.6902, 0.4392, 1.0),
+        metal::float4(0.7686, 0.3451, 0.2902, 1.0));
     Angle light_angle = parametrization_diffuse_balanced(look.key, surface.normal);
-    float key_warp = ((2.0 * key_convexity) - 1.0) * 0.45;
+    float key_warp = (2.0 * key_convexity - 1.0) * 0.45;
     float key_tone = profile_balanced(light_angle, key_warp, key_tone_shape);
     LitLayer key_lit = light_apply(look.key, key_color, key_tone);
     Composite key_blend = blend_alpha(shadow_blend, key_lit.color, key_lit.tone, 1.0, true);
+
+    // Bounce (Light layer)
     float light_convexity = transition_balanced(surface.kappa, 0.3);
-    Color bounce_color = curvature_color(light_convexity, metal::float4(0.8157, 0.4863, 0.3686, 1.0), metal::float4(0.549, 0.2275, 0.298, 1.0));
+    Color bounce_color = curvature_color(light_convexity,
+        metal::float4(0.8157, 0.4863, 0.3686, 1.0), metal::float4(0.549, 0.2275, 0.298, 1.0));
     Angle bounce_angle = parametrization_diffuse_balanced(look.fill, surface.normal);
-    float bounce_warp = ((2.0 * light_convexity) - 1.0) * 0.35;
+    float bounce_warp = (2.0 * light_convexity - 1.0) * 0.35;
     float bounce_tone = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
     LitLayer bounce_lit = light_apply(look.fill, bounce_color, bounce_tone);
     Composite bounce_blend = blend_alpha(key_blend, bounce_lit.color, bounce_lit.tone, 1.0, true);
-    Color light_color = curvature_color(light_convexity, metal::float4(1.0, 0.851, 0.6275, 1.0), metal::float4(0.9412, 0.6431, 0.4078, 1.0));
-    float light_warp = ((2.0 * light_convexity) - 1.0) * 0.3;
+
+    // Light (Light layer)
+    Color light_color = curvature_color(light_convexity, metal::float4(1.0, 0.851, 0.6275, 1.0),
+        metal::float4(0.9412, 0.6431, 0.4078, 1.0));
+    float light_warp = (2.0 * light_convexity - 1.0) * 0.3;
     float light_tone = profile_balanced(light_angle, light_warp, light_tone_shape);
     LitLayer light_lit = light_apply(look.key, light_color, light_tone);
     Composite light_blend = blend_alpha(bounce_blend, light_lit.color, light_lit.tone, 1.0, true);
+
+    // Rim (Light layer)
     float highlight_convexity = transition_balanced(surface.kappa, 0.25);
-    Color rim_color = curvature_color(highlight_convexity, metal::float4(1.0, 0.9569, 0.8627, 1.0), metal::float4(0.949, 0.6588, 0.4196, 1.0));
+    Color rim_color = curvature_color(highlight_convexity, metal::float4(1.0, 0.9569, 0.8627, 1.0),
+        metal::float4(0.949, 0.6588, 0.4196, 1.0));
     Angle rim_angle = parametrization_diffuse_balanced(look.rim, surface.normal);
-    float rim_warp = ((2.0 * highlight_convexity) - 1.0) * 0.2;
+    float rim_warp = (2.0 * highlight_convexity - 1.0) * 0.2;
     float rim_tone = profile_balanced(rim_angle, rim_warp, rim_tone_shape);
     LitLayer rim_lit = light_apply(look.rim, rim_color, rim_tone);
     Composite rim_blend = blend_alpha(light_blend, rim_lit.color, rim_lit.tone, 1.0, true);
-    Color highlight_color = curvature_color(highlight_convexity, metal::float4(1.0, 0.9804, 0.9412, 1.0), metal::float4(1.0, 0.8863, 0.7216, 1.0));
-    Angle highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
-    float highlight_warp = ((2.0 * highlight_convexity) - 1.0) * 0.1;
+
+    // Highlight (Light layer)
+    Color highlight_color = curvature_color(highlight_convexity,
+        metal::float4(1.0, 0.9804, 0.9412, 1.0), metal::float4(1.0, 0.8863, 0.7216, 1.0));
+    Angle highlight_angle = parametrization_specular_balanced(look.key, surface.normal,
+        surface.view);
+    float highlight_warp = (2.0 * highlight_convexity - 1.0) * 0.1;
     float highlight_tone = profile_balanced(highlight_angle, highlight_warp, highlight_tone_shape);
     LitLayer highlight_lit = light_apply(look.key, highlight_color, highlight_tone);
-    Composite highlight_blend = blend_alpha(rim_blend, highlight_lit.color, highlight_lit.tone, 1.0, true);
+    Composite highlight_blend = blend_alpha(rim_blend, highlight_lit.color, highlight_lit.tone, 1.0,
+        true);
+
     return highlight_blend;
 }
 
@@ -268,11 +312,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_2 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -280,7 +326,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -293,9 +340,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_2 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -306,8 +355,9 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.x};
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        texel.x};
     return fs_mainOutput { shade(surface, look) };
 }

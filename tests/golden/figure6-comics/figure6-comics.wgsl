@@ -185,12 +185,15 @@ const highlight_tone_shape = ProfileShape(0.99280864, 0.119712204, 0.0, 1.0, 0.2
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Shadow (Light layer)
     let key_convexity = transition_balanced(surface.kappa, 0.35);
     let shadow_color = curvature_color(key_convexity, vec4f(0.7059, 0.3412, 0.2902, 1.0),
         vec4f(0.2941, 0.1098, 0.2, 1.0));
     let shadow_lit = light_apply(look.key, shadow_color, 1.0);
     let shadow_blend = blend_alpha(vec4f(0.8863, 0.6275, 0.4353, 1.0), shadow_lit.color,
         shadow_lit.tone, 1.0, true);
+
+    // Key (Light layer)
     let key_color = curvature_color(key_convexity, vec4f(0.9529, 0.6902, 0.4392, 1.0),
         vec4f(0.7686, 0.3451, 0.2902, 1.0));
     let light_angle = parametrization_diffuse_balanced(look.key, surface.normal);
@@ -198,6 +201,8 @@ fn shade(surface: Surface) -> vec4f {
     let key_tone = profile_balanced(light_angle, key_warp, key_tone_shape);
     let key_lit = light_apply(look.key, key_color, key_tone);
     let key_blend = blend_alpha(shadow_blend, key_lit.color, key_lit.tone, 1.0, true);
+
+    // Bounce (Light layer)
     let light_convexity = transition_balanced(surface.kappa, 0.3);
     let bounce_color = curvature_color(light_convexity, vec4f(0.8157, 0.4863, 0.3686, 1.0),
         vec4f(0.549, 0.2275, 0.298, 1.0));
@@ -206,12 +211,16 @@ fn shade(surface: Surface) -> vec4f {
     let bounce_tone = profile_balanced(bounce_angle, bounce_warp, bounce_tone_shape);
     let bounce_lit = light_apply(look.fill, bounce_color, bounce_tone);
     let bounce_blend = blend_alpha(key_blend, bounce_lit.color, bounce_lit.tone, 1.0, true);
+
+    // Light (Light layer)
     let light_color = curvature_color(light_convexity, vec4f(1.0, 0.851, 0.6275, 1.0),
         vec4f(0.9412, 0.6431, 0.4078, 1.0));
     let light_warp = (2.0 * light_convexity - 1.0) * 0.3;
     let light_tone = profile_balanced(light_angle, light_warp, light_tone_shape);
     let light_lit = light_apply(look.key, light_color, light_tone);
     let light_blend = blend_alpha(bounce_blend, light_lit.color, light_lit.tone, 1.0, true);
+
+    // Rim (Light layer)
     let highlight_convexity = transition_balanced(surface.kappa, 0.25);
     let rim_color = curvature_color(highlight_convexity, vec4f(1.0, 0.9569, 0.8627, 1.0),
         vec4f(0.949, 0.6588, 0.4196, 1.0));
@@ -220,6 +229,8 @@ fn shade(surface: Surface) -> vec4f {
     let rim_tone = profile_balanced(rim_angle, rim_warp, rim_tone_shape);
     let rim_lit = light_apply(look.rim, rim_color, rim_tone);
     let rim_blend = blend_alpha(light_blend, rim_lit.color, rim_lit.tone, 1.0, true);
+
+    // Highlight (Light layer)
     let highlight_color = curvature_color(highlight_convexity, vec4f(1.0, 0.9804, 0.9412, 1.0),
         vec4f(1.0, 0.8863, 0.7216, 1.0));
     let highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
@@ -228,6 +239,7 @@ fn shade(surface: Surface) -> vec4f {
     let highlight_lit = light_apply(look.key, highlight_color, highlight_tone);
     let highlight_blend = blend_alpha(rim_blend, highlight_lit.color, highlight_lit.tone, 1.0,
         true);
+
     return highlight_blend;
 }
 

@@ -14,6 +14,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -25,17 +26,20 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light cool;
     Light warm;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     float kappa;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -44,12 +48,14 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     vec4 color;
     /// The tone under this light.
     float tone;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -68,14 +74,19 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
-const ProfileShape warm_side_tone_shape = ProfileShape(0.9305076, 0.36627254, 5.4363623, 1.7744379, 0.75, 0.20524569, 0.083345205, 0u);
-const ProfileShape cool_side_tone_shape = ProfileShape(0.9393727, 0.3428978, 5.743557, 1.7484518, 0.7, 0.19521655, 0.07901356, 0u);
-const ProfileShape cool_edge_tone_shape = ProfileShape(0.9887711, 0.14943813, 10.016686, 1.8827307, 0.3, 0.108895466, 0.044647813, 0u);
+
+const ProfileShape warm_side_tone_shape = ProfileShape(0.9305076, 0.36627254, 5.4363623, 1.7744379,
+    0.75, 0.20524569, 0.083345205, 0u);
+const ProfileShape cool_side_tone_shape = ProfileShape(0.9393727, 0.3428978, 5.743557, 1.7484518,
+    0.7, 0.19521655, 0.07901356, 0u);
+const ProfileShape cool_edge_tone_shape = ProfileShape(0.9887711, 0.14943813, 10.016686, 1.8827307,
+    0.3, 0.108895466, 0.044647813, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -90,15 +101,17 @@ layout(location = 0) out vec4 out_color;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 vec2 sin_cos_quick(float x) {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return vec2(s, c);
 }
 
@@ -108,18 +121,18 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    vec2 upper = c <= 0.0 ? vec2(1.0, 0.0) : vec2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
+    vec2 turned = (s <= 0.0 && s < c) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -127,14 +140,14 @@ Angle angle_turned(Angle u, vec2 t) {
 ///
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 /// Blend
 ///
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + (tone * color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4(below.xyz + tone * color.xyz, 1.0), vec4(0.0), vec4(1.0));
 }
 
 /// Light on a layer
@@ -143,75 +156,93 @@ vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) 
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
-    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
+    vec3 d = 2.0 * dot(normal, view) * normal - view;
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false || is_narrow)) {
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = w > 0.0 && w >= 3.4641016 * shape.edge_deviation;
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
-    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    float cool_side_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
-    vec4 warm_side_color = curvature_color(cool_side_convexity, vec4(0.9412, 0.6588, 0.3765, 1.0), vec4(0.6039, 0.2275, 0.1412, 1.0));
-    Angle warm_side_angle = Angle((0.5 * length((surface.normal - u_look.warm.direction))), (0.5 * length((surface.normal + u_look.warm.direction))));
-    float warm_side_warp = (((2.0 * cool_side_convexity) - 1.0) * 0.45);
+    // Warm side (Light layer)
+    float cool_side_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.3, -20.0, 20.0))));
+    vec4 warm_side_color = curvature_color(cool_side_convexity, vec4(0.9412, 0.6588, 0.3765, 1.0),
+        vec4(0.6039, 0.2275, 0.1412, 1.0));
+    Angle warm_side_angle = Angle(0.5 * length(surface.normal - u_look.warm.direction), 0.5
+        * length(surface.normal + u_look.warm.direction));
+    float warm_side_warp = (2.0 * cool_side_convexity - 1.0) * 0.45;
     float warm_side_tone = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
     LitLayer warm_side_lit = light_apply(u_look.warm, warm_side_color, warm_side_tone);
-    vec4 warm_side_blend = blend_add(vec4(0.0314, 0.0275, 0.0392, 1.0), warm_side_lit.color, warm_side_lit.tone, 1.0, true);
-    vec4 cool_side_color = curvature_color(cool_side_convexity, vec4(0.4353, 0.698, 0.9412, 1.0), vec4(0.1451, 0.251, 0.4353, 1.0));
-    Angle cool_side_angle = Angle((0.5 * length((surface.normal - u_look.cool.direction))), (0.5 * length((surface.normal + u_look.cool.direction))));
-    float cool_side_warp = (((2.0 * cool_side_convexity) - 1.0) * 0.4);
+    vec4 warm_side_blend = blend_add(vec4(0.0314, 0.0275, 0.0392, 1.0), warm_side_lit.color,
+        warm_side_lit.tone, 1.0, true);
+
+    // Cool side (Light layer)
+    vec4 cool_side_color = curvature_color(cool_side_convexity, vec4(0.4353, 0.698, 0.9412, 1.0),
+        vec4(0.1451, 0.251, 0.4353, 1.0));
+    Angle cool_side_angle = Angle(0.5 * length(surface.normal - u_look.cool.direction), 0.5
+        * length(surface.normal + u_look.cool.direction));
+    float cool_side_warp = (2.0 * cool_side_convexity - 1.0) * 0.4;
     float cool_side_tone = profile_balanced(cool_side_angle, cool_side_warp, cool_side_tone_shape);
     LitLayer cool_side_lit = light_apply(u_look.cool, cool_side_color, cool_side_tone);
-    vec4 cool_side_blend = blend_add(warm_side_blend, cool_side_lit.color, cool_side_lit.tone, 1.0, true);
-    float cool_edge_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.25), -20.0, 20.0))))))));
-    vec4 cool_edge_color = curvature_color(cool_edge_convexity, vec4(0.3529, 0.3725, 0.4, 1.0), vec4(0.1255, 0.1412, 0.1569, 1.0));
-    Angle cool_edge_angle = parametrization_specular_balanced(u_look.cool, surface.normal, surface.view);
-    float cool_edge_warp = (((2.0 * cool_edge_convexity) - 1.0) * 0.2);
+    vec4 cool_side_blend = blend_add(warm_side_blend, cool_side_lit.color, cool_side_lit.tone, 1.0,
+        true);
+
+    // Cool edge (Light layer)
+    float cool_edge_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.25, -20.0, 20.0))));
+    vec4 cool_edge_color = curvature_color(cool_edge_convexity, vec4(0.3529, 0.3725, 0.4, 1.0),
+        vec4(0.1255, 0.1412, 0.1569, 1.0));
+    Angle cool_edge_angle = parametrization_specular_balanced(u_look.cool, surface.normal,
+        surface.view);
+    float cool_edge_warp = (2.0 * cool_edge_convexity - 1.0) * 0.2;
     float cool_edge_tone = profile_balanced(cool_edge_angle, cool_edge_warp, cool_edge_tone_shape);
     LitLayer cool_edge_lit = light_apply(u_look.cool, cool_edge_color, cool_edge_tone);
-    vec4 cool_edge_blend = blend_add(cool_side_blend, cool_edge_lit.color, cool_edge_lit.tone, 1.0, true);
+    vec4 cool_edge_blend = blend_add(cool_side_blend, cool_edge_lit.color, cool_edge_lit.tone, 1.0,
+        true);
+
     return cool_edge_blend;
 }
 
@@ -219,10 +250,9 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), texel.x);
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position),
+        texel.x);
     out_color = shade(surface);
-    return;
 }
-

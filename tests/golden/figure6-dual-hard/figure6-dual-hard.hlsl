@@ -98,9 +98,12 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-static const ProfileShape warm_side_tone_shape = {0.9305076, 0.36627254, 5.4363623, 1.7744379, 0.75, 0.20524569, 0.083345205, 0u};
-static const ProfileShape cool_side_tone_shape = {0.9393727, 0.3428978, 5.743557, 1.7484518, 0.7, 0.19521655, 0.07901356, 0u};
-static const ProfileShape cool_edge_tone_shape = {0.9887711, 0.14943813, 10.016686, 1.8827307, 0.3, 0.108895466, 0.044647813, 0u};
+static const ProfileShape warm_side_tone_shape = {0.9305076, 0.36627254, 5.4363623, 1.7744379, 0.75,
+    0.20524569, 0.083345205, 0u};
+static const ProfileShape cool_side_tone_shape = {0.9393727, 0.3428978, 5.743557, 1.7484518, 0.7,
+    0.19521655, 0.07901356, 0u};
+static const ProfileShape cool_edge_tone_shape = {0.9887711, 0.14943813, 10.016686, 1.8827307, 0.3,
+    0.108895466, 0.044647813, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -124,16 +127,18 @@ struct FragmentInput_fs_main {
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return float2(s, c);
 }
 
@@ -144,7 +149,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -158,14 +163,13 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_1 = ConstructAngle(turned.x, turned.y);
-    return angle_1;
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// Convex/concave color
@@ -173,7 +177,7 @@ Angle angle_turned(Angle u, float2 t)
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 /// Blend
@@ -181,7 +185,7 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (tone * color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + tone * color.xyz, 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -198,83 +202,102 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_2 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
-    return angle_2;
+    float3 d = 2.0 * dot(normal, view) * normal - view;
+    return ConstructAngle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float cool_side_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
-    const float4 warm_side_color = curvature_color(cool_side_convexity, float4(0.9412, 0.6588, 0.3765, 1.0), float4(0.6039, 0.2275, 0.1412, 1.0));
-    Angle warm_side_angle = ConstructAngle((0.5 * length((surface.normal - look.warm.direction))), (0.5 * length((surface.normal + look.warm.direction))));
-    float warm_side_warp = (((2.0 * cool_side_convexity) - 1.0) * 0.45);
-    const float warm_side_tone = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
+    // Warm side (Light layer)
+    float cool_side_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.3, -20.0, 20.0))));
+    const float4 warm_side_color = curvature_color(cool_side_convexity,
+        float4(0.9412, 0.6588, 0.3765, 1.0), float4(0.6039, 0.2275, 0.1412, 1.0));
+    Angle warm_side_angle = ConstructAngle(0.5 * length(surface.normal - look.warm.direction), 0.5
+        * length(surface.normal + look.warm.direction));
+    float warm_side_warp = (2.0 * cool_side_convexity - 1.0) * 0.45;
+    const float warm_side_tone = profile_balanced(warm_side_angle, warm_side_warp,
+        warm_side_tone_shape);
     const LitLayer warm_side_lit = light_apply(look.warm, warm_side_color, warm_side_tone);
-    const float4 warm_side_blend = blend_add(float4(0.0314, 0.0275, 0.0392, 1.0), warm_side_lit.color, warm_side_lit.tone, 1.0, true);
-    const float4 cool_side_color = curvature_color(cool_side_convexity, float4(0.4353, 0.698, 0.9412, 1.0), float4(0.1451, 0.251, 0.4353, 1.0));
-    Angle cool_side_angle = ConstructAngle((0.5 * length((surface.normal - look.cool.direction))), (0.5 * length((surface.normal + look.cool.direction))));
-    float cool_side_warp = (((2.0 * cool_side_convexity) - 1.0) * 0.4);
-    const float cool_side_tone = profile_balanced(cool_side_angle, cool_side_warp, cool_side_tone_shape);
+    const float4 warm_side_blend = blend_add(float4(0.0314, 0.0275, 0.0392, 1.0),
+        warm_side_lit.color, warm_side_lit.tone, 1.0, true);
+
+    // Cool side (Light layer)
+    const float4 cool_side_color = curvature_color(cool_side_convexity,
+        float4(0.4353, 0.698, 0.9412, 1.0), float4(0.1451, 0.251, 0.4353, 1.0));
+    Angle cool_side_angle = ConstructAngle(0.5 * length(surface.normal - look.cool.direction), 0.5
+        * length(surface.normal + look.cool.direction));
+    float cool_side_warp = (2.0 * cool_side_convexity - 1.0) * 0.4;
+    const float cool_side_tone = profile_balanced(cool_side_angle, cool_side_warp,
+        cool_side_tone_shape);
     const LitLayer cool_side_lit = light_apply(look.cool, cool_side_color, cool_side_tone);
-    const float4 cool_side_blend = blend_add(warm_side_blend, cool_side_lit.color, cool_side_lit.tone, 1.0, true);
-    float cool_edge_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.25), -20.0, 20.0))))))));
-    const float4 cool_edge_color = curvature_color(cool_edge_convexity, float4(0.3529, 0.3725, 0.4, 1.0), float4(0.1255, 0.1412, 0.1569, 1.0));
-    const Angle cool_edge_angle = parametrization_specular_balanced(look.cool, surface.normal, surface.view);
-    float cool_edge_warp = (((2.0 * cool_edge_convexity) - 1.0) * 0.2);
-    const float cool_edge_tone = profile_balanced(cool_edge_angle, cool_edge_warp, cool_edge_tone_shape);
+    const float4 cool_side_blend = blend_add(warm_side_blend, cool_side_lit.color,
+        cool_side_lit.tone, 1.0, true);
+
+    // Cool edge (Light layer)
+    float cool_edge_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.25, -20.0, 20.0))));
+    const float4 cool_edge_color = curvature_color(cool_edge_convexity,
+        float4(0.3529, 0.3725, 0.4, 1.0), float4(0.1255, 0.1412, 0.1569, 1.0));
+    const Angle cool_edge_angle = parametrization_specular_balanced(look.cool, surface.normal,
+        surface.view);
+    float cool_edge_warp = (2.0 * cool_edge_convexity - 1.0) * 0.2;
+    const float cool_edge_tone = profile_balanced(cool_edge_angle, cool_edge_warp,
+        cool_edge_tone_shape);
     const LitLayer cool_edge_lit = light_apply(look.cool, cool_edge_color, cool_edge_tone);
-    const float4 cool_edge_blend = blend_add(cool_side_blend, cool_edge_lit.color, cool_edge_lit.tone, 1.0, true);
+    const float4 cool_edge_blend = blend_add(cool_side_blend, cool_edge_lit.color,
+        cool_edge_lit.tone, 1.0, true);
+
     return cool_edge_blend;
 }
 
@@ -289,7 +312,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -308,11 +332,13 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), texel.x);
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        texel.x);
     return shade(surface);
 }

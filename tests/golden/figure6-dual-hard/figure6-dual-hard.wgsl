@@ -175,7 +175,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -200,6 +200,7 @@ const cool_edge_tone_shape = ProfileShape(0.9887711, 0.14943813, 10.016686, 1.88
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Warm side (Light layer)
     let cool_side_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.3, -20.0, 20.0))));
     let warm_side_color = curvature_color(cool_side_convexity, vec4f(0.9412, 0.6588, 0.3765, 1.0),
@@ -211,6 +212,8 @@ fn shade(surface: Surface) -> vec4f {
     let warm_side_lit = light_apply(look.warm, warm_side_color, warm_side_tone);
     let warm_side_blend = blend_add(vec4f(0.0314, 0.0275, 0.0392, 1.0), warm_side_lit.color,
         warm_side_lit.tone, 1.0, true);
+
+    // Cool side (Light layer)
     let cool_side_color = curvature_color(cool_side_convexity, vec4f(0.4353, 0.698, 0.9412, 1.0),
         vec4f(0.1451, 0.251, 0.4353, 1.0));
     let cool_side_angle = Angle(0.5 * length(surface.normal - look.cool.direction), 0.5
@@ -220,6 +223,8 @@ fn shade(surface: Surface) -> vec4f {
     let cool_side_lit = light_apply(look.cool, cool_side_color, cool_side_tone);
     let cool_side_blend = blend_add(warm_side_blend, cool_side_lit.color, cool_side_lit.tone, 1.0,
         true);
+
+    // Cool edge (Light layer)
     let cool_edge_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.25, -20.0, 20.0))));
     let cool_edge_color = curvature_color(cool_edge_convexity, vec4f(0.3529, 0.3725, 0.4, 1.0),
@@ -231,6 +236,7 @@ fn shade(surface: Surface) -> vec4f {
     let cool_edge_lit = light_apply(look.cool, cool_edge_color, cool_edge_tone);
     let cool_edge_blend = blend_add(cool_side_blend, cool_edge_lit.color, cool_edge_lit.tone, 1.0,
         true);
+
     return cool_edge_blend;
 }
 

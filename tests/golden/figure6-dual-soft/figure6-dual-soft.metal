@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,17 +36,20 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light warm;
     Light cool;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::packed_float3 view;
     float kappa;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -55,6 +60,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -62,6 +68,7 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -80,18 +87,24 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
-constant ProfileShape warm_side_tone_shape = ProfileShape {0.9971888, 0.07492971, 1.3940078, 1.4345639, 0.15, 0.90231395, 0.36981526, 0u};
-constant ProfileShape cool_side_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.5079876, 1.4054453, 0.1, 0.83293223, 0.33645248, 0u};
-constant ProfileShape sheen_tone_shape = ProfileShape {0.9996875, 0.024997396, 3.1317647, 2.7420828, 0.05, 0.3043368, 0.13399889, 0u};
+
+constant ProfileShape warm_side_tone_shape = ProfileShape {0.9971888, 0.07492971, 1.3940078,
+    1.4345639, 0.15, 0.90231395, 0.36981526, 0u};
+constant ProfileShape cool_side_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.5079876,
+    1.4054453, 0.1, 0.83293223, 0.33645248, 0u};
+constant ProfileShape sheen_tone_shape = ProfileShape {0.9996875, 0.024997396, 3.1317647, 2.7420828,
+    0.05, 0.3043368, 0.13399889, 0u};
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
@@ -107,8 +120,10 @@ metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
-    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 0.0000026347564))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (0.00002477458 - y * 0.00000026297516))));
     return metal::float2(s, c);
 }
 
@@ -129,9 +144,9 @@ Angle angle_turned(
     Angle u,
     metal::float2 t
 ) {
-    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
-    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
@@ -146,14 +161,15 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (convex - concave));
+    return concave + convexity * (convex - concave);
 }
 
 float transition_balanced(
     float kappa,
     float slope
 ) {
-    return 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))))));
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0
+        + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))));
 }
 
 /// Blend
@@ -166,7 +182,8 @@ Composite blend_add(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (tone * color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + tone * color.xyz, 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// Light on a layer
@@ -178,8 +195,9 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_specular_balanced(
@@ -187,8 +205,9 @@ Angle parametrization_specular_balanced(
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
+    metal::float3 d = 2.0 * metal::dot(normal, view) * normal - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5
+        * metal::length(d + light.direction)};
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -197,7 +216,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -207,10 +226,10 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -220,16 +239,18 @@ float profile_filtered_quick(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -239,20 +260,22 @@ float profile_filtered_quick_2(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -278,30 +301,47 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
+    // Fill (Light layer)
     float fill_convexity = transition_balanced(surface.kappa, 0.25);
-    Color fill_color = curvature_color(fill_convexity, metal::float4(0.1137, 0.0941, 0.1333, 1.0), metal::float4(0.0392, 0.0314, 0.0549, 1.0));
+    Color fill_color = curvature_color(fill_convexity, metal::float4(0.1137, 0.0941, 0.1333, 1.0),
+        metal::float4(0.0392, 0.0314, 0.0549, 1.0));
     LitLayer fill_lit = light_apply(look.warm, fill_color, 1.0);
-    Composite fill_blend = blend_add(metal::float4(0.051, 0.0431, 0.0706, 1.0), fill_lit.color, fill_lit.tone, 1.0, true);
+    Composite fill_blend = blend_add(metal::float4(0.051, 0.0431, 0.0706, 1.0), fill_lit.color,
+        fill_lit.tone, 1.0, true);
+
+    // Warm side (Light layer)
     float cool_side_convexity = transition_balanced(surface.kappa, 0.22);
-    Color warm_side_color = curvature_color(cool_side_convexity, metal::float4(0.851, 0.5451, 0.3059, 1.0), metal::float4(0.4784, 0.1843, 0.1333, 1.0));
-    Angle warm_side_angle = Angle {0.5 * metal::length(surface.normal - look.warm.direction), 0.5 * metal::length(surface.normal + look.warm.direction)};
-    float warm_side_warp = ((2.0 * cool_side_convexity) - 1.0) * 0.3;
+    Color warm_side_color = curvature_color(cool_side_convexity,
+        metal::float4(0.851, 0.5451, 0.3059, 1.0), metal::float4(0.4784, 0.1843, 0.1333, 1.0));
+    Angle warm_side_angle = Angle {0.5 * metal::length(surface.normal - look.warm.direction), 0.5
+        * metal::length(surface.normal + look.warm.direction)};
+    float warm_side_warp = (2.0 * cool_side_convexity - 1.0) * 0.3;
     float warm_side_tone = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
     LitLayer warm_side_lit = light_apply(look.warm, warm_side_color, warm_side_tone);
-    Composite warm_side_blend = blend_add(fill_blend, warm_side_lit.color, warm_side_lit.tone, 1.0, true);
-    Color cool_side_color = curvature_color(cool_side_convexity, metal::float4(0.3098, 0.498, 0.7216, 1.0), metal::float4(0.1098, 0.1922, 0.3412, 1.0));
-    Angle cool_side_angle = Angle {0.5 * metal::length(surface.normal - look.cool.direction), 0.5 * metal::length(surface.normal + look.cool.direction)};
-    float cool_side_warp = ((2.0 * cool_side_convexity) - 1.0) * 0.25;
+    Composite warm_side_blend = blend_add(fill_blend, warm_side_lit.color, warm_side_lit.tone, 1.0,
+        true);
+
+    // Cool side (Light layer)
+    Color cool_side_color = curvature_color(cool_side_convexity,
+        metal::float4(0.3098, 0.498, 0.7216, 1.0), metal::float4(0.1098, 0.1922, 0.3412, 1.0));
+    Angle cool_side_angle = Angle {0.5 * metal::length(surface.normal - look.cool.direction), 0.5
+        * metal::length(surface.normal + look.cool.direction)};
+    float cool_side_warp = (2.0 * cool_side_convexity - 1.0) * 0.25;
     float cool_side_tone = profile_balanced(cool_side_angle, cool_side_warp, cool_side_tone_shape);
     LitLayer cool_side_lit = light_apply(look.cool, cool_side_color, cool_side_tone);
-    Composite cool_side_blend = blend_add(warm_side_blend, cool_side_lit.color, cool_side_lit.tone, 1.0, true);
+    Composite cool_side_blend = blend_add(warm_side_blend, cool_side_lit.color, cool_side_lit.tone,
+        1.0, true);
+
+    // Sheen (Light layer)
     float sheen_convexity = transition_balanced(surface.kappa, 0.2);
-    Color sheen_color = curvature_color(sheen_convexity, metal::float4(0.4196, 0.3176, 0.2196, 1.0), metal::float4(0.2, 0.1373, 0.1098, 1.0));
+    Color sheen_color = curvature_color(sheen_convexity, metal::float4(0.4196, 0.3176, 0.2196, 1.0),
+        metal::float4(0.2, 0.1373, 0.1098, 1.0));
     Angle sheen_angle = parametrization_specular_balanced(look.warm, surface.normal, surface.view);
-    float sheen_warp = ((2.0 * sheen_convexity) - 1.0) * 0.1;
+    float sheen_warp = (2.0 * sheen_convexity - 1.0) * 0.1;
     float sheen_tone = profile_balanced_2(sheen_angle, sheen_warp, sheen_tone_shape);
     LitLayer sheen_lit = light_apply(look.warm, sheen_color, sheen_tone);
     Composite sheen_blend = blend_add(cool_side_blend, sheen_lit.color, sheen_lit.tone, 1.0, true);
+
     return sheen_blend;
 }
 
@@ -309,11 +349,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_1 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -321,7 +363,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -334,9 +377,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -347,8 +392,9 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.x};
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        texel.x};
     return fs_mainOutput { shade(surface, look) };
 }

@@ -196,7 +196,7 @@ fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -226,12 +226,15 @@ const sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 3.1317647, 2.74208
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Fill (Light layer)
     let fill_convexity = transition_balanced(surface.kappa, 0.25);
     let fill_color = curvature_color(fill_convexity, vec4f(0.1137, 0.0941, 0.1333, 1.0),
         vec4f(0.0392, 0.0314, 0.0549, 1.0));
     let fill_lit = light_apply(look.warm, fill_color, 1.0);
     let fill_blend = blend_add(vec4f(0.051, 0.0431, 0.0706, 1.0), fill_lit.color, fill_lit.tone,
         1.0, true);
+
+    // Warm side (Light layer)
     let cool_side_convexity = transition_balanced(surface.kappa, 0.22);
     let warm_side_color = curvature_color(cool_side_convexity, vec4f(0.851, 0.5451, 0.3059, 1.0),
         vec4f(0.4784, 0.1843, 0.1333, 1.0));
@@ -241,6 +244,8 @@ fn shade(surface: Surface) -> vec4f {
     let warm_side_tone = profile_balanced(warm_side_angle, warm_side_warp, warm_side_tone_shape);
     let warm_side_lit = light_apply(look.warm, warm_side_color, warm_side_tone);
     let warm_side_blend = blend_add(fill_blend, warm_side_lit.color, warm_side_lit.tone, 1.0, true);
+
+    // Cool side (Light layer)
     let cool_side_color = curvature_color(cool_side_convexity, vec4f(0.3098, 0.498, 0.7216, 1.0),
         vec4f(0.1098, 0.1922, 0.3412, 1.0));
     let cool_side_angle = Angle(0.5 * length(surface.normal - look.cool.direction), 0.5
@@ -250,6 +255,8 @@ fn shade(surface: Surface) -> vec4f {
     let cool_side_lit = light_apply(look.cool, cool_side_color, cool_side_tone);
     let cool_side_blend = blend_add(warm_side_blend, cool_side_lit.color, cool_side_lit.tone, 1.0,
         true);
+
+    // Sheen (Light layer)
     let sheen_convexity = transition_balanced(surface.kappa, 0.2);
     let sheen_color = curvature_color(sheen_convexity, vec4f(0.4196, 0.3176, 0.2196, 1.0),
         vec4f(0.2, 0.1373, 0.1098, 1.0));
@@ -258,6 +265,7 @@ fn shade(surface: Surface) -> vec4f {
     let sheen_tone = profile_balanced_2(sheen_angle, sheen_warp, sheen_tone_shape);
     let sheen_lit = light_apply(look.warm, sheen_color, sheen_tone);
     let sheen_blend = blend_add(cool_side_blend, sheen_lit.color, sheen_lit.tone, 1.0, true);
+
     return sheen_blend;
 }
 

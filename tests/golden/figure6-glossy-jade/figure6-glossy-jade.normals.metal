@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,14 +24,17 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
@@ -44,7 +48,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -71,7 +76,7 @@ metal::float4 surface_texel(
     float number
 ) {
     metal::float2 slope_of_value = slope_of(normal);
-    return metal::float4(slope_of_value, depth, (normal.z < 0.0) ? -(number) : number);
+    return metal::float4(slope_of_value, depth, normal.z < 0.0 ? -number : number);
 }
 
 /// The normal that the curvature pass sees.
@@ -85,11 +90,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_2 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -97,7 +104,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -106,9 +114,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_2 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -119,16 +129,16 @@ fragment fs_mainOutput fs_main(
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     bool local = {};
     metal::float3 facing = normalize_seen(in.normal);
-    metal::float3 toward = metal::normalize(view.eye.xyz - (view.eye.w * in.position));
-    if (!(is_front)) {
+    metal::float3 toward = metal::normalize(view.eye.xyz - view.eye.w * in.position);
+    if (!is_front) {
         local = metal::dot(facing, toward) < -0.1;
     } else {
         local = false;
     }
     bool is_behind = local;
-    metal::float3 normal = is_behind ? -(facing) : facing;
+    metal::float3 normal = is_behind ? -facing : facing;
     Surface surface = Surface {normal};
     metal::float3 seen = (view.camera_from_world * metal::float4(shade(surface), 0.0)).xyz;
-    float depth = -((view.camera_from_world * metal::float4(in.position, 1.0)).z);
+    float depth = -(view.camera_from_world * metal::float4(in.position, 1.0)).z;
     return fs_mainOutput { surface_texel(seen, depth, object.id + 1.0) };
 }

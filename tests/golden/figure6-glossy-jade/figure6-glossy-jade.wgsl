@@ -202,7 +202,7 @@ fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -233,6 +233,7 @@ const through_light_tone_shape = ProfileShape(0.9800666, 0.19866933, 1.91319, 1.
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Body (Light layer)
     let body_convexity = transition_balanced(surface.kappa, 0.18);
     let body_color = curvature_color(body_convexity, vec4f(0.3725, 0.6824, 0.5255, 1.0),
         vec4f(0.1137, 0.3529, 0.2824, 1.0));
@@ -243,6 +244,8 @@ fn shade(surface: Surface) -> vec4f {
     let body_lit = light_apply(look.key, body_color, body_tone);
     let body_blend = blend_add(vec4f(0.0471, 0.1647, 0.1255, 1.0), body_lit.color, body_lit.tone,
         1.0, true);
+
+    // Wet sheen (Light layer)
     let window_convexity = transition_balanced(surface.kappa, 0.15);
     let wet_sheen_color = curvature_color(window_convexity, vec4f(0.2941, 0.4157, 0.3451, 1.0),
         vec4f(0.1098, 0.2275, 0.1882, 1.0));
@@ -251,12 +254,16 @@ fn shade(surface: Surface) -> vec4f {
     let wet_sheen_tone = profile_balanced(window_angle, wet_sheen_warp, wet_sheen_tone_shape);
     let wet_sheen_lit = light_apply(look.key, wet_sheen_color, wet_sheen_tone);
     let wet_sheen_blend = blend_add(body_blend, wet_sheen_lit.color, wet_sheen_lit.tone, 1.0, true);
+
+    // Window (Light layer)
     let window_color = curvature_color(window_convexity, vec4f(0.9647, 1.0, 0.9569, 1.0),
         vec4f(0.7216, 0.8784, 0.7843, 1.0));
     let window_warp = (2.0 * window_convexity - 1.0) * 0.05;
     let window_tone = profile_balanced_2(window_angle, window_warp, window_tone_shape);
     let window_lit = light_apply(look.key, window_color, window_tone);
     let window_blend = blend_alpha(wet_sheen_blend, window_lit.color, window_lit.tone, 0.9, true);
+
+    // Through light (Light layer)
     let through_light_convexity = transition_balanced(surface.kappa, 0.2);
     let through_light_color = curvature_color(through_light_convexity,
         vec4f(0.4784, 0.549, 0.2353, 1.0), vec4f(0.2902, 0.4157, 0.1725, 1.0));
@@ -268,6 +275,7 @@ fn shade(surface: Surface) -> vec4f {
     let through_light_lit = light_apply(look.back, through_light_color, through_light_tone);
     let through_light_blend = blend_add(window_blend, through_light_lit.color,
         through_light_lit.tone, 1.0, true);
+
     return through_light_blend;
 }
 

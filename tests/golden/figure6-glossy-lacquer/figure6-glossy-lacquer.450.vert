@@ -10,12 +10,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -34,19 +36,26 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
-const ProfileShape body_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u);
-const ProfileShape soft_reflection_tone_shape = ProfileShape(0.9971888, 0.07492971, 2.0858297, 1.974287, 0.15, 0.5228124, 0.22054322, 0u);
-const ProfileShape window_tone_shape = ProfileShape(0.99280864, 0.119712204, 25.006668, 2.4986002, 0.24, 0.039271776, 0.016918294, 0u);
-const ProfileShape back_light_tone_shape = ProfileShape(0.9747941, 0.22310637, 3.6826046, 2.1246715, 0.45, 0.28481507, 0.12005855, 0u);
+
+const ProfileShape body_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1,
+    1.0089166, 0.41697913, 0u);
+const ProfileShape soft_reflection_tone_shape = ProfileShape(0.9971888, 0.07492971, 2.0858297,
+    1.974287, 0.15, 0.5228124, 0.22054322, 0u);
+const ProfileShape window_tone_shape = ProfileShape(0.99280864, 0.119712204, 25.006668, 2.4986002,
+    0.24, 0.039271776, 0.016918294, 0u);
+const ProfileShape back_light_tone_shape = ProfileShape(0.9747941, 0.22310637, 3.6826046, 2.1246715,
+    0.45, 0.28481507, 0.12005855, 0u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
 
@@ -59,11 +68,10 @@ layout(location = 1) smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_position = _tmp_return.position;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, world.xyz,
+        u_object.world_from_normal * vertex.normal);
+    gl_Position = varyings.clip;
+    v_position = varyings.position;
+    v_normal = varyings.normal;
 }
-

@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,17 +36,20 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light back;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::packed_float3 view;
     float kappa;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -55,6 +60,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -62,6 +68,7 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -80,19 +87,26 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
-constant ProfileShape body_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u};
-constant ProfileShape soft_reflection_tone_shape = ProfileShape {0.9971888, 0.07492971, 2.0858297, 1.974287, 0.15, 0.5228124, 0.22054322, 0u};
-constant ProfileShape window_tone_shape = ProfileShape {0.99280864, 0.119712204, 25.006668, 2.4986002, 0.24, 0.039271776, 0.016918294, 0u};
-constant ProfileShape back_light_tone_shape = ProfileShape {0.9747941, 0.22310637, 3.6826046, 2.1246715, 0.45, 0.28481507, 0.12005855, 0u};
+
+constant ProfileShape body_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.2766062, 1.3888036,
+    0.1, 1.0089166, 0.41697913, 0u};
+constant ProfileShape soft_reflection_tone_shape = ProfileShape {0.9971888, 0.07492971, 2.0858297,
+    1.974287, 0.15, 0.5228124, 0.22054322, 0u};
+constant ProfileShape window_tone_shape = ProfileShape {0.99280864, 0.119712204, 25.006668,
+    2.4986002, 0.24, 0.039271776, 0.016918294, 0u};
+constant ProfileShape back_light_tone_shape = ProfileShape {0.9747941, 0.22310637, 3.6826046,
+    2.1246715, 0.45, 0.28481507, 0.12005855, 0u};
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
@@ -108,8 +122,10 @@ metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
-    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 0.0000026347564))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (0.00002477458 - y * 0.00000026297516))));
     return metal::float2(s, c);
 }
 
@@ -130,9 +146,9 @@ Angle angle_turned(
     Angle u,
     metal::float2 t
 ) {
-    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
-    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
@@ -147,7 +163,7 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (convex - concave));
+    return concave + convexity * (convex - concave);
 }
 
 /// Blend
@@ -160,7 +176,8 @@ Composite blend_add(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (tone * color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + tone * color.xyz, 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 Composite blend_alpha(
@@ -170,7 +187,9 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// Light on a layer
@@ -182,8 +201,9 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_specular_balanced(
@@ -191,8 +211,9 @@ Angle parametrization_specular_balanced(
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
+    metal::float3 d = 2.0 * metal::dot(normal, view) * normal - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5
+        * metal::length(d + light.direction)};
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -201,7 +222,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -211,10 +232,10 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -224,16 +245,18 @@ float profile_filtered_quick(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -243,20 +266,22 @@ float profile_filtered_quick_2(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -282,31 +307,56 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    float back_light_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))))));
-    Color body_color = curvature_color(back_light_convexity, metal::float4(0.6275, 0.0706, 0.1255, 1.0), metal::float4(0.2353, 0.0157, 0.0627, 1.0));
-    Angle body_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
-    float body_warp = ((2.0 * back_light_convexity) - 1.0) * 0.3;
+    // Body (Light layer)
+    float back_light_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + metal::exp2(2.88539
+        * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    Color body_color = curvature_color(back_light_convexity,
+        metal::float4(0.6275, 0.0706, 0.1255, 1.0), metal::float4(0.2353, 0.0157, 0.0627, 1.0));
+    Angle body_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5
+        * metal::length(surface.normal + look.key.direction)};
+    float body_warp = (2.0 * back_light_convexity - 1.0) * 0.3;
     float body_tone = profile_balanced(body_angle, body_warp, body_tone_shape);
     LitLayer body_lit = light_apply(look.key, body_color, body_tone);
-    Composite body_blend = blend_add(metal::float4(0.1098, 0.0078, 0.0235, 1.0), body_lit.color, body_lit.tone, 1.0, true);
-    float window_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.15, -20.0, 20.0))))));
-    Color soft_reflection_color = curvature_color(window_convexity, metal::float4(0.3529, 0.1255, 0.1569, 1.0), metal::float4(0.1412, 0.0314, 0.0627, 1.0));
+    Composite body_blend = blend_add(metal::float4(0.1098, 0.0078, 0.0235, 1.0), body_lit.color,
+        body_lit.tone, 1.0, true);
+
+    // Soft reflection (Light layer)
+    float window_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + metal::exp2(2.88539
+        * metal::clamp(surface.kappa * 0.15, -20.0, 20.0))));
+    Color soft_reflection_color = curvature_color(window_convexity,
+        metal::float4(0.3529, 0.1255, 0.1569, 1.0), metal::float4(0.1412, 0.0314, 0.0627, 1.0));
     Angle window_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
-    float soft_reflection_warp = ((2.0 * window_convexity) - 1.0) * 0.15;
-    float soft_reflection_tone = profile_balanced(window_angle, soft_reflection_warp, soft_reflection_tone_shape);
-    LitLayer soft_reflection_lit = light_apply(look.key, soft_reflection_color, soft_reflection_tone);
-    Composite soft_reflection_blend = blend_add(body_blend, soft_reflection_lit.color, soft_reflection_lit.tone, 1.0, true);
-    Color window_color = curvature_color(window_convexity, metal::float4(1.0, 0.949, 0.9098, 1.0), metal::float4(0.7843, 0.4549, 0.4863, 1.0));
-    float window_warp = ((2.0 * window_convexity) - 1.0) * 0.06;
+    float soft_reflection_warp = (2.0 * window_convexity - 1.0) * 0.15;
+    float soft_reflection_tone = profile_balanced(window_angle, soft_reflection_warp,
+        soft_reflection_tone_shape);
+    LitLayer soft_reflection_lit = light_apply(look.key, soft_reflection_color,
+        soft_reflection_tone);
+    Composite soft_reflection_blend = blend_add(body_blend, soft_reflection_lit.color,
+        soft_reflection_lit.tone, 1.0, true);
+
+    // Window (Light layer)
+    Color window_color = curvature_color(window_convexity, metal::float4(1.0, 0.949, 0.9098, 1.0),
+        metal::float4(0.7843, 0.4549, 0.4863, 1.0));
+    float window_warp = (2.0 * window_convexity - 1.0) * 0.06;
     float window_tone = profile_balanced_2(window_angle, window_warp, window_tone_shape);
     LitLayer window_lit = light_apply(look.key, window_color, window_tone);
-    Composite window_blend = blend_alpha(soft_reflection_blend, window_lit.color, window_lit.tone, 0.95, true);
-    Color back_light_color = curvature_color(back_light_convexity, metal::float4(0.3647, 0.4706, 0.6588, 1.0), metal::float4(0.149, 0.2039, 0.3529, 1.0));
-    Angle back_light_angle = Angle {0.5 * metal::length(surface.normal - look.back.direction), 0.5 * metal::length(surface.normal + look.back.direction)};
-    float back_light_warp = ((2.0 * back_light_convexity) - 1.0) * 0.15;
-    float back_light_tone = profile_balanced_2(back_light_angle, back_light_warp, back_light_tone_shape);
+    Composite window_blend = blend_alpha(soft_reflection_blend, window_lit.color, window_lit.tone,
+        0.95, true);
+
+    // Back-light (Light layer)
+    Color back_light_color = curvature_color(back_light_convexity,
+        metal::float4(0.3647, 0.4706, 0.6588, 1.0), metal::float4(0.149, 0.2039, 0.3529, 1.0));
+    Angle back_light_angle = Angle {0.5 * metal::length(surface.normal - look.back.direction), 0.5
+        * metal::length(surface.normal + look.back.direction)};
+    float back_light_warp = (2.0 * back_light_convexity - 1.0) * 0.15;
+    float back_light_tone = profile_balanced_2(back_light_angle, back_light_warp,
+        back_light_tone_shape);
     LitLayer back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
-    Composite back_light_blend = blend_add(window_blend, back_light_lit.color, back_light_lit.tone, 1.0, true);
+    Composite back_light_blend = blend_add(window_blend, back_light_lit.color, back_light_lit.tone,
+        1.0, true);
+
     return back_light_blend;
 }
 
@@ -314,11 +364,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_1 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -326,7 +378,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -339,9 +392,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -352,8 +407,9 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.x};
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        texel.x};
     return fs_mainOutput { shade(surface, look) };
 }

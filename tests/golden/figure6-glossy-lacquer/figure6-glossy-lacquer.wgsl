@@ -197,7 +197,7 @@ fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -228,6 +228,7 @@ const back_light_tone_shape = ProfileShape(0.9747941, 0.22310637, 3.6826046, 2.1
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Body (Light layer)
     let back_light_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
     let body_color = curvature_color(back_light_convexity, vec4f(0.6275, 0.0706, 0.1255, 1.0),
@@ -239,6 +240,8 @@ fn shade(surface: Surface) -> vec4f {
     let body_lit = light_apply(look.key, body_color, body_tone);
     let body_blend = blend_add(vec4f(0.1098, 0.0078, 0.0235, 1.0), body_lit.color, body_lit.tone,
         1.0, true);
+
+    // Soft reflection (Light layer)
     let window_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.15, -20.0, 20.0))));
     let soft_reflection_color = curvature_color(window_convexity,
@@ -250,6 +253,8 @@ fn shade(surface: Surface) -> vec4f {
     let soft_reflection_lit = light_apply(look.key, soft_reflection_color, soft_reflection_tone);
     let soft_reflection_blend = blend_add(body_blend, soft_reflection_lit.color,
         soft_reflection_lit.tone, 1.0, true);
+
+    // Window (Light layer)
     let window_color = curvature_color(window_convexity, vec4f(1.0, 0.949, 0.9098, 1.0),
         vec4f(0.7843, 0.4549, 0.4863, 1.0));
     let window_warp = (2.0 * window_convexity - 1.0) * 0.06;
@@ -257,6 +262,8 @@ fn shade(surface: Surface) -> vec4f {
     let window_lit = light_apply(look.key, window_color, window_tone);
     let window_blend = blend_alpha(soft_reflection_blend, window_lit.color, window_lit.tone, 0.95,
         true);
+
+    // Back-light (Light layer)
     let back_light_color = curvature_color(back_light_convexity, vec4f(0.3647, 0.4706, 0.6588, 1.0),
         vec4f(0.149, 0.2039, 0.3529, 1.0));
     let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
@@ -267,6 +274,7 @@ fn shade(surface: Surface) -> vec4f {
     let back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
     let back_light_blend = blend_add(window_blend, back_light_lit.color, back_light_lit.tone, 1.0,
         true);
+
     return back_light_blend;
 }
 

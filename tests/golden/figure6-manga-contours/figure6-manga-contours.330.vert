@@ -10,12 +10,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -34,16 +36,21 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const ProfileShape shadow_tone_shape = ProfileShape(0.78070694, 0.6248973, 0.0, 1.0, 1.35, 0.0, 0.0, 1u);
-const ProfileShape contour_tone_shape = ProfileShape(0.8337121, 0.55219936, 0.0, 1.0, 1.17, 0.0, 0.0, 1u);
+
+const ProfileShape shadow_tone_shape = ProfileShape(0.78070694, 0.6248973, 0.0, 1.0, 1.35, 0.0, 0.0,
+    1u);
+const ProfileShape contour_tone_shape = ProfileShape(0.8337121, 0.55219936, 0.0, 1.0, 1.17, 0.0,
+    0.0, 1u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -55,10 +62,9 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, u_object.world_from_normal
+        * vertex.normal);
+    gl_Position = varyings.clip;
+    v_normal = varyings.normal;
 }
-

@@ -98,7 +98,8 @@ struct Varyings {
 };
 
 static const ProfileShape shadow_tone_shape = {0.78070694, 0.6248973, 0.0, 1.0, 1.35, 0.0, 0.0, 1u};
-static const ProfileShape contour_tone_shape = {0.8337121, 0.55219936, 0.0, 1.0, 1.17, 0.0, 0.0, 1u};
+static const ProfileShape contour_tone_shape = {0.8337121, 0.55219936, 0.0, 1.0, 1.17, 0.0, 0.0,
+    1u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -120,16 +121,18 @@ struct FragmentInput_fs_main {
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return float2(s, c);
 }
 
@@ -140,7 +143,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -154,14 +157,13 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_1 = ConstructAngle(turned.x, turned.y);
-    return angle_1;
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// Convex/concave color
@@ -169,17 +171,18 @@ Angle angle_turned(Angle u, float2 t)
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 float transition_balanced(float kappa, float slope)
 {
-    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(kappa * slope, -20.0, 20.0))));
 }
 
 float4 blend_multiply(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (0.5 * ((below.xyz * (tone * color.xyz)) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + 0.5 * (below.xyz * (tone * color.xyz) - below.xyz), 1.0),
+        (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -196,51 +199,65 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
-Angle parametrization_screen_aligned_balanced(Light light, float3 normal, float3x3 camera_from_world)
+Angle parametrization_screen_aligned_balanced(Light light, float3 normal,
+    float3x3 camera_from_world)
 {
     float3 d = mul(normal, camera_from_world);
-    const Angle angle_2 = ConstructAngle((0.5 * length((d - light.own_direction))), (0.5 * length((d + light.own_direction))));
-    return angle_2;
+    return ConstructAngle(0.5 * length(d - light.own_direction), 0.5
+        * length(d + light.own_direction));
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt((w * w));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (0.0 - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     const float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
+    return profile_ramp_quick(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    Angle inked_hollows_angle = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
-    float shadow_warp = (((2.0 * transition_balanced(surface.kappa, 0.3)) - 1.0) * 0.35);
+    // Shadow (Light layer)
+    Angle inked_hollows_angle = ConstructAngle(0.5 * length(surface.normal - look.key.direction),
+        0.5 * length(surface.normal + look.key.direction));
+    float shadow_warp = (2.0 * transition_balanced(surface.kappa, 0.3) - 1.0) * 0.35;
     const float shadow_tone = profile_balanced(inked_hollows_angle, shadow_warp, shadow_tone_shape);
-    const LitLayer shadow_lit = light_apply(look.key, float4(0.9843, 0.9765, 0.9569, 1.0), shadow_tone);
-    const float4 shadow_blend = blend_multiply(float4(0.9843, 0.9765, 0.9569, 1.0), shadow_lit.color, shadow_lit.tone, 0.5, true);
+    const LitLayer shadow_lit = light_apply(look.key, float4(0.9843, 0.9765, 0.9569, 1.0),
+        shadow_tone);
+    const float4 shadow_blend = blend_multiply(float4(0.9843, 0.9765, 0.9569, 1.0),
+        shadow_lit.color, shadow_lit.tone, 0.5, true);
+
+    // Inked hollows (Light layer)
     const float inked_hollows_convexity = transition_balanced(surface.kappa, 0.5);
-    const float4 inked_hollows_color = curvature_color(inked_hollows_convexity, (1.0).xxxx, float4(0.1647, 0.1451, 0.1882, 1.0));
+    const float4 inked_hollows_color = curvature_color(inked_hollows_convexity, (1.0).xxxx,
+        float4(0.1647, 0.1451, 0.1882, 1.0));
     const LitLayer inked_hollows_lit = light_apply(look.key, inked_hollows_color, 1.0);
-    float4 inked_hollows_blend = clamp(float4((shadow_blend.xyz * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const Angle contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal, look.camera_from_world);
-    float contour_warp = (((2.0 * transition_balanced(surface.kappa, 0.12)) - 1.0) * 0.3);
+    float4 inked_hollows_blend = clamp(float4(shadow_blend.xyz
+        * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
+
+    // Contour (Light layer)
+    const Angle contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal,
+        look.camera_from_world);
+    float contour_warp = (2.0 * transition_balanced(surface.kappa, 0.12) - 1.0) * 0.3;
     const float contour_tone = profile_balanced(contour_angle, contour_warp, contour_tone_shape);
     const LitLayer contour_lit = light_apply(look.eye, (1.0).xxxx, contour_tone);
-    float4 contour_blend = clamp(float4((inked_hollows_blend.xyz * (contour_lit.tone * contour_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 contour_blend = clamp(float4(inked_hollows_blend.xyz
+        * (contour_lit.tone * contour_lit.color.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
+
     return contour_blend;
 }
 
@@ -254,7 +271,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world),
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -275,7 +293,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    Surface surface = ConstructSurface(normal, curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0))).x);
+    float3 normal = is_front ? facing : -facing;
+    Surface surface = ConstructSurface(normal,
+        curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0))).x);
     return shade(surface);
 }

@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,17 +36,20 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light eye;
     metal::float3x3 camera_from_world;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::packed_float3 normal;
     float kappa;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -55,6 +60,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -62,6 +68,7 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -80,16 +87,21 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 normal;
 };
-constant ProfileShape shadow_tone_shape = ProfileShape {0.78070694, 0.6248973, 0.0, 1.0, 1.35, 0.0, 0.0, 1u};
-constant ProfileShape contour_tone_shape = ProfileShape {0.8337121, 0.55219936, 0.0, 1.0, 1.17, 0.0, 0.0, 1u};
+
+constant ProfileShape shadow_tone_shape = ProfileShape {0.78070694, 0.6248973, 0.0, 1.0, 1.35, 0.0,
+    0.0, 1u};
+constant ProfileShape contour_tone_shape = ProfileShape {0.8337121, 0.55219936, 0.0, 1.0, 1.17, 0.0,
+    0.0, 1u};
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
@@ -105,8 +117,10 @@ metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
-    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 0.0000026347564))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (0.00002477458 - y * 0.00000026297516))));
     return metal::float2(s, c);
 }
 
@@ -127,9 +141,9 @@ Angle angle_turned(
     Angle u,
     metal::float2 t
 ) {
-    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
-    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
@@ -144,14 +158,15 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (convex - concave));
+    return concave + convexity * (convex - concave);
 }
 
 float transition_balanced(
     float kappa,
     float slope
 ) {
-    return 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))))));
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0
+        + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))));
 }
 
 Composite blend_multiply(
@@ -161,7 +176,9 @@ Composite blend_multiply(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (0.5 * ((below.xyz * (tone * color.xyz)) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + 0.5
+        * (below.xyz * (tone * color.xyz) - below.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// Light on a layer
@@ -173,8 +190,9 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_screen_aligned_balanced(
@@ -183,7 +201,8 @@ Angle parametrization_screen_aligned_balanced(
     metal::float3x3 camera_from_world
 ) {
     metal::float3 d = camera_from_world * normal;
-    return Angle {0.5 * metal::length(d - light.own_direction), 0.5 * metal::length(d + light.own_direction)};
+    return Angle {0.5 * metal::length(d - light.own_direction), 0.5
+        * metal::length(d + light.own_direction)};
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -194,9 +213,9 @@ float profile_ramp_quick(
     ProfileShape shape
 ) {
     float width = metal::sqrt(w * w);
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((0.0 - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (0.0 - from_offset) / metal::max(width, 0.000001), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 float profile_balanced(
@@ -206,7 +225,8 @@ float profile_balanced(
 ) {
     Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset), angle_footprint_value, shape);
+    return profile_ramp_quick(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// The look at one point of the surface.
@@ -214,20 +234,34 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    Angle inked_hollows_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
-    float shadow_warp = ((2.0 * transition_balanced(surface.kappa, 0.3)) - 1.0) * 0.35;
+    // Shadow (Light layer)
+    Angle inked_hollows_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction),
+        0.5 * metal::length(surface.normal + look.key.direction)};
+    float shadow_warp = (2.0 * transition_balanced(surface.kappa, 0.3) - 1.0) * 0.35;
     float shadow_tone = profile_balanced(inked_hollows_angle, shadow_warp, shadow_tone_shape);
-    LitLayer shadow_lit = light_apply(look.key, metal::float4(0.9843, 0.9765, 0.9569, 1.0), shadow_tone);
-    Composite shadow_blend = blend_multiply(metal::float4(0.9843, 0.9765, 0.9569, 1.0), shadow_lit.color, shadow_lit.tone, 0.5, true);
+    LitLayer shadow_lit = light_apply(look.key, metal::float4(0.9843, 0.9765, 0.9569, 1.0),
+        shadow_tone);
+    Composite shadow_blend = blend_multiply(metal::float4(0.9843, 0.9765, 0.9569, 1.0),
+        shadow_lit.color, shadow_lit.tone, 0.5, true);
+
+    // Inked hollows (Light layer)
     float inked_hollows_convexity = transition_balanced(surface.kappa, 0.5);
-    Color inked_hollows_color = curvature_color(inked_hollows_convexity, metal::float4(1.0), metal::float4(0.1647, 0.1451, 0.1882, 1.0));
+    Color inked_hollows_color = curvature_color(inked_hollows_convexity, metal::float4(1.0),
+        metal::float4(0.1647, 0.1451, 0.1882, 1.0));
     LitLayer inked_hollows_lit = light_apply(look.key, inked_hollows_color, 1.0);
-    metal::float4 inked_hollows_blend = metal::clamp(metal::float4(shadow_blend.xyz * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Angle contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal, look.camera_from_world);
-    float contour_warp = ((2.0 * transition_balanced(surface.kappa, 0.12)) - 1.0) * 0.3;
+    metal::float4 inked_hollows_blend = metal::clamp(metal::float4(shadow_blend.xyz
+        * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
+
+    // Contour (Light layer)
+    Angle contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal,
+        look.camera_from_world);
+    float contour_warp = (2.0 * transition_balanced(surface.kappa, 0.12) - 1.0) * 0.3;
     float contour_tone = profile_balanced(contour_angle, contour_warp, contour_tone_shape);
     LitLayer contour_lit = light_apply(look.eye, metal::float4(1.0), contour_tone);
-    metal::float4 contour_blend = metal::clamp(metal::float4(inked_hollows_blend.xyz * (contour_lit.tone * contour_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 contour_blend = metal::clamp(metal::float4(inked_hollows_blend.xyz
+        * (contour_lit.tone * contour_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+
     return contour_blend;
 }
 
@@ -235,10 +269,12 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_1 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 normal [[user(loc0), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -246,7 +282,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -258,9 +295,11 @@ metal::int2 naga_f2i32(metal::float2 value) {
 struct fs_mainInput {
     metal::float3 normal_1 [[user(loc0), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -270,7 +309,8 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.normal_1 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
-    Surface surface = Surface {normal, curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0).x};
+    metal::float3 normal = is_front ? facing : -facing;
+    Surface surface = Surface {normal,
+        curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0).x};
     return fs_mainOutput { shade(surface, look) };
 }

@@ -179,6 +179,7 @@ const contour_tone_shape = ProfileShape(0.8337121, 0.55219936, 0.0, 1.0, 1.17, 0
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Shadow (Light layer)
     let inked_hollows_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
         * length(surface.normal + look.key.direction));
     let shadow_warp = (2.0 * transition_balanced(surface.kappa, 0.3) - 1.0) * 0.35;
@@ -186,12 +187,16 @@ fn shade(surface: Surface) -> vec4f {
     let shadow_lit = light_apply(look.key, vec4f(0.9843, 0.9765, 0.9569, 1.0), shadow_tone);
     let shadow_blend = blend_multiply(vec4f(0.9843, 0.9765, 0.9569, 1.0), shadow_lit.color,
         shadow_lit.tone, 0.5, true);
+
+    // Inked hollows (Light layer)
     let inked_hollows_convexity = transition_balanced(surface.kappa, 0.5);
     let inked_hollows_color = curvature_color(inked_hollows_convexity, vec4f(1.0),
         vec4f(0.1647, 0.1451, 0.1882, 1.0));
     let inked_hollows_lit = light_apply(look.key, inked_hollows_color, 1.0);
     let inked_hollows_blend = clamp(vec4f(shadow_blend.xyz
         * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+
+    // Contour (Light layer)
     let contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal,
         look.camera_from_world);
     let contour_warp = (2.0 * transition_balanced(surface.kappa, 0.12) - 1.0) * 0.3;
@@ -199,6 +204,7 @@ fn shade(surface: Surface) -> vec4f {
     let contour_lit = light_apply(look.eye, vec4f(1.0), contour_tone);
     let contour_blend = clamp(vec4f(inked_hollows_blend.xyz
         * (contour_lit.tone * contour_lit.color.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+
     return contour_blend;
 }
 

@@ -15,17 +15,20 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light above;
     mat3x3 camera_from_world;
     Light below;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     float kappa;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -34,12 +37,14 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     vec4 color;
     /// The tone under this light.
     float tone;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -58,12 +63,16 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const ProfileShape dark_side_tone_shape = ProfileShape(0.9624252, 0.27154693, 5.0334897, 2.4651666, 0.55, 0.19658314, 0.08474467, 0u);
-const ProfileShape light_side_tone_shape = ProfileShape(0.9689124, 0.24740396, 5.743557, 2.3650649, 0.5, 0.17491564, 0.07484149, 0u);
+
+const ProfileShape dark_side_tone_shape = ProfileShape(0.9624252, 0.27154693, 5.0334897, 2.4651666,
+    0.55, 0.19658314, 0.08474467, 0u);
+const ProfileShape light_side_tone_shape = ProfileShape(0.9689124, 0.24740396, 5.743557, 2.3650649,
+    0.5, 0.17491564, 0.07484149, 0u);
 
 layout(std140, binding = 2) uniform LookBlock { Look u_look; };
 
@@ -75,15 +84,17 @@ layout(location = 0) out vec4 out_color;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 vec2 sin_cos_quick(float x) {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return vec2(s, c);
 }
 
@@ -93,18 +104,18 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    vec2 upper = c <= 0.0 ? vec2(1.0, 0.0) : vec2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
+    vec2 turned = (s <= 0.0 && s < c) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -112,7 +123,7 @@ Angle angle_turned(Angle u, vec2 t) {
 ///
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 /// Light on a layer
@@ -121,71 +132,90 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_screen_aligned_balanced(Light light, vec3 normal, mat3x3 camera_from_world) {
-    vec3 d = (camera_from_world * normal);
-    return Angle((0.5 * length((d - light.own_direction))), (0.5 * length((d + light.own_direction))));
+    vec3 d = camera_from_world * normal;
+    return Angle(0.5 * length(d - light.own_direction), 0.5 * length(d + light.own_direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false || is_narrow)) {
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = w > 0.0 && w >= 3.4641016 * shape.edge_deviation;
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
-    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    float light_side_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
-    vec4 dark_side_color = curvature_color(light_side_convexity, vec4(0.4275, 0.4078, 0.4745, 1.0), vec4(0.2275, 0.2078, 0.2784, 1.0));
-    Angle dark_side_angle = parametrization_screen_aligned_balanced(u_look.below, surface.normal, u_look.camera_from_world);
-    float light_side_warp = (((2.0 * light_side_convexity) - 1.0) * 0.35);
+    // Dark side (Light layer)
+    float light_side_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.3, -20.0, 20.0))));
+    vec4 dark_side_color = curvature_color(light_side_convexity, vec4(0.4275, 0.4078, 0.4745, 1.0),
+        vec4(0.2275, 0.2078, 0.2784, 1.0));
+    Angle dark_side_angle = parametrization_screen_aligned_balanced(u_look.below, surface.normal,
+        u_look.camera_from_world);
+    float light_side_warp = (2.0 * light_side_convexity - 1.0) * 0.35;
     float dark_side_tone = profile_balanced(dark_side_angle, light_side_warp, dark_side_tone_shape);
     LitLayer dark_side_lit = light_apply(u_look.below, dark_side_color, dark_side_tone);
-    vec4 dark_side_blend = clamp(vec4((vec3(0.851, 0.8314, 0.7804) * mix(vec3(1.0), dark_side_lit.color.xyz, dark_side_lit.tone)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 light_side_color = curvature_color(light_side_convexity, vec4(1.0), vec4(0.9529, 0.9176, 0.8471, 1.0));
-    Angle light_side_angle = parametrization_screen_aligned_balanced(u_look.above, surface.normal, u_look.camera_from_world);
-    float light_side_tone = profile_balanced(light_side_angle, light_side_warp, light_side_tone_shape);
+    vec4 dark_side_blend = clamp(vec4(vec3(0.851, 0.8314, 0.7804)
+        * mix(vec3(1.0), dark_side_lit.color.xyz, dark_side_lit.tone), 1.0), vec4(0.0), vec4(1.0));
+
+    // Light side (Light layer)
+    vec4 light_side_color = curvature_color(light_side_convexity, vec4(1.0),
+        vec4(0.9529, 0.9176, 0.8471, 1.0));
+    Angle light_side_angle = parametrization_screen_aligned_balanced(u_look.above, surface.normal,
+        u_look.camera_from_world);
+    float light_side_tone = profile_balanced(light_side_angle, light_side_warp,
+        light_side_tone_shape);
     LitLayer light_side_lit = light_apply(u_look.above, light_side_color, light_side_tone);
-    vec4 light_side_blend = clamp(vec4((dark_side_blend.xyz + (light_side_lit.tone * (light_side_lit.color.xyz - dark_side_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float hollows_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.4), -20.0, 20.0))))))));
-    vec4 hollows_color = curvature_color(hollows_convexity, vec4(1.0), vec4(0.4667, 0.4392, 0.5412, 1.0));
+    vec4 light_side_blend = clamp(vec4(dark_side_blend.xyz + light_side_lit.tone
+        * (light_side_lit.color.xyz - dark_side_blend.xyz), 1.0), vec4(0.0), vec4(1.0));
+
+    // Hollows (Light layer)
+    float hollows_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.4, -20.0, 20.0))));
+    vec4 hollows_color = curvature_color(hollows_convexity, vec4(1.0),
+        vec4(0.4667, 0.4392, 0.5412, 1.0));
     LitLayer hollows_lit = light_apply(u_look.above, hollows_color, 1.0);
-    vec4 hollows_blend = clamp(vec4((light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (hollows_lit.tone * hollows_lit.color.xyz)) - light_side_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    vec4 hollows_blend = clamp(vec4(light_side_blend.xyz + 0.8
+        * (light_side_blend.xyz * (hollows_lit.tone * hollows_lit.color.xyz)
+        - light_side_blend.xyz), 1.0), vec4(0.0), vec4(1.0));
+
     return hollows_blend;
 }
 
@@ -193,9 +223,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     Surface surface = Surface(normal, texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0).x);
     out_color = shade(surface);
-    return;
 }
-

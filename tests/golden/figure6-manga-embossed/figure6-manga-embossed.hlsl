@@ -97,8 +97,10 @@ struct Varyings {
     float3 normal : LOC0;
 };
 
-static const ProfileShape dark_side_tone_shape = {0.9624252, 0.27154693, 5.0334897, 2.4651666, 0.55, 0.19658314, 0.08474467, 0u};
-static const ProfileShape light_side_tone_shape = {0.9689124, 0.24740396, 5.743557, 2.3650649, 0.5, 0.17491564, 0.07484149, 0u};
+static const ProfileShape dark_side_tone_shape = {0.9624252, 0.27154693, 5.0334897, 2.4651666, 0.55,
+    0.19658314, 0.08474467, 0u};
+static const ProfileShape light_side_tone_shape = {0.9689124, 0.24740396, 5.743557, 2.3650649, 0.5,
+    0.17491564, 0.07484149, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -120,16 +122,18 @@ struct FragmentInput_fs_main {
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return float2(s, c);
 }
 
@@ -140,7 +144,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -154,14 +158,13 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_1 = ConstructAngle(turned.x, turned.y);
-    return angle_1;
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// Convex/concave color
@@ -169,7 +172,7 @@ Angle angle_turned(Angle u, float2 t)
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -186,79 +189,100 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
-Angle parametrization_screen_aligned_balanced(Light light, float3 normal, float3x3 camera_from_world)
+Angle parametrization_screen_aligned_balanced(Light light, float3 normal,
+    float3x3 camera_from_world)
 {
     float3 d = mul(normal, camera_from_world);
-    const Angle angle_2 = ConstructAngle((0.5 * length((d - light.own_direction))), (0.5 * length((d + light.own_direction))));
-    return angle_2;
+    return ConstructAngle(0.5 * length(d - light.own_direction), 0.5
+        * length(d + light.own_direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float light_side_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
-    const float4 dark_side_color = curvature_color(light_side_convexity, float4(0.4275, 0.4078, 0.4745, 1.0), float4(0.2275, 0.2078, 0.2784, 1.0));
-    const Angle dark_side_angle = parametrization_screen_aligned_balanced(look.below, surface.normal, look.camera_from_world);
-    float light_side_warp = (((2.0 * light_side_convexity) - 1.0) * 0.35);
-    const float dark_side_tone = profile_balanced(dark_side_angle, light_side_warp, dark_side_tone_shape);
+    // Dark side (Light layer)
+    float light_side_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.3, -20.0, 20.0))));
+    const float4 dark_side_color = curvature_color(light_side_convexity,
+        float4(0.4275, 0.4078, 0.4745, 1.0), float4(0.2275, 0.2078, 0.2784, 1.0));
+    const Angle dark_side_angle = parametrization_screen_aligned_balanced(look.below,
+        surface.normal, look.camera_from_world);
+    float light_side_warp = (2.0 * light_side_convexity - 1.0) * 0.35;
+    const float dark_side_tone = profile_balanced(dark_side_angle, light_side_warp,
+        dark_side_tone_shape);
     const LitLayer dark_side_lit = light_apply(look.below, dark_side_color, dark_side_tone);
-    float4 dark_side_blend = clamp(float4((float3(0.851, 0.8314, 0.7804) * lerp((1.0).xxx, dark_side_lit.color.xyz, dark_side_lit.tone)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 light_side_color = curvature_color(light_side_convexity, (1.0).xxxx, float4(0.9529, 0.9176, 0.8471, 1.0));
-    const Angle light_side_angle = parametrization_screen_aligned_balanced(look.above, surface.normal, look.camera_from_world);
-    const float light_side_tone = profile_balanced(light_side_angle, light_side_warp, light_side_tone_shape);
+    float4 dark_side_blend = clamp(float4(float3(0.851, 0.8314, 0.7804)
+        * lerp((1.0).xxx, dark_side_lit.color.xyz, dark_side_lit.tone), 1.0), (0.0).xxxx,
+        (1.0).xxxx);
+
+    // Light side (Light layer)
+    const float4 light_side_color = curvature_color(light_side_convexity, (1.0).xxxx,
+        float4(0.9529, 0.9176, 0.8471, 1.0));
+    const Angle light_side_angle = parametrization_screen_aligned_balanced(look.above,
+        surface.normal, look.camera_from_world);
+    const float light_side_tone = profile_balanced(light_side_angle, light_side_warp,
+        light_side_tone_shape);
     const LitLayer light_side_lit = light_apply(look.above, light_side_color, light_side_tone);
-    float4 light_side_blend = clamp(float4((dark_side_blend.xyz + (light_side_lit.tone * (light_side_lit.color.xyz - dark_side_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float hollows_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.4), -20.0, 20.0))))))));
-    const float4 hollows_color = curvature_color(hollows_convexity, (1.0).xxxx, float4(0.4667, 0.4392, 0.5412, 1.0));
+    float4 light_side_blend = clamp(float4(dark_side_blend.xyz + light_side_lit.tone
+        * (light_side_lit.color.xyz - dark_side_blend.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
+
+    // Hollows (Light layer)
+    float hollows_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.4, -20.0, 20.0))));
+    const float4 hollows_color = curvature_color(hollows_convexity, (1.0).xxxx,
+        float4(0.4667, 0.4392, 0.5412, 1.0));
     const LitLayer hollows_lit = light_apply(look.above, hollows_color, 1.0);
-    float4 hollows_blend = clamp(float4((light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (hollows_lit.tone * hollows_lit.color.xyz)) - light_side_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 hollows_blend = clamp(float4(light_side_blend.xyz + 0.8
+        * (light_side_blend.xyz * (hollows_lit.tone * hollows_lit.color.xyz)
+        - light_side_blend.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
+
     return hollows_blend;
 }
 
@@ -272,7 +296,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world),
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -293,7 +318,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    Surface surface = ConstructSurface(normal, curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0))).x);
+    float3 normal = is_front ? facing : -facing;
+    Surface surface = ConstructSurface(normal,
+        curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0))).x);
     return shade(surface);
 }

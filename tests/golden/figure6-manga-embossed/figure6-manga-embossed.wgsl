@@ -166,7 +166,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -190,6 +190,7 @@ const light_side_tone_shape = ProfileShape(0.9689124, 0.24740396, 5.743557, 2.36
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Dark side (Light layer)
     let light_side_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.3, -20.0, 20.0))));
     let dark_side_color = curvature_color(light_side_convexity, vec4f(0.4275, 0.4078, 0.4745, 1.0),
@@ -202,6 +203,8 @@ fn shade(surface: Surface) -> vec4f {
     let dark_side_blend = clamp(vec4f(vec4f(0.851, 0.8314, 0.7804, 1.0).xyz
         * mix(vec3f(1.0), dark_side_lit.color.xyz, dark_side_lit.tone), 1.0), vec4f(0.0),
         vec4f(1.0));
+
+    // Light side (Light layer)
     let light_side_color = curvature_color(light_side_convexity, vec4f(1.0),
         vec4f(0.9529, 0.9176, 0.8471, 1.0));
     let light_side_angle = parametrization_screen_aligned_balanced(look.above, surface.normal,
@@ -211,6 +214,8 @@ fn shade(surface: Surface) -> vec4f {
     let light_side_lit = light_apply(look.above, light_side_color, light_side_tone);
     let light_side_blend = clamp(vec4f(dark_side_blend.xyz + light_side_lit.tone
         * (light_side_lit.color.xyz - dark_side_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+
+    // Hollows (Light layer)
     let hollows_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.4, -20.0, 20.0))));
     let hollows_color = curvature_color(hollows_convexity, vec4f(1.0),
@@ -219,6 +224,7 @@ fn shade(surface: Surface) -> vec4f {
     let hollows_blend = clamp(vec4f(light_side_blend.xyz + 0.8
         * (light_side_blend.xyz * (hollows_lit.tone * hollows_lit.color.xyz)
         - light_side_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+
     return hollows_blend;
 }
 

@@ -157,7 +157,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -180,6 +180,7 @@ const white_specular_tone_shape = ProfileShape(0.98472655, 0.17410813, 3.6826046
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // White specular (Light layer)
     let white_specular_angle = parametrization_specular_balanced(look.key, surface.normal,
         surface.view);
     let white_specular_convexity = 0.5 + 0.5
@@ -190,6 +191,7 @@ fn shade(surface: Surface) -> vec4f {
     let white_specular_lit = light_apply(look.key, vec4f(1.0), white_specular_tone);
     let white_specular_blend = clamp(vec4f(0.0 + white_specular_lit.tone
         * (white_specular_lit.color.xyz - 0.0), 1.0), vec4f(0.0), vec4f(1.0));
+
     return white_specular_blend;
 }
 

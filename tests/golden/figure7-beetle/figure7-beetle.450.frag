@@ -10,6 +10,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -21,6 +22,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -39,6 +41,7 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 /// What is known before the fragment.
 struct Look {
     vec4 hollows_color_concave;
@@ -50,12 +53,14 @@ struct Look {
     vec4 wing_case_color_concave;
     ProfileShape wing_case_tone_shape;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     float kappa;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -64,24 +69,31 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     vec4 color;
     /// The tone under this light.
     float tone;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float LOG2_E = 1.442695;
 const uint PROFILE_STEP = 1u;
 const uint PROFILE_AMBIENT = 2u;
-const ProfileShape violet_tone_shape = ProfileShape(0.98472655, 0.17410813, 2.425296, 2.1444545, 0.35, 0.43399706, 0.1847509, 0u);
-const ProfileShape gold_tone_shape = ProfileShape(0.9887711, 0.14943813, 3.6826046, 2.8423793, 0.3, 0.2547288, 0.11251208, 0u);
-const ProfileShape green_sheen_tone_shape = ProfileShape(0.99820054, 0.059964005, 5.2949586, 2.6937559, 0.12, 0.1805348, 0.07889118, 0u);
-const ProfileShape glint_tone_shape = ProfileShape(0.99955004, 0.029995501, 25.006668, 2.4986002, 0.06, 0.039271776, 0.016918294, 0u);
+const ProfileShape violet_tone_shape = ProfileShape(0.98472655, 0.17410813, 2.425296, 2.1444545,
+    0.35, 0.43399706, 0.1847509, 0u);
+const ProfileShape gold_tone_shape = ProfileShape(0.9887711, 0.14943813, 3.6826046, 2.8423793, 0.3,
+    0.2547288, 0.11251208, 0u);
+const ProfileShape green_sheen_tone_shape = ProfileShape(0.99820054, 0.059964005, 5.2949586,
+    2.6937559, 0.12, 0.1805348, 0.07889118, 0u);
+const ProfileShape glint_tone_shape = ProfileShape(0.99955004, 0.029995501, 25.006668, 2.4986002,
+    0.06, 0.039271776, 0.016918294, 0u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
 
@@ -96,23 +108,25 @@ layout(location = 0) out vec4 out_color;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 vec2 sin_cos_quick(float x) {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return vec2(s, c);
 }
 
 /// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
 /// hardware's; -100 at 1.
 float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
+    float series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.33333334 + y * (0.25 + y * 0.2))));
+    return y < 0.0625 ? series : log2(max(1.0 - y, 7.888609e-31));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -121,18 +135,18 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    vec2 upper = c <= 0.0 ? vec2(1.0, 0.0) : vec2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
+    vec2 turned = (s <= 0.0 && s < c) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -140,16 +154,16 @@ Angle angle_turned(Angle u, vec2 t) {
 ///
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 /// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
 /// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped) {
-    if ((opacity <= 0.0)) {
+    if (opacity <= 0.0) {
         return below;
     }
-    vec4 mixed = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
+    vec4 mixed = vec4(below.xyz + opacity * (blended - below.xyz), alpha);
     return clamp(mixed, vec4(0.0), vec4(1.0));
 }
 
@@ -157,7 +171,7 @@ vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool cla
 ///
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return blend_finish(below, (below.xyz + (tone * color.xyz)), 1.0, color.w, clamped);
+    return blend_finish(below, below.xyz + tone * color.xyz, 1.0, color.w, clamped);
 }
 
 /// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
@@ -172,7 +186,7 @@ vec2 light_split(float intensity) {
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = light_split(light.intensity);
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), color.w), (tone * split.x));
+    return LitLayer(vec4(color.xyz * light.color * split.y, color.w), tone * split.x);
 }
 
 /// Light on a layer
@@ -181,7 +195,7 @@ LitLayer light_apply(Light light, vec4 color, float tone) {
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply_2(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 /// Light on a layer
@@ -190,164 +204,196 @@ LitLayer light_apply_2(Light light, vec4 color, float tone) {
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply_3(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), color.w), split.x);
+    return LitLayer(vec4(color.xyz * light.color * split.y, color.w), split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
-    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
+    vec3 d = 2.0 * dot(normal, view) * normal - view;
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
 /// exponent would amplify their errors.
 float profile_power_quick(float q, float exponent) {
-    float y = min((q * q), 1.0);
-    float power = exp2(max((exponent * log2_one_minus(y)), -126.0));
-    return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
+    float y = min(q * q, 1.0);
+    float power = exp2(max(exponent * log2_one_minus(y), -126.0));
+    return q >= 1.0 ? 0.0 : clamp(power, 0.0, 1.0);
 }
 
 /// Sine and cosine of half the angle from tau to u.
 vec2 profile_place(Angle u, ProfileShape shape) {
-    return vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    return vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float profile_power_quick_value = profile_power_quick((s * shape.scale), shape.exponent);
-    return ((s <= 0.0) ? 1.0 : profile_power_quick_value);
+    float profile_power_quick_value = profile_power_quick(s * shape.scale, shape.exponent);
+    return s <= 0.0 ? 1.0 : profile_power_quick_value;
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick_2(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
     // 2 asin(s) by its series: the ramp is narrow.
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick_2(float s, float w, ProfileShape shape) {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    if ((shape.kind == PROFILE_AMBIENT)) {
+    if (shape.kind == PROFILE_AMBIENT) {
         return 1.0;
     }
     vec2 place = profile_place(u, shape);
-    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
-    if (((shape.kind == PROFILE_STEP) || is_narrow)) {
+    bool is_narrow = w > 0.0 && w >= 3.4641016 * shape.edge_deviation;
+    if (shape.kind == PROFILE_STEP || is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     // Half of the quadrature's reach is below 0.1.
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_2(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     float point = profile_soft_quick_2(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_3(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false || is_narrow)) {
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = w > 0.0 && w >= 3.4641016 * shape.edge_deviation;
+    if (is_narrow) {
         return profile_ramp_quick_2(place.x, w, shape);
     }
     float point = profile_soft_quick_2(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
-    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
-    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
 float profile_balanced_3(Angle angle, float shift, ProfileShape shape) {
-    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    float glint_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
-    vec4 wing_case_color = (u_look.wing_case_color_concave + (glint_convexity * (u_look.wing_case_color_convex - u_look.wing_case_color_concave)));
-    Angle hollows_angle = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
-    float wing_case_warp = (((2.0 * glint_convexity) - 1.0) * 0.2);
-    float wing_case_tone = profile_balanced(hollows_angle, wing_case_warp, u_look.wing_case_tone_shape);
+    // Wing case (Light layer)
+    float glint_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    vec4 wing_case_color = u_look.wing_case_color_concave + glint_convexity
+        * (u_look.wing_case_color_convex - u_look.wing_case_color_concave);
+    Angle hollows_angle = Angle(0.5 * length(surface.normal - u_look.key.direction), 0.5
+        * length(surface.normal + u_look.key.direction));
+    float wing_case_warp = (2.0 * glint_convexity - 1.0) * 0.2;
+    float wing_case_tone = profile_balanced(hollows_angle, wing_case_warp,
+        u_look.wing_case_tone_shape);
     LitLayer wing_case_lit = light_apply(u_look.key, wing_case_color, wing_case_tone);
-    vec4 wing_case_blend = blend_add(vec4(0.0157, 0.0627, 0.0392, 1.0), wing_case_lit.color, wing_case_lit.tone, 1.0, true);
-    vec4 violet_color = curvature_color(glint_convexity, vec4(0.3529, 0.1647, 0.4314, 1.0), vec4(0.1098, 0.0627, 0.251, 1.0));
-    Angle violet_angle = parametrization_specular_balanced(u_look.side, surface.normal, surface.view);
-    float gold_warp = (((2.0 * glint_convexity) - 1.0) * 0.15);
+    vec4 wing_case_blend = blend_add(vec4(0.0157, 0.0627, 0.0392, 1.0), wing_case_lit.color,
+        wing_case_lit.tone, 1.0, true);
+
+    // Violet (Light layer)
+    vec4 violet_color = curvature_color(glint_convexity, vec4(0.3529, 0.1647, 0.4314, 1.0),
+        vec4(0.1098, 0.0627, 0.251, 1.0));
+    Angle violet_angle = parametrization_specular_balanced(u_look.side, surface.normal,
+        surface.view);
+    float gold_warp = (2.0 * glint_convexity - 1.0) * 0.15;
     float violet_tone = profile_balanced_2(violet_angle, gold_warp, violet_tone_shape);
     LitLayer violet_lit = light_apply_2(u_look.side, violet_color, violet_tone);
-    vec4 violet_blend = clamp(vec4((wing_case_blend.xyz + (violet_lit.tone * violet_lit.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 gold_color = curvature_color(glint_convexity, u_look.gold_color_convex, vec4(0.2902, 0.3529, 0.0627, 1.0));
+    vec4 violet_blend = clamp(vec4(wing_case_blend.xyz + violet_lit.tone * violet_lit.color.xyz,
+        1.0), vec4(0.0), vec4(1.0));
+
+    // Gold (Light layer)
+    vec4 gold_color = curvature_color(glint_convexity, u_look.gold_color_convex,
+        vec4(0.2902, 0.3529, 0.0627, 1.0));
     Angle glint_angle = parametrization_specular_balanced(u_look.key, surface.normal, surface.view);
     float gold_tone = profile_balanced_3(glint_angle, gold_warp, gold_tone_shape);
     LitLayer gold_lit = light_apply(u_look.key, gold_color, gold_tone);
-    vec4 gold_blend = blend_finish(violet_blend, (violet_blend.xyz + (gold_lit.tone * gold_lit.color.xyz)), 1.0, gold_lit.color.w, true);
-    vec4 green_sheen_color = curvature_color(glint_convexity, u_look.green_sheen_color_convex, vec4(0.1647, 0.5412, 0.3529, 1.0));
-    float green_sheen_warp = (((2.0 * glint_convexity) - 1.0) * 0.1);
-    float green_sheen_tone = profile_balanced_3(glint_angle, green_sheen_warp, green_sheen_tone_shape);
+    vec4 gold_blend = blend_finish(violet_blend, violet_blend.xyz + gold_lit.tone
+        * gold_lit.color.xyz, 1.0, gold_lit.color.w, true);
+
+    // Green sheen (Light layer)
+    vec4 green_sheen_color = curvature_color(glint_convexity, u_look.green_sheen_color_convex,
+        vec4(0.1647, 0.5412, 0.3529, 1.0));
+    float green_sheen_warp = (2.0 * glint_convexity - 1.0) * 0.1;
+    float green_sheen_tone = profile_balanced_3(glint_angle, green_sheen_warp,
+        green_sheen_tone_shape);
     LitLayer green_sheen_lit = light_apply(u_look.key, green_sheen_color, green_sheen_tone);
-    vec4 green_sheen_blend = blend_finish(gold_blend, (gold_blend.xyz + (green_sheen_lit.tone * green_sheen_lit.color.xyz)), 1.0, green_sheen_lit.color.w, true);
+    vec4 green_sheen_blend = blend_finish(gold_blend, gold_blend.xyz + green_sheen_lit.tone
+        * green_sheen_lit.color.xyz, 1.0, green_sheen_lit.color.w, true);
+
+    // Glint (Light layer)
     vec4 glint_color = curvature_color(glint_convexity, vec4(1.0), vec4(0.8471, 1.0, 0.8784, 1.0));
-    float glint_warp = (((2.0 * glint_convexity) - 1.0) * 0.05);
+    float glint_warp = (2.0 * glint_convexity - 1.0) * 0.05;
     float glint_tone = profile_balanced_3(glint_angle, glint_warp, glint_tone_shape);
     LitLayer glint_lit = light_apply_2(u_look.key, glint_color, glint_tone);
-    vec4 glint_blend = clamp(vec4((green_sheen_blend.xyz + (glint_lit.tone * (glint_lit.color.xyz - green_sheen_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float hollows_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
-    vec4 hollows_color = (u_look.hollows_color_concave + (hollows_convexity * (vec4(1.0) - u_look.hollows_color_concave)));
+    vec4 glint_blend = clamp(vec4(green_sheen_blend.xyz + glint_lit.tone
+        * (glint_lit.color.xyz - green_sheen_blend.xyz), 1.0), vec4(0.0), vec4(1.0));
+
+    // Hollows (Light layer)
+    float hollows_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.3, -20.0, 20.0))));
+    vec4 hollows_color = u_look.hollows_color_concave + hollows_convexity
+        * (vec4(1.0) - u_look.hollows_color_concave);
     LitLayer hollows_lit = light_apply_3(u_look.key, hollows_color, 1.0);
-    vec4 hollows_blend = blend_finish(glint_blend, (glint_blend.xyz * (hollows_lit.tone * hollows_lit.color.xyz)), 1.0, hollows_lit.color.w, true);
+    vec4 hollows_blend = blend_finish(glint_blend, glint_blend.xyz
+        * (hollows_lit.tone * hollows_lit.color.xyz), 1.0, hollows_lit.color.w, true);
+
     return hollows_blend;
 }
 
@@ -355,10 +401,9 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), texel.x);
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position),
+        texel.x);
     out_color = shade(surface);
-    return;
 }
-

@@ -14,12 +14,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -38,22 +40,29 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float LOG2_E = 1.442695;
 const uint PROFILE_STEP = 1u;
 const uint PROFILE_AMBIENT = 2u;
-const ProfileShape violet_tone_shape = ProfileShape(0.98472655, 0.17410813, 2.425296, 2.1444545, 0.35, 0.43399706, 0.1847509, 0u);
-const ProfileShape gold_tone_shape = ProfileShape(0.9887711, 0.14943813, 3.6826046, 2.8423793, 0.3, 0.2547288, 0.11251208, 0u);
-const ProfileShape green_sheen_tone_shape = ProfileShape(0.99820054, 0.059964005, 5.2949586, 2.6937559, 0.12, 0.1805348, 0.07889118, 0u);
-const ProfileShape glint_tone_shape = ProfileShape(0.99955004, 0.029995501, 25.006668, 2.4986002, 0.06, 0.039271776, 0.016918294, 0u);
+const ProfileShape violet_tone_shape = ProfileShape(0.98472655, 0.17410813, 2.425296, 2.1444545,
+    0.35, 0.43399706, 0.1847509, 0u);
+const ProfileShape gold_tone_shape = ProfileShape(0.9887711, 0.14943813, 3.6826046, 2.8423793, 0.3,
+    0.2547288, 0.11251208, 0u);
+const ProfileShape green_sheen_tone_shape = ProfileShape(0.99820054, 0.059964005, 5.2949586,
+    2.6937559, 0.12, 0.1805348, 0.07889118, 0u);
+const ProfileShape glint_tone_shape = ProfileShape(0.99955004, 0.029995501, 25.006668, 2.4986002,
+    0.06, 0.039271776, 0.016918294, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -66,11 +75,10 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_position = _tmp_return.position;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, world.xyz,
+        u_object.world_from_normal * vertex.normal);
+    gl_Position = varyings.clip;
+    v_position = varyings.position;
+    v_normal = varyings.normal;
 }
-

@@ -107,10 +107,14 @@ struct Varyings {
 static const float LOG2_E = 1.442695;
 static const uint PROFILE_STEP = 1u;
 static const uint PROFILE_AMBIENT = 2u;
-static const ProfileShape violet_tone_shape = {0.98472655, 0.17410813, 2.425296, 2.1444545, 0.35, 0.43399706, 0.1847509, 0u};
-static const ProfileShape gold_tone_shape = {0.9887711, 0.14943813, 3.6826046, 2.8423793, 0.3, 0.2547288, 0.11251208, 0u};
-static const ProfileShape green_sheen_tone_shape = {0.99820054, 0.059964005, 5.2949586, 2.6937559, 0.12, 0.1805348, 0.07889118, 0u};
-static const ProfileShape glint_tone_shape = {0.99955004, 0.029995501, 25.006668, 2.4986002, 0.06, 0.039271776, 0.016918294, 0u};
+static const ProfileShape violet_tone_shape = {0.98472655, 0.17410813, 2.425296, 2.1444545, 0.35,
+    0.43399706, 0.1847509, 0u};
+static const ProfileShape gold_tone_shape = {0.9887711, 0.14943813, 3.6826046, 2.8423793, 0.3,
+    0.2547288, 0.11251208, 0u};
+static const ProfileShape green_sheen_tone_shape = {0.99820054, 0.059964005, 5.2949586, 2.6937559,
+    0.12, 0.1805348, 0.07889118, 0u};
+static const ProfileShape glint_tone_shape = {0.99955004, 0.029995501, 25.006668, 2.4986002, 0.06,
+    0.039271776, 0.016918294, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -134,16 +138,18 @@ struct FragmentInput_fs_main {
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return float2(s, c);
 }
 
@@ -151,8 +157,8 @@ float2 sin_cos_quick(float x)
 /// hardware's; -100 at 1.
 float log2_one_minus(float y)
 {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
+    float series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.33333334 + y * (0.25 + y * 0.2))));
+    return y < 0.0625 ? series : log2(max(1.0 - y, 7.888609e-31));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -162,7 +168,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -176,14 +182,13 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
-    return angle_3;
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// Convex/concave color
@@ -191,17 +196,17 @@ Angle angle_turned(Angle u, float2 t)
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 /// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
 /// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bool clamped)
 {
-    if ((opacity <= 0.0)) {
+    if (opacity <= 0.0) {
         return below;
     }
-    float4 mixed = float4((below.xyz + (opacity * (blended - below.xyz))), alpha);
+    float4 mixed = float4(below.xyz + opacity * (blended - below.xyz), alpha);
     return clamp(mixed, (0.0).xxxx, (1.0).xxxx);
 }
 
@@ -210,7 +215,7 @@ float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bo
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return blend_finish(below, (below.xyz + (tone * color.xyz)), 1.0, color.w, clamped);
+    return blend_finish(below, below.xyz + tone * color.xyz, 1.0, color.w, clamped);
 }
 
 /// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
@@ -234,8 +239,7 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     const float2 split = light_split(light.intensity);
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), color.w), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, color.w), tone * split.x);
 }
 
 /// Light on a layer
@@ -245,8 +249,7 @@ LitLayer light_apply(Light light, float4 color, float tone)
 LitLayer light_apply_2(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer_1;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 /// Light on a layer
@@ -256,180 +259,212 @@ LitLayer light_apply_2(Light light, float4 color, float tone)
 LitLayer light_apply_3(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer_2 = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), color.w), split.x);
-    return litlayer_2;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, color.w), split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_4 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
-    return angle_4;
+    float3 d = 2.0 * dot(normal, view) * normal - view;
+    return ConstructAngle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
 /// exponent would amplify their errors.
 float profile_power_quick(float q, float exponent)
 {
-    float y = min((q * q), 1.0);
-    float power = exp2(max((exponent * log2_one_minus(y)), -126.0));
-    return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
+    float y = min(q * q, 1.0);
+    float power = exp2(max(exponent * log2_one_minus(y), -126.0));
+    return q >= 1.0 ? 0.0 : clamp(power, 0.0, 1.0);
 }
 
 /// Sine and cosine of half the angle from tau to u.
 float2 profile_place(Angle u, ProfileShape shape)
 {
-    return float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    return float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    const float profile_power_quick_value = profile_power_quick((s * shape.scale), shape.exponent);
-    return ((s <= 0.0) ? 1.0 : profile_power_quick_value);
+    const float profile_power_quick_value = profile_power_quick(s * shape.scale, shape.exponent);
+    return s <= 0.0 ? 1.0 : profile_power_quick_value;
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick_2(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
     // 2 asin(s) by its series: the ramp is narrow.
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick_2(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    if ((shape.kind == PROFILE_AMBIENT)) {
+    if (shape.kind == PROFILE_AMBIENT) {
         return 1.0;
     }
     const float2 place = profile_place(u, shape);
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
     if (((shape.kind == PROFILE_STEP) | is_narrow)) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
     // Half of the quadrature's reach is below 0.1.
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     const float point_ = profile_soft_quick_2(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_3(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick_2(place.x, w, shape);
     }
     const float point_ = profile_soft_quick_2(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
 float profile_balanced_3(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float glint_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
-    float4 wing_case_color = (look.wing_case_color_concave + (glint_convexity * (look.wing_case_color_convex - look.wing_case_color_concave)));
-    Angle hollows_angle = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
-    float wing_case_warp = (((2.0 * glint_convexity) - 1.0) * 0.2);
-    const float wing_case_tone = profile_balanced(hollows_angle, wing_case_warp, look.wing_case_tone_shape);
+    // Wing case (Light layer)
+    float glint_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    float4 wing_case_color = look.wing_case_color_concave + glint_convexity
+        * (look.wing_case_color_convex - look.wing_case_color_concave);
+    Angle hollows_angle = ConstructAngle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
+    float wing_case_warp = (2.0 * glint_convexity - 1.0) * 0.2;
+    const float wing_case_tone = profile_balanced(hollows_angle, wing_case_warp,
+        look.wing_case_tone_shape);
     const LitLayer wing_case_lit = light_apply(look.key, wing_case_color, wing_case_tone);
-    const float4 wing_case_blend = blend_add(float4(0.0157, 0.0627, 0.0392, 1.0), wing_case_lit.color, wing_case_lit.tone, 1.0, true);
-    const float4 violet_color = curvature_color(glint_convexity, float4(0.3529, 0.1647, 0.4314, 1.0), float4(0.1098, 0.0627, 0.251, 1.0));
-    const Angle violet_angle = parametrization_specular_balanced(look.side, surface.normal, surface.view);
-    float gold_warp = (((2.0 * glint_convexity) - 1.0) * 0.15);
+    const float4 wing_case_blend = blend_add(float4(0.0157, 0.0627, 0.0392, 1.0),
+        wing_case_lit.color, wing_case_lit.tone, 1.0, true);
+
+    // Violet (Light layer)
+    const float4 violet_color = curvature_color(glint_convexity,
+        float4(0.3529, 0.1647, 0.4314, 1.0), float4(0.1098, 0.0627, 0.251, 1.0));
+    const Angle violet_angle = parametrization_specular_balanced(look.side, surface.normal,
+        surface.view);
+    float gold_warp = (2.0 * glint_convexity - 1.0) * 0.15;
     const float violet_tone = profile_balanced_2(violet_angle, gold_warp, violet_tone_shape);
     const LitLayer violet_lit = light_apply_2(look.side, violet_color, violet_tone);
-    float4 violet_blend = clamp(float4((wing_case_blend.xyz + (violet_lit.tone * violet_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 gold_color = curvature_color(glint_convexity, look.gold_color_convex, float4(0.2902, 0.3529, 0.0627, 1.0));
-    const Angle glint_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
+    float4 violet_blend = clamp(float4(wing_case_blend.xyz + violet_lit.tone * violet_lit.color.xyz,
+        1.0), (0.0).xxxx, (1.0).xxxx);
+
+    // Gold (Light layer)
+    const float4 gold_color = curvature_color(glint_convexity, look.gold_color_convex,
+        float4(0.2902, 0.3529, 0.0627, 1.0));
+    const Angle glint_angle = parametrization_specular_balanced(look.key, surface.normal,
+        surface.view);
     const float gold_tone = profile_balanced_3(glint_angle, gold_warp, gold_tone_shape);
     const LitLayer gold_lit = light_apply(look.key, gold_color, gold_tone);
-    const float4 gold_blend = blend_finish(violet_blend, (violet_blend.xyz + (gold_lit.tone * gold_lit.color.xyz)), 1.0, gold_lit.color.w, true);
-    const float4 green_sheen_color = curvature_color(glint_convexity, look.green_sheen_color_convex, float4(0.1647, 0.5412, 0.3529, 1.0));
-    float green_sheen_warp = (((2.0 * glint_convexity) - 1.0) * 0.1);
-    const float green_sheen_tone = profile_balanced_3(glint_angle, green_sheen_warp, green_sheen_tone_shape);
+    const float4 gold_blend = blend_finish(violet_blend, violet_blend.xyz + gold_lit.tone
+        * gold_lit.color.xyz, 1.0, gold_lit.color.w, true);
+
+    // Green sheen (Light layer)
+    const float4 green_sheen_color = curvature_color(glint_convexity, look.green_sheen_color_convex,
+        float4(0.1647, 0.5412, 0.3529, 1.0));
+    float green_sheen_warp = (2.0 * glint_convexity - 1.0) * 0.1;
+    const float green_sheen_tone = profile_balanced_3(glint_angle, green_sheen_warp,
+        green_sheen_tone_shape);
     const LitLayer green_sheen_lit = light_apply(look.key, green_sheen_color, green_sheen_tone);
-    const float4 green_sheen_blend = blend_finish(gold_blend, (gold_blend.xyz + (green_sheen_lit.tone * green_sheen_lit.color.xyz)), 1.0, green_sheen_lit.color.w, true);
-    const float4 glint_color = curvature_color(glint_convexity, (1.0).xxxx, float4(0.8471, 1.0, 0.8784, 1.0));
-    float glint_warp = (((2.0 * glint_convexity) - 1.0) * 0.05);
+    const float4 green_sheen_blend = blend_finish(gold_blend, gold_blend.xyz
+        + green_sheen_lit.tone * green_sheen_lit.color.xyz, 1.0, green_sheen_lit.color.w, true);
+
+    // Glint (Light layer)
+    const float4 glint_color = curvature_color(glint_convexity, (1.0).xxxx,
+        float4(0.8471, 1.0, 0.8784, 1.0));
+    float glint_warp = (2.0 * glint_convexity - 1.0) * 0.05;
     const float glint_tone = profile_balanced_3(glint_angle, glint_warp, glint_tone_shape);
     const LitLayer glint_lit = light_apply_2(look.key, glint_color, glint_tone);
-    float4 glint_blend = clamp(float4((green_sheen_blend.xyz + (glint_lit.tone * (glint_lit.color.xyz - green_sheen_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float hollows_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.3), -20.0, 20.0))))))));
-    float4 hollows_color = (look.hollows_color_concave + (hollows_convexity * ((1.0).xxxx - look.hollows_color_concave)));
+    float4 glint_blend = clamp(float4(green_sheen_blend.xyz + glint_lit.tone
+        * (glint_lit.color.xyz - green_sheen_blend.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
+
+    // Hollows (Light layer)
+    float hollows_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.3, -20.0, 20.0))));
+    float4 hollows_color = look.hollows_color_concave + hollows_convexity
+        * ((1.0).xxxx - look.hollows_color_concave);
     const LitLayer hollows_lit = light_apply_3(look.key, hollows_color, 1.0);
-    const float4 hollows_blend = blend_finish(glint_blend, (glint_blend.xyz * (hollows_lit.tone * hollows_lit.color.xyz)), 1.0, hollows_lit.color.w, true);
+    const float4 hollows_blend = blend_finish(glint_blend, glint_blend.xyz
+        * (hollows_lit.tone * hollows_lit.color.xyz), 1.0, hollows_lit.color.w, true);
+
     return hollows_blend;
 }
 
@@ -444,7 +479,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -463,11 +499,13 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), texel.x);
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        texel.x);
     return shade(surface);
 }

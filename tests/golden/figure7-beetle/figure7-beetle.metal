@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,6 +36,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -52,6 +55,7 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 /// What is known before the fragment.
 struct Look {
     metal::float4 hollows_color_concave;
@@ -63,12 +67,14 @@ struct Look {
     metal::float4 wing_case_color_concave;
     ProfileShape wing_case_tone_shape;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::packed_float3 view;
     float kappa;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -79,6 +85,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -86,22 +93,29 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
+
 constant float LOG2_E = 1.442695;
 constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
-constant ProfileShape violet_tone_shape = ProfileShape {0.98472655, 0.17410813, 2.425296, 2.1444545, 0.35, 0.43399706, 0.1847509, 0u};
-constant ProfileShape gold_tone_shape = ProfileShape {0.9887711, 0.14943813, 3.6826046, 2.8423793, 0.3, 0.2547288, 0.11251208, 0u};
-constant ProfileShape green_sheen_tone_shape = ProfileShape {0.99820054, 0.059964005, 5.2949586, 2.6937559, 0.12, 0.1805348, 0.07889118, 0u};
-constant ProfileShape glint_tone_shape = ProfileShape {0.99955004, 0.029995501, 25.006668, 2.4986002, 0.06, 0.039271776, 0.016918294, 0u};
+constant ProfileShape violet_tone_shape = ProfileShape {0.98472655, 0.17410813, 2.425296, 2.1444545,
+    0.35, 0.43399706, 0.1847509, 0u};
+constant ProfileShape gold_tone_shape = ProfileShape {0.9887711, 0.14943813, 3.6826046, 2.8423793,
+    0.3, 0.2547288, 0.11251208, 0u};
+constant ProfileShape green_sheen_tone_shape = ProfileShape {0.99820054, 0.059964005, 5.2949586,
+    2.6937559, 0.12, 0.1805348, 0.07889118, 0u};
+constant ProfileShape glint_tone_shape = ProfileShape {0.99955004, 0.029995501, 25.006668,
+    2.4986002, 0.06, 0.039271776, 0.016918294, 0u};
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
@@ -117,8 +131,10 @@ metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
-    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 0.0000026347564))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (0.00002477458 - y * 0.00000026297516))));
     return metal::float2(s, c);
 }
 
@@ -127,8 +143,9 @@ metal::float2 sin_cos_quick(
 float log2_one_minus(
     float y
 ) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
+    float series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.33333334 + y * (0.25 + y * 0.2))));
+    return y < 0.0625 ? series : metal::log2(metal::max(1.0 - y,
+        0.0000000000000000000000000000007888609));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -148,9 +165,9 @@ Angle angle_turned(
     Angle u,
     metal::float2 t
 ) {
-    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
-    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
@@ -165,7 +182,7 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (convex - concave));
+    return concave + convexity * (convex - concave);
 }
 
 /// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
@@ -180,7 +197,7 @@ Composite blend_finish(
     if (opacity <= 0.0) {
         return below;
     }
-    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
+    metal::float4 mixed = metal::float4(below.xyz + opacity * (blended - below.xyz), alpha);
     return metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0));
 }
 
@@ -194,7 +211,7 @@ Composite blend_add(
     float opacity,
     bool clamped
 ) {
-    return blend_finish(below, below.xyz + (tone * color.xyz), 1.0, color.w, clamped);
+    return blend_finish(below, below.xyz + tone * color.xyz, 1.0, color.w, clamped);
 }
 
 /// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
@@ -215,7 +232,7 @@ LitLayer light_apply(
     float tone
 ) {
     metal::float2 split = light_split(light.intensity);
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, color.w), tone * split.x};
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, color.w), tone * split.x};
 }
 
 /// Light on a layer
@@ -227,8 +244,9 @@ LitLayer light_apply_2(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 /// Light on a layer
@@ -240,8 +258,9 @@ LitLayer light_apply_3(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, color.w), split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, color.w), split.x};
 }
 
 Angle parametrization_specular_balanced(
@@ -249,8 +268,9 @@ Angle parametrization_specular_balanced(
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
+    metal::float3 d = 2.0 * metal::dot(normal, view) * normal - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5
+        * metal::length(d + light.direction)};
 }
 
 /// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
@@ -261,7 +281,7 @@ float profile_power_quick(
 ) {
     float y = metal::min(q * q, 1.0);
     float power = metal::exp2(metal::max(exponent * log2_one_minus(y), -126.0));
-    return (q >= 1.0) ? 0.0 : metal::clamp(power, 0.0, 1.0);
+    return q >= 1.0 ? 0.0 : metal::clamp(power, 0.0, 1.0);
 }
 
 /// Sine and cosine of half the angle from tau to u.
@@ -269,7 +289,8 @@ metal::float2 profile_place(
     Angle u,
     ProfileShape shape
 ) {
-    return metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    return metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -278,7 +299,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float profile_power_quick_value = profile_power_quick(s * shape.scale, shape.exponent);
-    return (s <= 0.0) ? 1.0 : profile_power_quick_value;
+    return s <= 0.0 ? 1.0 : profile_power_quick_value;
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -287,7 +308,7 @@ float profile_soft_quick_2(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -297,11 +318,12 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
     // 2 asin(s) by its series: the ramp is narrow.
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / metal::max(width, 0.000001),
+        0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -311,10 +333,10 @@ float profile_ramp_quick_2(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -328,20 +350,20 @@ float profile_filtered_quick(
         return 1.0;
     }
     metal::float2 place = profile_place(u, shape);
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
     if ((shape.kind == PROFILE_STEP) | is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     // Half of the quadrature's reach is below 0.1.
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -351,16 +373,18 @@ float profile_filtered_quick_2(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
     float point = profile_soft_quick_2(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick_2((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick_2((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -370,20 +394,22 @@ float profile_filtered_quick_3(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick_2(place.x, w, shape);
     }
     float point = profile_soft_quick_2(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick_2((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick_2((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -418,38 +444,70 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    float glint_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))))));
-    metal::float4 wing_case_color = look.wing_case_color_concave + (glint_convexity * (look.wing_case_color_convex - look.wing_case_color_concave));
-    Angle hollows_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
-    float wing_case_warp = ((2.0 * glint_convexity) - 1.0) * 0.2;
-    float wing_case_tone = profile_balanced(hollows_angle, wing_case_warp, look.wing_case_tone_shape);
+    // Wing case (Light layer)
+    float glint_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + metal::exp2(2.88539
+        * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    metal::float4 wing_case_color = look.wing_case_color_concave + glint_convexity
+        * (look.wing_case_color_convex - look.wing_case_color_concave);
+    Angle hollows_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5
+        * metal::length(surface.normal + look.key.direction)};
+    float wing_case_warp = (2.0 * glint_convexity - 1.0) * 0.2;
+    float wing_case_tone = profile_balanced(hollows_angle, wing_case_warp,
+        look.wing_case_tone_shape);
     LitLayer wing_case_lit = light_apply(look.key, wing_case_color, wing_case_tone);
-    Composite wing_case_blend = blend_add(metal::float4(0.0157, 0.0627, 0.0392, 1.0), wing_case_lit.color, wing_case_lit.tone, 1.0, true);
-    Color violet_color = curvature_color(glint_convexity, metal::float4(0.3529, 0.1647, 0.4314, 1.0), metal::float4(0.1098, 0.0627, 0.251, 1.0));
+    Composite wing_case_blend = blend_add(metal::float4(0.0157, 0.0627, 0.0392, 1.0),
+        wing_case_lit.color, wing_case_lit.tone, 1.0, true);
+
+    // Violet (Light layer)
+    Color violet_color = curvature_color(glint_convexity,
+        metal::float4(0.3529, 0.1647, 0.4314, 1.0), metal::float4(0.1098, 0.0627, 0.251, 1.0));
     Angle violet_angle = parametrization_specular_balanced(look.side, surface.normal, surface.view);
-    float gold_warp = ((2.0 * glint_convexity) - 1.0) * 0.15;
+    float gold_warp = (2.0 * glint_convexity - 1.0) * 0.15;
     float violet_tone = profile_balanced_2(violet_angle, gold_warp, violet_tone_shape);
     LitLayer violet_lit = light_apply_2(look.side, violet_color, violet_tone);
-    metal::float4 violet_blend = metal::clamp(metal::float4(wing_case_blend.xyz + (violet_lit.tone * violet_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color gold_color = curvature_color(glint_convexity, look.gold_color_convex, metal::float4(0.2902, 0.3529, 0.0627, 1.0));
+    metal::float4 violet_blend = metal::clamp(metal::float4(wing_case_blend.xyz + violet_lit.tone
+        * violet_lit.color.xyz, 1.0), metal::float4(0.0), metal::float4(1.0));
+
+    // Gold (Light layer)
+    Color gold_color = curvature_color(glint_convexity, look.gold_color_convex,
+        metal::float4(0.2902, 0.3529, 0.0627, 1.0));
     Angle glint_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     float gold_tone = profile_balanced_3(glint_angle, gold_warp, gold_tone_shape);
     LitLayer gold_lit = light_apply(look.key, gold_color, gold_tone);
-    Composite gold_blend = blend_finish(violet_blend, violet_blend.xyz + (gold_lit.tone * gold_lit.color.xyz), 1.0, gold_lit.color.w, true);
-    Color green_sheen_color = curvature_color(glint_convexity, look.green_sheen_color_convex, metal::float4(0.1647, 0.5412, 0.3529, 1.0));
-    float green_sheen_warp = ((2.0 * glint_convexity) - 1.0) * 0.1;
-    float green_sheen_tone = profile_balanced_3(glint_angle, green_sheen_warp, green_sheen_tone_shape);
+    Composite gold_blend = blend_finish(violet_blend, violet_blend.xyz + gold_lit.tone
+        * gold_lit.color.xyz, 1.0, gold_lit.color.w, true);
+
+    // Green sheen (Light layer)
+    Color green_sheen_color = curvature_color(glint_convexity, look.green_sheen_color_convex,
+        metal::float4(0.1647, 0.5412, 0.3529, 1.0));
+    float green_sheen_warp = (2.0 * glint_convexity - 1.0) * 0.1;
+    float green_sheen_tone = profile_balanced_3(glint_angle, green_sheen_warp,
+        green_sheen_tone_shape);
     LitLayer green_sheen_lit = light_apply(look.key, green_sheen_color, green_sheen_tone);
-    Composite green_sheen_blend = blend_finish(gold_blend, gold_blend.xyz + (green_sheen_lit.tone * green_sheen_lit.color.xyz), 1.0, green_sheen_lit.color.w, true);
-    Color glint_color = curvature_color(glint_convexity, metal::float4(1.0), metal::float4(0.8471, 1.0, 0.8784, 1.0));
-    float glint_warp = ((2.0 * glint_convexity) - 1.0) * 0.05;
+    Composite green_sheen_blend = blend_finish(gold_blend, gold_blend.xyz + green_sheen_lit.tone
+        * green_sheen_lit.color.xyz, 1.0, green_sheen_lit.color.w, true);
+
+    // Glint (Light layer)
+    Color glint_color = curvature_color(glint_convexity, metal::float4(1.0),
+        metal::float4(0.8471, 1.0, 0.8784, 1.0));
+    float glint_warp = (2.0 * glint_convexity - 1.0) * 0.05;
     float glint_tone = profile_balanced_3(glint_angle, glint_warp, glint_tone_shape);
     LitLayer glint_lit = light_apply_2(look.key, glint_color, glint_tone);
-    metal::float4 glint_blend = metal::clamp(metal::float4(green_sheen_blend.xyz + (glint_lit.tone * (glint_lit.color.xyz - green_sheen_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float hollows_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.3, -20.0, 20.0))))));
-    metal::float4 hollows_color = look.hollows_color_concave + (hollows_convexity * (metal::float4(1.0) - look.hollows_color_concave));
+    metal::float4 glint_blend = metal::clamp(metal::float4(green_sheen_blend.xyz + glint_lit.tone
+        * (glint_lit.color.xyz - green_sheen_blend.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
+
+    // Hollows (Light layer)
+    float hollows_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + metal::exp2(2.88539
+        * metal::clamp(surface.kappa * 0.3, -20.0, 20.0))));
+    metal::float4 hollows_color = look.hollows_color_concave + hollows_convexity
+        * (metal::float4(1.0) - look.hollows_color_concave);
     LitLayer hollows_lit = light_apply_3(look.key, hollows_color, 1.0);
-    Composite hollows_blend = blend_finish(glint_blend, glint_blend.xyz * (hollows_lit.tone * hollows_lit.color.xyz), 1.0, hollows_lit.color.w, true);
+    Composite hollows_blend = blend_finish(glint_blend, glint_blend.xyz
+        * (hollows_lit.tone * hollows_lit.color.xyz), 1.0, hollows_lit.color.w, true);
+
     return hollows_blend;
 }
 
@@ -457,11 +515,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_1 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -469,7 +529,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -482,9 +543,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -495,8 +558,9 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.x};
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        texel.x};
     return fs_mainOutput { shade(surface, look) };
 }

@@ -297,7 +297,7 @@ fn profile_filtered_quick_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick_2(place.x, w, shape);
     }
     let point = profile_soft_quick_2(place.x, shape);
@@ -333,6 +333,7 @@ const glint_tone_shape = ProfileShape(0.99955004, 0.029995501, 25.006668, 2.4986
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Wing case (Light layer)
     let glint_convexity = 0.5 + 0.5 * (1.0 - 2.0
         / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
     let wing_case_color = look.wing_case_color_concave + glint_convexity
@@ -344,6 +345,8 @@ fn shade(surface: Surface) -> vec4f {
     let wing_case_lit = light_apply(look.key, wing_case_color, wing_case_tone);
     let wing_case_blend = blend_add(vec4f(0.0157, 0.0627, 0.0392, 1.0), wing_case_lit.color,
         wing_case_lit.tone, 1.0, true);
+
+    // Violet (Light layer)
     let violet_color = curvature_color(glint_convexity, vec4f(0.3529, 0.1647, 0.4314, 1.0),
         vec4f(0.1098, 0.0627, 0.251, 1.0));
     let violet_angle = parametrization_specular_balanced(look.side, surface.normal, surface.view);
@@ -352,6 +355,8 @@ fn shade(surface: Surface) -> vec4f {
     let violet_lit = light_apply_2(look.side, violet_color, violet_tone);
     let violet_blend = clamp(vec4f(wing_case_blend.xyz + violet_lit.tone * violet_lit.color.xyz,
         1.0), vec4f(0.0), vec4f(1.0));
+
+    // Gold (Light layer)
     let gold_color = curvature_color(glint_convexity, look.gold_color_convex,
         vec4f(0.2902, 0.3529, 0.0627, 1.0));
     let glint_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
@@ -359,6 +364,8 @@ fn shade(surface: Surface) -> vec4f {
     let gold_lit = light_apply(look.key, gold_color, gold_tone);
     let gold_blend = blend_finish(violet_blend, violet_blend.xyz + gold_lit.tone
         * gold_lit.color.xyz, 1.0, gold_lit.color.w, true);
+
+    // Green sheen (Light layer)
     let green_sheen_color = curvature_color(glint_convexity, look.green_sheen_color_convex,
         vec4f(0.1647, 0.5412, 0.3529, 1.0));
     let green_sheen_warp = (2.0 * glint_convexity - 1.0) * 0.1;
@@ -367,12 +374,16 @@ fn shade(surface: Surface) -> vec4f {
     let green_sheen_lit = light_apply(look.key, green_sheen_color, green_sheen_tone);
     let green_sheen_blend = blend_finish(gold_blend, gold_blend.xyz + green_sheen_lit.tone
         * green_sheen_lit.color.xyz, 1.0, green_sheen_lit.color.w, true);
+
+    // Glint (Light layer)
     let glint_color = curvature_color(glint_convexity, vec4f(1.0), vec4f(0.8471, 1.0, 0.8784, 1.0));
     let glint_warp = (2.0 * glint_convexity - 1.0) * 0.05;
     let glint_tone = profile_balanced_3(glint_angle, glint_warp, glint_tone_shape);
     let glint_lit = light_apply_2(look.key, glint_color, glint_tone);
     let glint_blend = clamp(vec4f(green_sheen_blend.xyz + glint_lit.tone
         * (glint_lit.color.xyz - green_sheen_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+
+    // Hollows (Light layer)
     let hollows_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.3, -20.0, 20.0))));
     let hollows_color = look.hollows_color_concave + hollows_convexity
@@ -380,6 +391,7 @@ fn shade(surface: Surface) -> vec4f {
     let hollows_lit = light_apply_3(look.key, hollows_color, 1.0);
     let hollows_blend = blend_finish(glint_blend, glint_blend.xyz
         * (hollows_lit.tone * hollows_lit.color.xyz), 1.0, hollows_lit.color.w, true);
+
     return hollows_blend;
 }
 

@@ -217,7 +217,7 @@ fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -253,6 +253,7 @@ const edge_tone_shape = ProfileShape(0.8525245, 0.52268726, 5.0334897, 2.4651666
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Tone (Light layer)
     let light_convexity = 0.5 + 0.5 * (1.0 - 2.0
         / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
     let tone_color = curvature_color(light_convexity, vec4f(0.9373, 0.9137, 0.8627, 1.0),
@@ -264,6 +265,8 @@ fn shade(surface: Surface) -> vec4f {
     let tone_lit = light_apply(look.key, tone_color, tone_tone);
     let tone_blend = blend_alpha(vec4f(0.7255, 0.698, 0.6431, 1.0), tone_lit.color, tone_lit.tone,
         1.0, true);
+
+    // Shade (Light layer)
     let shade_color = curvature_color(light_convexity, vec4f(0.8118, 0.7765, 0.7137, 1.0),
         vec4f(0.5608, 0.5098, 0.4392, 1.0));
     let shade_angle = Angle(0.5 * length(surface.normal - look.side.direction), 0.5
@@ -272,10 +275,14 @@ fn shade(surface: Surface) -> vec4f {
     let shade_tone = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
     let shade_lit = light_apply(look.side, shade_color, shade_tone);
     let shade_blend = blend_shade(tone_blend, shade_lit.color, shade_lit.tone, 0.8, true);
+
+    // Light (Light layer)
     let light_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let light_tone = profile_balanced_2(light_angle, 0.0, light_tone_shape);
     let light_lit = light_apply(look.key, vec4f(1.0), light_tone);
     let light_blend = blend_alpha_2(shade_blend, light_lit.color, light_lit.tone, 0.6, true);
+
+    // Edge (Light layer)
     let edge_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal,
         look.camera_from_world);
     let edge_convexity = 0.5 + 0.5 * (1.0 - 2.0
@@ -286,6 +293,7 @@ fn shade(surface: Surface) -> vec4f {
     let edge_blend = clamp(vec4f(light_blend.xyz + 0.55
         * (light_blend.xyz * (edge_lit.tone * edge_lit.color.xyz) - light_blend.xyz), 1.0),
         vec4f(0.0), vec4f(1.0));
+
     return edge_blend;
 }
 

@@ -303,7 +303,7 @@ fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -427,12 +427,16 @@ const glint_tone_shape = ProfileShape(0.9992001, 0.039989334, 14.297388, 3.21659
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Flesh (Light layer)
     let shade_convexity = 0.5 + 0.5 * (1.0 - 2.0
         / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.1, -20.0, 20.0))));
     let flesh_color = curvature_color(shade_convexity, vec4f(0.9725, 0.8784, 0.2902, 1.0),
         vec4f(0.8627, 0.7059, 0.1176, 1.0));
+
     let pores = noise_perlin(surface.position_object, 14.0, 2i, 0.5, 0i);
     let rind = bump_map(pores, 0.035, surface.normal, surface.position);
+
+    // Flesh
     let flesh_angle = Angle(0.5 * length(rind - look.key.direction), 0.5
         * length(rind + look.key.direction));
     let flesh_warp = (2.0 * shade_convexity - 1.0) * 0.2;
@@ -440,6 +444,8 @@ fn shade(surface: Surface) -> vec4f {
     let flesh_lit = light_apply(look.key, flesh_color, flesh_tone);
     let flesh_blend = blend_alpha(vec4f(0.4196, 0.3529, 0.0235, 1.0), flesh_lit.color,
         flesh_lit.tone, 1.0, true);
+
+    // Shade (Light layer)
     let shade_color = curvature_color(shade_convexity, vec4f(0.6902, 0.549, 0.0784, 1.0),
         vec4f(0.5608, 0.4235, 0.0627, 1.0));
     let shade_angle = Angle(0.5 * length(rind - look.fill.direction), 0.5
@@ -448,15 +454,20 @@ fn shade(surface: Surface) -> vec4f {
     let shade_tone = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
     let shade_lit = light_apply(look.fill, shade_color, shade_tone);
     let shade_blend = blend_shade(flesh_blend, shade_lit.color, shade_lit.tone, 0.75, true);
+
+    // Waxy sheen (Light layer)
     let glint_angle = parametrization_specular_balanced(look.key, rind, surface.view);
     let waxy_sheen_tone = profile_balanced_2(glint_angle, 0.0, waxy_sheen_tone_shape);
     let waxy_sheen_lit = light_apply(look.key, vec4f(0.4157, 0.3922, 0.1882, 1.0), waxy_sheen_tone);
     let waxy_sheen_blend = clamp(vec4f(shade_blend.xyz + 0.55
         * (shade_blend.xyz + waxy_sheen_lit.tone * waxy_sheen_lit.color.xyz - shade_blend.xyz),
         1.0), vec4f(0.0), vec4f(1.0));
+
+    // Glint (Light layer)
     let glint_tone = profile_balanced_3(glint_angle, 0.0, glint_tone_shape);
     let glint_lit = light_apply(look.key, vec4f(1.0), glint_tone);
     let glint_blend = blend_alpha_2(waxy_sheen_blend, glint_lit.color, glint_lit.tone, 0.85, true);
+
     return glint_blend;
 }
 

@@ -10,12 +10,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -34,22 +36,29 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 position_object;
     vec3 normal;
 };
+
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
-const ProfileShape flesh_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.1220733, 1.2466265, 0.1, 1.2259196, 0.51338285, 0u);
-const ProfileShape shade_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.6523834, 1.9165641, 0.2, 0.67495763, 0.28714308, 0u);
-const ProfileShape waxy_sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 2.2990327, 2.8187852, 0.05, 0.41226318, 0.18345885, 0u);
-const ProfileShape glint_tone_shape = ProfileShape(0.9992001, 0.039989334, 14.297388, 3.2165964, 0.08, 0.062200632, 0.027819062, 0u);
+const ProfileShape flesh_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.1220733, 1.2466265,
+    0.1, 1.2259196, 0.51338285, 0u);
+const ProfileShape shade_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.6523834, 1.9165641,
+    0.2, 0.67495763, 0.28714308, 0u);
+const ProfileShape waxy_sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 2.2990327,
+    2.8187852, 0.05, 0.41226318, 0.18345885, 0u);
+const ProfileShape glint_tone_shape = ProfileShape(0.9992001, 0.039989334, 14.297388, 3.2165964,
+    0.08, 0.062200632, 0.027819062, 0u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
 
@@ -63,12 +72,11 @@ layout(location = 2) smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, vertex.position, (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_position = _tmp_return.position;
-    v_position_object = _tmp_return.position_object;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, world.xyz, vertex.position,
+        u_object.world_from_normal * vertex.normal);
+    gl_Position = varyings.clip;
+    v_position = varyings.position;
+    v_position_object = varyings.position_object;
+    v_normal = varyings.normal;
 }
-

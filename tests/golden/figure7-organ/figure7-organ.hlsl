@@ -101,10 +101,14 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-static const ProfileShape tone_tone_shape = {0.99875027, 0.04997917, 1.1528398, 1.361735, 0.1, 1.1474836, 0.4845149, 0u};
-static const ProfileShape shade_tone_shape = {0.9950042, 0.099833414, 1.4670527, 1.847488, 0.2, 0.7777539, 0.33241227, 0u};
-static const ProfileShape light_tone_shape = {0.99875027, 0.04997917, 2.9163208, 3.0838382, 0.1, 0.3121117, 0.13987324, 0u};
-static const ProfileShape edge_tone_shape = {0.8525245, 0.52268726, 5.0334897, 2.4651666, 1.1, 0.19658314, 0.08474467, 0u};
+static const ProfileShape tone_tone_shape = {0.99875027, 0.04997917, 1.1528398, 1.361735, 0.1,
+    1.1474836, 0.4845149, 0u};
+static const ProfileShape shade_tone_shape = {0.9950042, 0.099833414, 1.4670527, 1.847488, 0.2,
+    0.7777539, 0.33241227, 0u};
+static const ProfileShape light_tone_shape = {0.99875027, 0.04997917, 2.9163208, 3.0838382, 0.1,
+    0.3121117, 0.13987324, 0u};
+static const ProfileShape edge_tone_shape = {0.8525245, 0.52268726, 5.0334897, 2.4651666, 1.1,
+    0.19658314, 0.08474467, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -128,16 +132,18 @@ struct FragmentInput_fs_main {
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return float2(s, c);
 }
 
@@ -148,7 +154,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -162,24 +168,22 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
-    return angle_3;
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned_2(Angle u, float2 t)
 {
-    float s = (u.half_sin - 0.0);
-    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
-    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_4 = ConstructAngle(turned.x, turned.y);
-    return angle_4;
+    float s = u.half_sin - 0.0;
+    float2 upper = u.half_cos <= 0.0 ? float2(1.0, 0.0) : float2(s, u.half_cos);
+    float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// Convex/concave color
@@ -187,22 +191,24 @@ Angle angle_turned_2(Angle u, float2 t)
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + tone * (color.xyz - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 float4 blend_alpha_2(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 float4 blend_shade(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (opacity * ((below.xyz * lerp((1.0).xxx, color.xyz, tone)) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + opacity
+        * (below.xyz * lerp((1.0).xxx, color.xyz, tone) - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -219,80 +225,81 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_5 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
-    return angle_5;
+    float3 d = 2.0 * dot(normal, view) * normal - view;
+    return ConstructAngle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
-Angle parametrization_screen_aligned_balanced(Light light, float3 normal, float3x3 camera_from_world)
+Angle parametrization_screen_aligned_balanced(Light light, float3 normal,
+    float3x3 camera_from_world)
 {
     float3 d = mul(normal, camera_from_world);
-    const Angle angle_6 = ConstructAngle((0.5 * length((d - light.own_direction))), (0.5 * length((d + light.own_direction))));
-    return angle_6;
+    return ConstructAngle(0.5 * length(d - light.own_direction), 0.5
+        * length(d + light.own_direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
@@ -304,36 +311,56 @@ float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 
 float profile_balanced_3(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float light_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
-    const float4 tone_color = curvature_color(light_convexity, float4(0.3529, 0.5882, 0.7843, 1.0), float4(0.1412, 0.3137, 0.4784, 1.0));
-    Angle tone_angle = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
-    float tone_warp = (((2.0 * light_convexity) - 1.0) * 0.3);
+    // Tone (Light layer)
+    float light_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    const float4 tone_color = curvature_color(light_convexity, float4(0.3529, 0.5882, 0.7843, 1.0),
+        float4(0.1412, 0.3137, 0.4784, 1.0));
+    Angle tone_angle = ConstructAngle(0.5 * length(surface.normal - look.key.direction), 0.5
+        * length(surface.normal + look.key.direction));
+    float tone_warp = (2.0 * light_convexity - 1.0) * 0.3;
     const float tone_tone = profile_balanced(tone_angle, tone_warp, tone_tone_shape);
     const LitLayer tone_lit = light_apply(look.key, tone_color, tone_tone);
-    const float4 tone_blend = blend_alpha(float4(0.102, 0.2275, 0.3529, 1.0), tone_lit.color, tone_lit.tone, 1.0, true);
-    const float4 shade_color = curvature_color(light_convexity, float4(0.2275, 0.4157, 0.6039, 1.0), float4(0.0863, 0.1882, 0.2902, 1.0));
-    Angle shade_angle = ConstructAngle((0.5 * length((surface.normal - look.side.direction))), (0.5 * length((surface.normal + look.side.direction))));
-    float shade_warp = (((2.0 * light_convexity) - 1.0) * -0.2);
+    const float4 tone_blend = blend_alpha(float4(0.102, 0.2275, 0.3529, 1.0), tone_lit.color,
+        tone_lit.tone, 1.0, true);
+
+    // Shade (Light layer)
+    const float4 shade_color = curvature_color(light_convexity, float4(0.2275, 0.4157, 0.6039, 1.0),
+        float4(0.0863, 0.1882, 0.2902, 1.0));
+    Angle shade_angle = ConstructAngle(0.5 * length(surface.normal - look.side.direction), 0.5
+        * length(surface.normal + look.side.direction));
+    float shade_warp = (2.0 * light_convexity - 1.0) * -0.2;
     const float shade_tone = profile_balanced(shade_angle, shade_warp, shade_tone_shape);
     const LitLayer shade_lit = light_apply(look.side, shade_color, shade_tone);
     const float4 shade_blend = blend_shade(tone_blend, shade_lit.color, shade_lit.tone, 0.8, true);
-    const Angle light_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
+
+    // Light (Light layer)
+    const Angle light_angle = parametrization_specular_balanced(look.key, surface.normal,
+        surface.view);
     const float light_tone = profile_balanced_2(light_angle, 0.0, light_tone_shape);
     const LitLayer light_lit = light_apply(look.key, float4(0.8784, 0.9569, 1.0, 1.0), light_tone);
-    const float4 light_blend = blend_alpha_2(shade_blend, light_lit.color, light_lit.tone, 0.6, true);
-    const Angle edge_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal, look.camera_from_world);
-    float edge_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.1), -20.0, 20.0))))))));
-    float edge_warp = (((2.0 * edge_convexity) - 1.0) * 0.2);
+    const float4 light_blend = blend_alpha_2(shade_blend, light_lit.color, light_lit.tone, 0.6,
+        true);
+
+    // Edge (Light layer)
+    const Angle edge_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal,
+        look.camera_from_world);
+    float edge_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.1, -20.0, 20.0))));
+    float edge_warp = (2.0 * edge_convexity - 1.0) * 0.2;
     const float edge_tone = profile_balanced_3(edge_angle, edge_warp, edge_tone_shape);
     const LitLayer edge_lit = light_apply(look.eye, (1.0).xxxx, edge_tone);
-    float4 edge_blend = clamp(float4((light_blend.xyz + (0.55 * ((light_blend.xyz * (edge_lit.tone * edge_lit.color.xyz)) - light_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 edge_blend = clamp(float4(light_blend.xyz + 0.55
+        * (light_blend.xyz * (edge_lit.tone * edge_lit.color.xyz) - light_blend.xyz), 1.0),
+        (0.0).xxxx, (1.0).xxxx);
+
     return edge_blend;
 }
 
@@ -348,7 +375,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -367,11 +395,13 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), texel.x);
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        texel.x);
     return shade(surface);
 }

@@ -117,8 +117,10 @@ static const float PI = 3.1415927;
 static const float LOG2_E = 1.442695;
 static const uint PROFILE_STEP = 1u;
 static const uint PROFILE_AMBIENT = 2u;
-static const ProfileShape white_chalk_tone_shape = {0.99875027, 0.04997917, 3.1317647, 2.7420828, 0.1, 0.3043368, 0.13399889, 0u};
-static const ProfileShape reddish_rim_tone_shape = {0.9887711, 0.14943813, 2.5679324, 1.9696738, 0.3, 0.42241916, 0.17683415, 0u};
+static const ProfileShape white_chalk_tone_shape = {0.99875027, 0.04997917, 3.1317647, 2.7420828,
+    0.1, 0.3043368, 0.13399889, 0u};
+static const ProfileShape reddish_rim_tone_shape = {0.9887711, 0.14943813, 2.5679324, 1.9696738,
+    0.3, 0.42241916, 0.17683415, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -142,16 +144,18 @@ struct FragmentInput_fs_main {
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return float2(s, c);
 }
 
@@ -159,8 +163,8 @@ float2 sin_cos_quick(float x)
 /// hardware's; -100 at 1.
 float log2_one_minus(float y)
 {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
+    float series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.33333334 + y * (0.25 + y * 0.2))));
+    return y < 0.0625 ? series : log2(max(1.0 - y, 7.888609e-31));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -170,7 +174,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -184,14 +188,13 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
-    return angle_3;
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// Convex/concave color
@@ -199,33 +202,35 @@ Angle angle_turned(Angle u, float2 t)
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 float transition_balanced(float kappa, float slope)
 {
-    return (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((kappa * slope), -20.0, 20.0))))))));
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(kappa * slope, -20.0, 20.0))));
 }
 
 /// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
 /// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bool clamped)
 {
-    if ((opacity <= 0.0)) {
+    if (opacity <= 0.0) {
         return below;
     }
-    float4 mixed = float4((below.xyz + (opacity * (blended - below.xyz))), alpha);
+    float4 mixed = float4(below.xyz + opacity * (blended - below.xyz), alpha);
     return clamp(mixed, (0.0).xxxx, (1.0).xxxx);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 float4 blend_shade(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (opacity * ((below.xyz * lerp((1.0).xxx, color.xyz, tone)) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + opacity
+        * (below.xyz * lerp((1.0).xxx, color.xyz, tone) - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -242,184 +247,212 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_diffuse_balanced(Light light, float3 normal)
 {
-    const Angle angle_4 = ConstructAngle((0.5 * length((normal - light.direction))), (0.5 * length((normal + light.direction))));
-    return angle_4;
+    return ConstructAngle(0.5 * length(normal - light.direction), 0.5
+        * length(normal + light.direction));
 }
 
 Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_5 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
-    return angle_5;
+    float3 d = 2.0 * dot(normal, view) * normal - view;
+    return ConstructAngle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
 /// exponent would amplify their errors.
 float profile_power_quick(float q, float exponent)
 {
-    float y = min((q * q), 1.0);
-    float power = exp2(max((exponent * log2_one_minus(y)), -126.0));
-    return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
+    float y = min(q * q, 1.0);
+    float power = exp2(max(exponent * log2_one_minus(y), -126.0));
+    return q >= 1.0 ? 0.0 : clamp(power, 0.0, 1.0);
 }
 
 /// Sine and cosine of half the angle from tau to u.
 float2 profile_place(Angle u, ProfileShape shape)
 {
-    return float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    return float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    const float profile_power_quick_value = profile_power_quick((s * shape.scale), shape.exponent);
-    return ((s <= 0.0) ? 1.0 : profile_power_quick_value);
+    const float profile_power_quick_value = profile_power_quick(s * shape.scale, shape.exponent);
+    return s <= 0.0 ? 1.0 : profile_power_quick_value;
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick_2(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
     // 2 asin(s) by its series: the ramp is narrow.
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick_2(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    if ((shape.kind == PROFILE_AMBIENT)) {
+    if (shape.kind == PROFILE_AMBIENT) {
         return 1.0;
     }
     const float2 place = profile_place(u, shape);
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
     if (((shape.kind == PROFILE_STEP) | is_narrow)) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
     // Half of the quadrature's reach is below 0.1.
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick_2(place.x, w, shape);
     }
     const float point_ = profile_soft_quick_2(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_3(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     const float point_ = profile_soft_quick_2(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick_2(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick_2(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * clamp(shift, -3.1415927, PI))));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * clamp(shift, -3.1415927, PI)));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
 float profile_balanced_3(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
+    // Hollows (Light layer)
     const float light_convexity = transition_balanced(surface.kappa, 0.14);
-    const float4 hollows_color = curvature_color(light_convexity, float4(0.9647, 0.9059, 0.8157, 1.0), float4(0.6118, 0.2902, 0.1961, 1.0));
+    const float4 hollows_color = curvature_color(light_convexity,
+        float4(0.9647, 0.9059, 0.8157, 1.0), float4(0.6118, 0.2902, 0.1961, 1.0));
     const LitLayer hollows_lit = light_apply(look.key, hollows_color, 1.0);
-    const float4 hollows_blend = blend_shade(float4(0.9137, 0.8627, 0.7765, 1.0), hollows_lit.color, hollows_lit.tone, 0.9, true);
-    const float4 shade_color = curvature_color(light_convexity, float4(0.7686, 0.4157, 0.2824, 1.0), float4(0.4863, 0.1765, 0.1216, 1.0));
+    const float4 hollows_blend = blend_shade(float4(0.9137, 0.8627, 0.7765, 1.0), hollows_lit.color,
+        hollows_lit.tone, 0.9, true);
+
+    // Shade (Light layer)
+    const float4 shade_color = curvature_color(light_convexity, float4(0.7686, 0.4157, 0.2824, 1.0),
+        float4(0.4863, 0.1765, 0.1216, 1.0));
     const Angle shade_angle = parametrization_diffuse_balanced(look.cool, surface.normal);
-    float shade_warp = (((2.0 * light_convexity) - 1.0) * clamp(look.shade_warp_amount, -3.1415927, 3.1415927));
+    float shade_warp = (2.0 * light_convexity - 1.0)
+        * clamp(look.shade_warp_amount, -3.1415927, 3.1415927);
     const float shade_tone = profile_balanced(shade_angle, shade_warp, look.shade_tone_shape);
     const LitLayer shade_lit = light_apply(look.cool, shade_color, shade_tone);
-    const float4 shade_blend = blend_finish(hollows_blend, (hollows_blend.xyz * lerp((1.0).xxx, shade_lit.color.xyz, shade_lit.tone)), 1.0, look.shade_blend_opacity, true);
-    const float4 light_color = curvature_color(light_convexity, float4(1.0, 0.9725, 0.9176, 1.0), float4(0.9098, 0.7059, 0.5686, 1.0));
+    const float4 shade_blend = blend_finish(hollows_blend, hollows_blend.xyz
+        * lerp((1.0).xxx, shade_lit.color.xyz, shade_lit.tone), 1.0, look.shade_blend_opacity,
+        true);
+
+    // Light (Light layer)
+    const float4 light_color = curvature_color(light_convexity, float4(1.0, 0.9725, 0.9176, 1.0),
+        float4(0.9098, 0.7059, 0.5686, 1.0));
     const Angle light_angle = parametrization_diffuse_balanced(look.key, surface.normal);
-    float light_warp = (((2.0 * light_convexity) - 1.0) * clamp(look.light_warp_amount, -3.1415927, 3.1415927));
+    float light_warp = (2.0 * light_convexity - 1.0)
+        * clamp(look.light_warp_amount, -3.1415927, 3.1415927);
     const float light_tone = profile_balanced(light_angle, light_warp, look.light_tone_shape);
     const LitLayer light_lit = light_apply(look.key, light_color, light_tone);
-    const float4 light_blend = blend_finish(shade_blend, (shade_blend.xyz + (light_lit.tone * (light_lit.color.xyz - shade_blend.xyz))), 1.0, look.light_blend_opacity, true);
+    const float4 light_blend = blend_finish(shade_blend, shade_blend.xyz + light_lit.tone
+        * (light_lit.color.xyz - shade_blend.xyz), 1.0, look.light_blend_opacity, true);
+
+    // White chalk (Light layer)
     const float white_chalk_convexity = transition_balanced(surface.kappa, 0.3);
-    const float4 white_chalk_color = curvature_color(white_chalk_convexity, (1.0).xxxx, float4(1.0, 0.9412, 0.8627, 1.0));
-    const Angle white_chalk_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
-    float white_chalk_warp = (((2.0 * white_chalk_convexity) - 1.0) * 0.3);
-    const float white_chalk_tone = profile_balanced_2(white_chalk_angle, white_chalk_warp, white_chalk_tone_shape);
+    const float4 white_chalk_color = curvature_color(white_chalk_convexity, (1.0).xxxx,
+        float4(1.0, 0.9412, 0.8627, 1.0));
+    const Angle white_chalk_angle = parametrization_specular_balanced(look.key, surface.normal,
+        surface.view);
+    float white_chalk_warp = (2.0 * white_chalk_convexity - 1.0) * 0.3;
+    const float white_chalk_tone = profile_balanced_2(white_chalk_angle, white_chalk_warp,
+        white_chalk_tone_shape);
     const LitLayer white_chalk_lit = light_apply(look.key, white_chalk_color, white_chalk_tone);
-    const float4 white_chalk_blend = blend_alpha(light_blend, white_chalk_lit.color, white_chalk_lit.tone, 0.85, true);
+    const float4 white_chalk_blend = blend_alpha(light_blend, white_chalk_lit.color,
+        white_chalk_lit.tone, 0.85, true);
+
+    // Reddish rim (Light layer)
     const float reddish_rim_convexity = transition_balanced(surface.kappa, 0.2);
-    const float4 reddish_rim_color = curvature_color(reddish_rim_convexity, float4(0.7059, 0.3294, 0.2275, 1.0), float4(0.4784, 0.1647, 0.1098, 1.0));
+    const float4 reddish_rim_color = curvature_color(reddish_rim_convexity,
+        float4(0.7059, 0.3294, 0.2275, 1.0), float4(0.4784, 0.1647, 0.1098, 1.0));
     const Angle reddish_rim_angle = parametrization_diffuse_balanced(look.back, surface.normal);
-    float reddish_rim_warp = (((2.0 * reddish_rim_convexity) - 1.0) * 0.1);
-    const float reddish_rim_tone = profile_balanced_3(reddish_rim_angle, reddish_rim_warp, reddish_rim_tone_shape);
+    float reddish_rim_warp = (2.0 * reddish_rim_convexity - 1.0) * 0.1;
+    const float reddish_rim_tone = profile_balanced_3(reddish_rim_angle, reddish_rim_warp,
+        reddish_rim_tone_shape);
     const LitLayer reddish_rim_lit = light_apply(look.back, reddish_rim_color, reddish_rim_tone);
-    const float4 reddish_rim_blend = blend_finish(white_chalk_blend, (white_chalk_blend.xyz * lerp((1.0).xxx, reddish_rim_lit.color.xyz, reddish_rim_lit.tone)), 1.0, look.reddish_rim_blend_opacity, true);
+    const float4 reddish_rim_blend = blend_finish(white_chalk_blend, white_chalk_blend.xyz
+        * lerp((1.0).xxx, reddish_rim_lit.color.xyz, reddish_rim_lit.tone), 1.0,
+        look.reddish_rim_blend_opacity, true);
+
     return reddish_rim_blend;
 }
 
@@ -434,7 +467,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -453,11 +487,13 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), texel.x);
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        texel.x);
     return shade(surface);
 }

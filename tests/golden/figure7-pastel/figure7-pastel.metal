@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,6 +36,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -52,6 +55,7 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light back;
@@ -68,12 +72,14 @@ struct Look {
     float reddish_rim_blend_opacity;
     char _pad10[4];
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::packed_float3 view;
     float kappa;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -84,6 +90,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -91,21 +98,26 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
+
 constant float PI = 3.1415927;
 constant float LOG2_E = 1.442695;
 constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
-constant ProfileShape white_chalk_tone_shape = ProfileShape {0.99875027, 0.04997917, 3.1317647, 2.7420828, 0.1, 0.3043368, 0.13399889, 0u};
-constant ProfileShape reddish_rim_tone_shape = ProfileShape {0.9887711, 0.14943813, 2.5679324, 1.9696738, 0.3, 0.42241916, 0.17683415, 0u};
+constant ProfileShape white_chalk_tone_shape = ProfileShape {0.99875027, 0.04997917, 3.1317647,
+    2.7420828, 0.1, 0.3043368, 0.13399889, 0u};
+constant ProfileShape reddish_rim_tone_shape = ProfileShape {0.9887711, 0.14943813, 2.5679324,
+    1.9696738, 0.3, 0.42241916, 0.17683415, 0u};
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
@@ -121,8 +133,10 @@ metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
-    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 0.0000026347564))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (0.00002477458 - y * 0.00000026297516))));
     return metal::float2(s, c);
 }
 
@@ -131,8 +145,9 @@ metal::float2 sin_cos_quick(
 float log2_one_minus(
     float y
 ) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
+    float series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.33333334 + y * (0.25 + y * 0.2))));
+    return y < 0.0625 ? series : metal::log2(metal::max(1.0 - y,
+        0.0000000000000000000000000000007888609));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -152,9 +167,9 @@ Angle angle_turned(
     Angle u,
     metal::float2 t
 ) {
-    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
-    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
@@ -169,14 +184,15 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (convex - concave));
+    return concave + convexity * (convex - concave);
 }
 
 float transition_balanced(
     float kappa,
     float slope
 ) {
-    return 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))))));
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0
+        + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))));
 }
 
 /// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
@@ -191,7 +207,7 @@ Composite blend_finish(
     if (opacity <= 0.0) {
         return below;
     }
-    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
+    metal::float4 mixed = metal::float4(below.xyz + opacity * (blended - below.xyz), alpha);
     return metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0));
 }
 
@@ -202,7 +218,9 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 Composite blend_shade(
@@ -212,7 +230,9 @@ Composite blend_shade(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz * metal::mix(metal::float3(1.0), color.xyz, tone)) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + opacity
+        * (below.xyz * metal::mix(metal::float3(1.0), color.xyz, tone) - below.xyz), 1.0),
+        metal::float4(0.0), metal::float4(1.0));
 }
 
 /// Light on a layer
@@ -224,15 +244,17 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_diffuse_balanced(
     Light light,
     metal::float3 normal
 ) {
-    return Angle {0.5 * metal::length(normal - light.direction), 0.5 * metal::length(normal + light.direction)};
+    return Angle {0.5 * metal::length(normal - light.direction), 0.5
+        * metal::length(normal + light.direction)};
 }
 
 Angle parametrization_specular_balanced(
@@ -240,8 +262,9 @@ Angle parametrization_specular_balanced(
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
+    metal::float3 d = 2.0 * metal::dot(normal, view) * normal - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5
+        * metal::length(d + light.direction)};
 }
 
 /// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
@@ -252,7 +275,7 @@ float profile_power_quick(
 ) {
     float y = metal::min(q * q, 1.0);
     float power = metal::exp2(metal::max(exponent * log2_one_minus(y), -126.0));
-    return (q >= 1.0) ? 0.0 : metal::clamp(power, 0.0, 1.0);
+    return q >= 1.0 ? 0.0 : metal::clamp(power, 0.0, 1.0);
 }
 
 /// Sine and cosine of half the angle from tau to u.
@@ -260,7 +283,8 @@ metal::float2 profile_place(
     Angle u,
     ProfileShape shape
 ) {
-    return metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    return metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -269,7 +293,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float profile_power_quick_value = profile_power_quick(s * shape.scale, shape.exponent);
-    return (s <= 0.0) ? 1.0 : profile_power_quick_value;
+    return s <= 0.0 ? 1.0 : profile_power_quick_value;
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -278,7 +302,7 @@ float profile_soft_quick_2(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -288,11 +312,12 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
     // 2 asin(s) by its series: the ramp is narrow.
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / metal::max(width, 0.000001),
+        0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -302,10 +327,10 @@ float profile_ramp_quick_2(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -319,20 +344,20 @@ float profile_filtered_quick(
         return 1.0;
     }
     metal::float2 place = profile_place(u, shape);
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
     if ((shape.kind == PROFILE_STEP) | is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     // Half of the quadrature's reach is below 0.1.
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -342,20 +367,22 @@ float profile_filtered_quick_2(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick_2(place.x, w, shape);
     }
     float point = profile_soft_quick_2(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick_2((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick_2((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -365,16 +392,18 @@ float profile_filtered_quick_3(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
     float point = profile_soft_quick_2(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick_2((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick_2((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -409,36 +438,63 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
+    // Hollows (Light layer)
     float light_convexity = transition_balanced(surface.kappa, 0.14);
-    Color hollows_color = curvature_color(light_convexity, metal::float4(0.9647, 0.9059, 0.8157, 1.0), metal::float4(0.6118, 0.2902, 0.1961, 1.0));
+    Color hollows_color = curvature_color(light_convexity,
+        metal::float4(0.9647, 0.9059, 0.8157, 1.0), metal::float4(0.6118, 0.2902, 0.1961, 1.0));
     LitLayer hollows_lit = light_apply(look.key, hollows_color, 1.0);
-    Composite hollows_blend = blend_shade(metal::float4(0.9137, 0.8627, 0.7765, 1.0), hollows_lit.color, hollows_lit.tone, 0.9, true);
-    Color shade_color = curvature_color(light_convexity, metal::float4(0.7686, 0.4157, 0.2824, 1.0), metal::float4(0.4863, 0.1765, 0.1216, 1.0));
+    Composite hollows_blend = blend_shade(metal::float4(0.9137, 0.8627, 0.7765, 1.0),
+        hollows_lit.color, hollows_lit.tone, 0.9, true);
+
+    // Shade (Light layer)
+    Color shade_color = curvature_color(light_convexity, metal::float4(0.7686, 0.4157, 0.2824, 1.0),
+        metal::float4(0.4863, 0.1765, 0.1216, 1.0));
     Angle shade_angle = parametrization_diffuse_balanced(look.cool, surface.normal);
-    float shade_warp = ((2.0 * light_convexity) - 1.0) * metal::clamp(look.shade_warp_amount, -3.1415927, 3.1415927);
+    float shade_warp = (2.0 * light_convexity - 1.0)
+        * metal::clamp(look.shade_warp_amount, -3.1415927, 3.1415927);
     float shade_tone = profile_balanced(shade_angle, shade_warp, look.shade_tone_shape);
     LitLayer shade_lit = light_apply(look.cool, shade_color, shade_tone);
-    Composite shade_blend = blend_finish(hollows_blend, hollows_blend.xyz * metal::mix(metal::float3(1.0), shade_lit.color.xyz, shade_lit.tone), 1.0, look.shade_blend_opacity, true);
-    Color light_color = curvature_color(light_convexity, metal::float4(1.0, 0.9725, 0.9176, 1.0), metal::float4(0.9098, 0.7059, 0.5686, 1.0));
+    Composite shade_blend = blend_finish(hollows_blend, hollows_blend.xyz
+        * metal::mix(metal::float3(1.0), shade_lit.color.xyz, shade_lit.tone), 1.0,
+        look.shade_blend_opacity, true);
+
+    // Light (Light layer)
+    Color light_color = curvature_color(light_convexity, metal::float4(1.0, 0.9725, 0.9176, 1.0),
+        metal::float4(0.9098, 0.7059, 0.5686, 1.0));
     Angle light_angle = parametrization_diffuse_balanced(look.key, surface.normal);
-    float light_warp = ((2.0 * light_convexity) - 1.0) * metal::clamp(look.light_warp_amount, -3.1415927, 3.1415927);
+    float light_warp = (2.0 * light_convexity - 1.0)
+        * metal::clamp(look.light_warp_amount, -3.1415927, 3.1415927);
     float light_tone = profile_balanced(light_angle, light_warp, look.light_tone_shape);
     LitLayer light_lit = light_apply(look.key, light_color, light_tone);
-    Composite light_blend = blend_finish(shade_blend, shade_blend.xyz + (light_lit.tone * (light_lit.color.xyz - shade_blend.xyz)), 1.0, look.light_blend_opacity, true);
+    Composite light_blend = blend_finish(shade_blend, shade_blend.xyz + light_lit.tone
+        * (light_lit.color.xyz - shade_blend.xyz), 1.0, look.light_blend_opacity, true);
+
+    // White chalk (Light layer)
     float white_chalk_convexity = transition_balanced(surface.kappa, 0.3);
-    Color white_chalk_color = curvature_color(white_chalk_convexity, metal::float4(1.0), metal::float4(1.0, 0.9412, 0.8627, 1.0));
-    Angle white_chalk_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
-    float white_chalk_warp = ((2.0 * white_chalk_convexity) - 1.0) * 0.3;
-    float white_chalk_tone = profile_balanced_2(white_chalk_angle, white_chalk_warp, white_chalk_tone_shape);
+    Color white_chalk_color = curvature_color(white_chalk_convexity, metal::float4(1.0),
+        metal::float4(1.0, 0.9412, 0.8627, 1.0));
+    Angle white_chalk_angle = parametrization_specular_balanced(look.key, surface.normal,
+        surface.view);
+    float white_chalk_warp = (2.0 * white_chalk_convexity - 1.0) * 0.3;
+    float white_chalk_tone = profile_balanced_2(white_chalk_angle, white_chalk_warp,
+        white_chalk_tone_shape);
     LitLayer white_chalk_lit = light_apply(look.key, white_chalk_color, white_chalk_tone);
-    Composite white_chalk_blend = blend_alpha(light_blend, white_chalk_lit.color, white_chalk_lit.tone, 0.85, true);
+    Composite white_chalk_blend = blend_alpha(light_blend, white_chalk_lit.color,
+        white_chalk_lit.tone, 0.85, true);
+
+    // Reddish rim (Light layer)
     float reddish_rim_convexity = transition_balanced(surface.kappa, 0.2);
-    Color reddish_rim_color = curvature_color(reddish_rim_convexity, metal::float4(0.7059, 0.3294, 0.2275, 1.0), metal::float4(0.4784, 0.1647, 0.1098, 1.0));
+    Color reddish_rim_color = curvature_color(reddish_rim_convexity,
+        metal::float4(0.7059, 0.3294, 0.2275, 1.0), metal::float4(0.4784, 0.1647, 0.1098, 1.0));
     Angle reddish_rim_angle = parametrization_diffuse_balanced(look.back, surface.normal);
-    float reddish_rim_warp = ((2.0 * reddish_rim_convexity) - 1.0) * 0.1;
-    float reddish_rim_tone = profile_balanced_3(reddish_rim_angle, reddish_rim_warp, reddish_rim_tone_shape);
+    float reddish_rim_warp = (2.0 * reddish_rim_convexity - 1.0) * 0.1;
+    float reddish_rim_tone = profile_balanced_3(reddish_rim_angle, reddish_rim_warp,
+        reddish_rim_tone_shape);
     LitLayer reddish_rim_lit = light_apply(look.back, reddish_rim_color, reddish_rim_tone);
-    Composite reddish_rim_blend = blend_finish(white_chalk_blend, white_chalk_blend.xyz * metal::mix(metal::float3(1.0), reddish_rim_lit.color.xyz, reddish_rim_lit.tone), 1.0, look.reddish_rim_blend_opacity, true);
+    Composite reddish_rim_blend = blend_finish(white_chalk_blend, white_chalk_blend.xyz
+        * metal::mix(metal::float3(1.0), reddish_rim_lit.color.xyz, reddish_rim_lit.tone), 1.0,
+        look.reddish_rim_blend_opacity, true);
+
     return reddish_rim_blend;
 }
 
@@ -446,11 +502,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_2 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -458,7 +516,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -471,9 +530,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_2 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -484,8 +545,9 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.x};
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        texel.x};
     return fs_mainOutput { shade(surface, look) };
 }

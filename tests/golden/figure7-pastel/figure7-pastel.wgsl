@@ -274,7 +274,7 @@ fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick_2(place.x, w, shape);
     }
     let point = profile_soft_quick_2(place.x, shape);
@@ -324,12 +324,15 @@ const reddish_rim_tone_shape = ProfileShape(0.9887711, 0.14943813, 2.5679324, 1.
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Hollows (Light layer)
     let light_convexity = transition_balanced(surface.kappa, 0.14);
     let hollows_color = curvature_color(light_convexity, vec4f(0.9647, 0.9059, 0.8157, 1.0),
         vec4f(0.6118, 0.2902, 0.1961, 1.0));
     let hollows_lit = light_apply(look.key, hollows_color, 1.0);
     let hollows_blend = blend_shade(vec4f(0.9137, 0.8627, 0.7765, 1.0), hollows_lit.color,
         hollows_lit.tone, 0.9, true);
+
+    // Shade (Light layer)
     let shade_color = curvature_color(light_convexity, vec4f(0.7686, 0.4157, 0.2824, 1.0),
         vec4f(0.4863, 0.1765, 0.1216, 1.0));
     let shade_angle = parametrization_diffuse_balanced(look.cool, surface.normal);
@@ -340,6 +343,8 @@ fn shade(surface: Surface) -> vec4f {
     let shade_blend = blend_finish(hollows_blend, hollows_blend.xyz
         * mix(vec3f(1.0), shade_lit.color.xyz, shade_lit.tone), 1.0, look.shade_blend_opacity,
         true);
+
+    // Light (Light layer)
     let light_color = curvature_color(light_convexity, vec4f(1.0, 0.9725, 0.9176, 1.0),
         vec4f(0.9098, 0.7059, 0.5686, 1.0));
     let light_angle = parametrization_diffuse_balanced(look.key, surface.normal);
@@ -349,6 +354,8 @@ fn shade(surface: Surface) -> vec4f {
     let light_lit = light_apply(look.key, light_color, light_tone);
     let light_blend = blend_finish(shade_blend, shade_blend.xyz + light_lit.tone
         * (light_lit.color.xyz - shade_blend.xyz), 1.0, look.light_blend_opacity, true);
+
+    // White chalk (Light layer)
     let white_chalk_convexity = transition_balanced(surface.kappa, 0.3);
     let white_chalk_color = curvature_color(white_chalk_convexity, vec4f(1.0),
         vec4f(1.0, 0.9412, 0.8627, 1.0));
@@ -360,6 +367,8 @@ fn shade(surface: Surface) -> vec4f {
     let white_chalk_lit = light_apply(look.key, white_chalk_color, white_chalk_tone);
     let white_chalk_blend = blend_alpha(light_blend, white_chalk_lit.color, white_chalk_lit.tone,
         0.85, true);
+
+    // Reddish rim (Light layer)
     let reddish_rim_convexity = transition_balanced(surface.kappa, 0.2);
     let reddish_rim_color = curvature_color(reddish_rim_convexity,
         vec4f(0.7059, 0.3294, 0.2275, 1.0), vec4f(0.4784, 0.1647, 0.1098, 1.0));
@@ -371,6 +380,7 @@ fn shade(surface: Surface) -> vec4f {
     let reddish_rim_blend = blend_finish(white_chalk_blend, white_chalk_blend.xyz
         * mix(vec3f(1.0), reddish_rim_lit.color.xyz, reddish_rim_lit.tone), 1.0,
         look.reddish_rim_blend_opacity, true);
+
     return reddish_rim_blend;
 }
 

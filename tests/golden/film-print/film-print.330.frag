@@ -9,6 +9,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -20,16 +21,19 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light back;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -38,6 +42,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// A free function of one number, drawn through points; flat outside of them. The layout is one for
 /// uniform buffers.
 struct Curve {
@@ -49,12 +54,14 @@ struct Curve {
     /// next point.
     uint interpolation;
 };
+
 struct LitLayer {
     /// The color under this light.
     vec4 color;
     /// The tone under this light.
     float tone;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -73,21 +80,41 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const ProfileShape tone_shape = ProfileShape(1.0, 0.0, 1.0248806, 0.99999666, 0.0, 1.5064107, 0.63535863, 0u);
-const Curve response_of_the_film = Curve(vec4[16](vec4(0.0, 0.0, 0.2, 0.0), vec4(0.3, 0.06, 0.36, 0.0), vec4(0.5, 0.42, 0.972973, 0.0), vec4(0.62, 0.5, 1.0256411, 0.0), vec4(0.8, 0.9, 0.81632656, 0.0), vec4(1.0, 1.0, 0.5, 0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 6u, 1u);
-const ProfileShape sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 3.1317647, 2.7420828, 0.05, 0.3043368, 0.13399889, 0u);
-const ProfileShape back_light_tone_shape = ProfileShape(0.9689124, 0.24740396, 4.0419726, 1.8505588, 0.5, 0.27256957, 0.11186968, 0u);
-const Curve film_print = Curve(vec4[16](vec4(0.0, 0.04, 0.64, 0.0), vec4(0.25, 0.2, 0.8608187, 0.0), vec4(0.6, 0.66, 0.97504276, 0.0), vec4(1.0, 0.97, 0.775, 0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
-const Curve film_print_2 = Curve(vec4[16](vec4(0.0, 0.0, 0.73333335, 0.0), vec4(0.3, 0.22, 0.99215686, 0.0), vec4(0.6, 0.68, 1.0514286, 0.0), vec4(1.0, 1.0, 0.8, 0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
-const Curve film_print_3 = Curve(vec4[16](vec4(0.0, 0.06, 0.8333333, 0.0), vec4(0.3, 0.31, 0.8805031, 0.0), vec4(0.6, 0.59, 0.91636366, 0.0), vec4(1.0, 0.95, 0.9, 0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
-const Curve film_print_4 = Curve(vec4[16](vec4(0.0, 0.13, 0.8, 0.0), vec4(0.3, 0.37, 0.53333336, 0.0), vec4(0.6, 0.49, 0.51555556, 0.0), vec4(1.0, 0.78, 0.725, 0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
+const ProfileShape tone_shape = ProfileShape(1.0, 0.0, 1.0248806, 0.99999666, 0.0, 1.5064107,
+    0.63535863, 0u);
+const Curve response_of_the_film = Curve(vec4[16](vec4(0.0, 0.0, 0.2, 0.0),
+    vec4(0.3, 0.06, 0.36, 0.0), vec4(0.5, 0.42, 0.972973, 0.0), vec4(0.62, 0.5, 1.0256411, 0.0),
+    vec4(0.8, 0.9, 0.81632656, 0.0), vec4(1.0, 1.0, 0.5, 0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 6u, 1u);
+const ProfileShape sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 3.1317647, 2.7420828,
+    0.05, 0.3043368, 0.13399889, 0u);
+const ProfileShape back_light_tone_shape = ProfileShape(0.9689124, 0.24740396, 4.0419726, 1.8505588,
+    0.5, 0.27256957, 0.11186968, 0u);
+const Curve film_print = Curve(vec4[16](vec4(0.0, 0.04, 0.64, 0.0), vec4(0.25, 0.2, 0.8608187, 0.0),
+    vec4(0.6, 0.66, 0.97504276, 0.0), vec4(1.0, 0.97, 0.775, 0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0)), 4u, 1u);
+const Curve film_print_2 = Curve(vec4[16](vec4(0.0, 0.0, 0.73333335, 0.0),
+    vec4(0.3, 0.22, 0.99215686, 0.0), vec4(0.6, 0.68, 1.0514286, 0.0), vec4(1.0, 1.0, 0.8, 0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
+const Curve film_print_3 = Curve(vec4[16](vec4(0.0, 0.06, 0.8333333, 0.0),
+    vec4(0.3, 0.31, 0.8805031, 0.0), vec4(0.6, 0.59, 0.91636366, 0.0), vec4(1.0, 0.95, 0.9, 0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
+const Curve film_print_4 = Curve(vec4[16](vec4(0.0, 0.13, 0.8, 0.0),
+    vec4(0.3, 0.37, 0.53333336, 0.0), vec4(0.6, 0.49, 0.51555556, 0.0), vec4(1.0, 0.78, 0.725, 0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -101,9 +128,11 @@ layout(location = 0) out vec4 out_color;
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(float x) {
     float whole = roundEven(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+    float f = x - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -111,25 +140,25 @@ float exp2_stable(float x) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (int(bits - 1060439283u) >> 23u);
+    float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y) {
-    float z = (y / (2.0 - y));
-    float z2 = (z * z);
-    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
+    float z = y / (2.0 - y);
+    float z2 = z * z;
+    return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
 }
 
 /// [`sin_cos_quarter`] for |x| <= 0.1.
 vec2 sin_cos_tiny(float x) {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666667 + (y * 0.008333334)))));
-    float c = (1.0 - (y * (0.5 + (y * (-0.041666668 + (y * 0.0013888889))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666667 + y * 0.008333334));
+    float c = 1.0 - y * (0.5 + y * (-0.041666668 + y * 0.0013888889));
     return vec2(s, c);
 }
 
@@ -137,7 +166,7 @@ vec2 sin_cos_tiny(float x) {
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -152,35 +181,35 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    vec2 upper = c <= 0.0 ? vec2(1.0, 0.0) : vec2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
+    vec2 turned = (s <= 0.0 && s < c) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned_2(Angle u, vec2 t) {
-    float s = (u.half_sin - (u.half_cos * 0.0));
-    float c = (u.half_cos + (u.half_sin * 0.0));
-    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
-    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - u.half_cos * 0.0;
+    float c = u.half_cos + u.half_sin * 0.0;
+    vec2 upper = c <= 0.0 ? vec2(1.0, 0.0) : vec2(s, c);
+    vec2 turned = (s <= 0.0 && s < c) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned_3(Angle u, vec2 t) {
-    float s = (u.half_sin - 0.0);
-    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
-    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - 0.0;
+    vec2 upper = u.half_cos <= 0.0 ? vec2(1.0, 0.0) : vec2(s, u.half_cos);
+    vec2 turned = (s <= 0.0 && s < u.half_cos) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -190,15 +219,15 @@ float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// a / b; 0 where b is 0.
 float divided(float a, float b) {
-    if ((abs(b) < SMALLEST_NORMAL)) {
+    if (abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((a / b));
+    return bounded(a / b);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -210,62 +239,66 @@ float footprint_of(float x) {
 /// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
 /// t.
 vec4 hermite(vec4 a, vec4 b, vec4 from_a, vec4 to_b, float t) {
-    vec4 d = (b - a);
-    return (a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d))))))));
+    vec4 d = b - a;
+    return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
 /// The curve's y at x; the steps of a stepped curve are averaged over a footprint of `w`. 0 for a
 /// curve without points.
 float curve_at(Curve curve, float x, float w) {
-    vec4 points[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+    vec4 points[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0));
     uint i_2 = 1u;
     uint at = 0u;
     points = curve.points;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i_2 = (i_2 + 1u);
+            i_2 = i_2 + 1u;
         }
         loop_init = false;
-        if (!((i_2 < 6u))) {
+        if (!(i_2 < 6u)) {
             break;
         }
-        at = ((points[i_2].x <= x) ? i_2 : at);
+        at = points[i_2].x <= x ? i_2 : at;
     }
     vec4 a = points[at];
-    if ((((at + 1u) >= 6u) || (x <= a.x))) {
+    if (at + 1u >= 6u || x <= a.x) {
         return a.y;
     }
-    vec4 b = points[(at + 1u)];
-    float t = clamp(divided((x - a.x), (b.x - a.x)), 0.0, 1.0);
-    return hermite(vec4(a.y), vec4(b.y), ((b.x - a.x) * vec4(a.z)), ((b.x - a.x) * vec4(b.z)), t).x;
+    vec4 b = points[at + 1u];
+    float t = clamp(divided(x - a.x, b.x - a.x), 0.0, 1.0);
+    return hermite(vec4(a.y), vec4(b.y), (b.x - a.x) * vec4(a.z), (b.x - a.x) * vec4(b.z), t).x;
 }
 
 /// The curve's y at x; the steps of a stepped curve are averaged over a footprint of `w`. 0 for a
 /// curve without points.
 float curve_at_2(Curve curve, float x, float w) {
-    vec4 points[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+    vec4 points[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0));
     uint i_2 = 1u;
     uint at = 0u;
     points = curve.points;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i_2 = (i_2 + 1u);
+            i_2 = i_2 + 1u;
         }
         loop_init = false;
-        if (!((i_2 < 4u))) {
+        if (!(i_2 < 4u)) {
             break;
         }
-        at = ((points[i_2].x <= x) ? i_2 : at);
+        at = points[i_2].x <= x ? i_2 : at;
     }
     vec4 a = points[at];
-    if ((((at + 1u) >= 4u) || (x <= a.x))) {
+    if (at + 1u >= 4u || x <= a.x) {
         return a.y;
     }
-    vec4 b = points[(at + 1u)];
-    float t = clamp(divided((x - a.x), (b.x - a.x)), 0.0, 1.0);
-    return hermite(vec4(a.y), vec4(b.y), ((b.x - a.x) * vec4(a.z)), ((b.x - a.x) * vec4(b.z)), t).x;
+    vec4 b = points[at + 1u];
+    float t = clamp(divided(x - a.x, b.x - a.x), 0.0, 1.0);
+    return hermite(vec4(a.y), vec4(b.y), (b.x - a.x) * vec4(a.z), (b.x - a.x) * vec4(b.z), t).x;
 }
 
 /// Color curves
@@ -281,7 +314,7 @@ vec4 color_curves(vec4 color, Curve all_, Curve red, Curve green, Curve blue) {
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
+    return vec4(below.xyz + tone * (color.xyz - below.xyz), 1.0);
 }
 
 /// Light on a layer
@@ -290,35 +323,35 @@ vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
-    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
+    vec3 d = 2.0 * dot(normal, view) * normal - view;
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
 float profile_power(float q, float exponent) {
     float log_base = 0.0;
-    if ((q >= 1.0)) {
+    if (q >= 1.0) {
         return 0.0;
     }
-    if ((q < 0.5)) {
-        log_base = (LOG2_E * log1p_negative_small((q * q)));
+    if (q < 0.5) {
+        log_base = LOG2_E * log1p_negative_small(q * q);
     } else {
-        log_base = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
     }
-    return min(exp2_stable((exponent * log_base)), 1.0);
+    return min(exp2_stable(exponent * log_base), 1.0);
 }
 
 /// alpha at one angle, without antialiasing; `u` is warped already.
 float profile_point(Angle u, ProfileShape shape) {
-    float s = (u.half_sin - (u.half_cos * 0.0));
-    if (((s <= 0.0) || false)) {
+    float s = u.half_sin - u.half_cos * 0.0;
+    if (s <= 0.0) {
         return 1.0;
     }
-    float q = (s * shape.scale);
+    float q = s * shape.scale;
     return profile_power(q, shape.exponent);
 }
 
@@ -327,48 +360,49 @@ float profile_point(Angle u, ProfileShape shape) {
 /// quadrature where it is narrow, the point value where it is wide.
 float profile_filtered(Angle u, float w, ProfileShape shape) {
     float point = profile_point(u, shape);
-    bool is_wide = (w < (0.1 * shape.edge_deviation));
-    if (((is_wide || (w <= 0.0)) || false)) {
+    bool is_wide = w < 0.1 * shape.edge_deviation;
+    if (is_wide || w <= 0.0) {
         return point;
     }
-    vec2 reach = sin_cos_tiny((0.19364917 * w));
+    vec2 reach = sin_cos_tiny(0.19364917 * w);
     float before = profile_point(angle_turned(u, reach), shape);
-    float after = profile_point(angle_turned(u, vec2(-(reach.x), reach.y)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float after = profile_point(angle_turned(u, vec2(-reach.x, reach.y)), shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false || is_narrow)) {
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = w > 0.0 && w >= 3.4641016 * shape.edge_deviation;
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// Profile
@@ -390,20 +424,34 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape) {
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    Angle turned_from_the_key = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
+    // Parametrization
+    Angle turned_from_the_key = Angle(0.5 * length(surface.normal - u_look.key.direction), 0.5
+        * length(surface.normal + u_look.key.direction));
     float tone = profile(turned_from_the_key, 0.0, tone_shape);
     float response_of_the_film_2 = curve_at(response_of_the_film, tone, footprint_of(tone));
+    // Blend
     float body_tone = clamp(response_of_the_film_2, 0.0, 1.0);
-    vec4 body = blend_alpha(vec4(0.1216, 0.1137, 0.1333, 1.0), vec4(0.7765, 0.7137, 0.6392, 1.0), body_tone, 1.0, true);
+    vec4 body = blend_alpha(vec4(0.1216, 0.1137, 0.1333, 1.0), vec4(0.7765, 0.7137, 0.6392, 1.0),
+        body_tone, 1.0, true);
+
+    // Sheen (Light layer)
     Angle sheen_angle = parametrization_specular_balanced(u_look.key, surface.normal, surface.view);
     float sheen_tone = profile_balanced(sheen_angle, 0.0, sheen_tone_shape);
     LitLayer sheen_lit = light_apply(u_look.key, vec4(0.3725, 0.3451, 0.298, 1.0), sheen_tone);
-    vec4 sheen_blend = clamp(vec4((body.xyz + (sheen_lit.tone * sheen_lit.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    Angle back_light_angle = Angle((0.5 * length((surface.normal - u_look.back.direction))), (0.5 * length((surface.normal + u_look.back.direction))));
+    vec4 sheen_blend = clamp(vec4(body.xyz + sheen_lit.tone * sheen_lit.color.xyz, 1.0), vec4(0.0),
+        vec4(1.0));
+
+    // Back-light (Light layer)
+    Angle back_light_angle = Angle(0.5 * length(surface.normal - u_look.back.direction), 0.5
+        * length(surface.normal + u_look.back.direction));
     float back_light_tone = profile_balanced(back_light_angle, 0.0, back_light_tone_shape);
-    LitLayer back_light_lit = light_apply(u_look.back, vec4(0.498, 0.5255, 0.549, 1.0), back_light_tone);
-    vec4 back_light_blend = clamp(vec4((sheen_blend.xyz + (back_light_lit.tone * back_light_lit.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 film_print_5 = color_curves(back_light_blend, film_print, film_print_2, film_print_3, film_print_4);
+    LitLayer back_light_lit = light_apply(u_look.back, vec4(0.498, 0.5255, 0.549, 1.0),
+        back_light_tone);
+    vec4 back_light_blend = clamp(vec4(sheen_blend.xyz + back_light_lit.tone
+        * back_light_lit.color.xyz, 1.0), vec4(0.0), vec4(1.0));
+
+    vec4 film_print_5 = color_curves(back_light_blend, film_print, film_print_2, film_print_3,
+        film_print_4);
     return film_print_5;
 }
 
@@ -411,9 +459,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))));
+    vec3 normal = is_front ? facing : -facing;
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position));
     out_color = shade(surface);
-    return;
 }
-

@@ -114,14 +114,33 @@ struct Varyings {
 
 static const float LOG2_E = 1.442695;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
-static const ProfileShape tone_shape = {1.0, 0.0, 1.0248806, 0.99999666, 0.0, 1.5064107, 0.63535863, 0u};
-static const Curve response_of_the_film = {{float4(0.0, 0.0, 0.2, 0.0), float4(0.3, 0.06, 0.36, 0.0), float4(0.5, 0.42, 0.972973, 0.0), float4(0.62, 0.5, 1.0256411, 0.0), float4(0.8, 0.9, 0.81632656, 0.0), float4(1.0, 1.0, 0.5, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 6u, 1u};
-static const ProfileShape sheen_tone_shape = {0.9996875, 0.024997396, 3.1317647, 2.7420828, 0.05, 0.3043368, 0.13399889, 0u};
-static const ProfileShape back_light_tone_shape = {0.9689124, 0.24740396, 4.0419726, 1.8505588, 0.5, 0.27256957, 0.11186968, 0u};
-static const Curve film_print = {{float4(0.0, 0.04, 0.64, 0.0), float4(0.25, 0.2, 0.8608187, 0.0), float4(0.6, 0.66, 0.97504276, 0.0), float4(1.0, 0.97, 0.775, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 4u, 1u};
-static const Curve film_print_2 = {{float4(0.0, 0.0, 0.73333335, 0.0), float4(0.3, 0.22, 0.99215686, 0.0), float4(0.6, 0.68, 1.0514286, 0.0), float4(1.0, 1.0, 0.8, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 4u, 1u};
-static const Curve film_print_3 = {{float4(0.0, 0.06, 0.8333333, 0.0), float4(0.3, 0.31, 0.8805031, 0.0), float4(0.6, 0.59, 0.91636366, 0.0), float4(1.0, 0.95, 0.9, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 4u, 1u};
-static const Curve film_print_4 = {{float4(0.0, 0.13, 0.8, 0.0), float4(0.3, 0.37, 0.53333336, 0.0), float4(0.6, 0.49, 0.51555556, 0.0), float4(1.0, 0.78, 0.725, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 4u, 1u};
+static const ProfileShape tone_shape = {1.0, 0.0, 1.0248806, 0.99999666, 0.0, 1.5064107, 0.63535863,
+    0u};
+static const Curve response_of_the_film = {{float4(0.0, 0.0, 0.2, 0.0),
+    float4(0.3, 0.06, 0.36, 0.0), float4(0.5, 0.42, 0.972973, 0.0),
+    float4(0.62, 0.5, 1.0256411, 0.0), float4(0.8, 0.9, 0.81632656, 0.0),
+    float4(1.0, 1.0, 0.5, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 6u, 1u};
+static const ProfileShape sheen_tone_shape = {0.9996875, 0.024997396, 3.1317647, 2.7420828, 0.05,
+    0.3043368, 0.13399889, 0u};
+static const ProfileShape back_light_tone_shape = {0.9689124, 0.24740396, 4.0419726, 1.8505588, 0.5,
+    0.27256957, 0.11186968, 0u};
+static const Curve film_print = {{float4(0.0, 0.04, 0.64, 0.0), float4(0.25, 0.2, 0.8608187, 0.0),
+    float4(0.6, 0.66, 0.97504276, 0.0), float4(1.0, 0.97, 0.775, 0.0), (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx}, 4u, 1u};
+static const Curve film_print_2 = {{float4(0.0, 0.0, 0.73333335, 0.0),
+    float4(0.3, 0.22, 0.99215686, 0.0), float4(0.6, 0.68, 1.0514286, 0.0),
+    float4(1.0, 1.0, 0.8, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 4u, 1u};
+static const Curve film_print_3 = {{float4(0.0, 0.06, 0.8333333, 0.0),
+    float4(0.3, 0.31, 0.8805031, 0.0), float4(0.6, 0.59, 0.91636366, 0.0),
+    float4(1.0, 0.95, 0.9, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 4u, 1u};
+static const Curve film_print_4 = {{float4(0.0, 0.13, 0.8, 0.0), float4(0.3, 0.37, 0.53333336, 0.0),
+    float4(0.6, 0.49, 0.51555556, 0.0), float4(1.0, 0.78, 0.725, 0.0), (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx}, 4u, 1u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -149,9 +168,11 @@ int naga_f2i32(float value) {
 float exp2_stable(float x)
 {
     float whole = round(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
+    float f = x - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -160,27 +181,27 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (asint(bits - 1060439283u) >> 23u);
+    float mantissa = asfloat(bits - (asuint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y)
 {
-    float z = (y / (2.0 - y));
-    float z2 = (z * z);
-    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
+    float z = y / (2.0 - y);
+    float z2 = z * z;
+    return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
 }
 
 /// [`sin_cos_quarter`] for |x| <= 0.1.
 float2 sin_cos_tiny(float x)
 {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666667 + (y * 0.008333334)))));
-    float c = (1.0 - (y * (0.5 + (y * (-0.041666668 + (y * 0.0013888889))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666667 + y * 0.008333334));
+    float c = 1.0 - y * (0.5 + y * (-0.041666668 + y * 0.0013888889));
     return float2(s, c);
 }
 
@@ -189,7 +210,7 @@ float2 sin_cos_tiny(float x)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -206,7 +227,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -220,35 +241,32 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
-    return angle_2;
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned_2(Angle u, float2 t)
 {
-    float s = (u.half_sin - (u.half_cos * 0.0));
-    float c = (u.half_cos + (u.half_sin * 0.0));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
-    return angle_3;
+    float s = u.half_sin - u.half_cos * 0.0;
+    float c = u.half_cos + u.half_sin * 0.0;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned_3(Angle u, float2 t)
 {
-    float s = (u.half_sin - 0.0);
-    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
-    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_4 = ConstructAngle(turned.x, turned.y);
-    return angle_4;
+    float s = u.half_sin - 0.0;
+    float2 upper = u.half_cos <= 0.0 ? float2(1.0, 0.0) : float2(s, u.half_cos);
+    float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -258,16 +276,16 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// a / b; 0 where b is 0.
 float divided(float a, float b)
 {
-    if ((abs(b) < SMALLEST_NORMAL)) {
+    if (abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((a / b));
+    return bounded(a / b);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -281,15 +299,17 @@ float footprint_of(float x)
 /// t.
 float4 hermite(float4 a, float4 b, float4 from_a, float4 to_b, float t)
 {
-    float4 d = (b - a);
-    return (a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d))))))));
+    float4 d = b - a;
+    return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
 /// The curve's y at x; the steps of a stepped curve are averaged over a footprint of `w`. 0 for a
 /// curve without points.
 float curve_at(Curve curve, float x, float w)
 {
-    float4 points[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 points[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0 };
     uint i_2 = 1u;
     uint at = 0u;
 
@@ -297,29 +317,31 @@ float curve_at(Curve curve, float x, float w)
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i_2 = (i_2 + 1u);
+            i_2 = i_2 + 1u;
         }
         loop_init = false;
-        if (!((i_2 < 6u))) {
+        if (!(i_2 < 6u)) {
             break;
         }
         float points_now = points[min(uint(i_2), 15u)].x;
-        at = ((points_now <= x) ? i_2 : at);
+        at = points_now <= x ? i_2 : at;
     }
     float4 a = points[min(uint(at), 15u)];
-    if ((((at + 1u) >= 6u) | (x <= a.x))) {
+    if (((at + 1u >= 6u) | (x <= a.x))) {
         return a.y;
     }
-    float4 b = points[min(uint((at + 1u)), 15u)];
-    float t = clamp(divided((x - a.x), (b.x - a.x)), 0.0, 1.0);
-    return hermite((a.y).xxxx, (b.y).xxxx, ((b.x - a.x) * (a.z).xxxx), ((b.x - a.x) * (b.z).xxxx), t).x;
+    float4 b = points[min(uint(at + 1u), 15u)];
+    float t = clamp(divided(x - a.x, b.x - a.x), 0.0, 1.0);
+    return hermite((a.y).xxxx, (b.y).xxxx, (b.x - a.x) * (a.z).xxxx, (b.x - a.x) * (b.z).xxxx, t).x;
 }
 
 /// The curve's y at x; the steps of a stepped curve are averaged over a footprint of `w`. 0 for a
 /// curve without points.
 float curve_at_2(Curve curve, float x, float w)
 {
-    float4 points[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 points[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0 };
     uint i_2 = 1u;
     uint at = 0u;
 
@@ -327,22 +349,22 @@ float curve_at_2(Curve curve, float x, float w)
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i_2 = (i_2 + 1u);
+            i_2 = i_2 + 1u;
         }
         loop_init = false;
-        if (!((i_2 < 4u))) {
+        if (!(i_2 < 4u)) {
             break;
         }
         float points_now = points[min(uint(i_2), 15u)].x;
-        at = ((points_now <= x) ? i_2 : at);
+        at = points_now <= x ? i_2 : at;
     }
     float4 a = points[min(uint(at), 15u)];
-    if ((((at + 1u) >= 4u) | (x <= a.x))) {
+    if (((at + 1u >= 4u) | (x <= a.x))) {
         return a.y;
     }
-    float4 b = points[min(uint((at + 1u)), 15u)];
-    float t = clamp(divided((x - a.x), (b.x - a.x)), 0.0, 1.0);
-    return hermite((a.y).xxxx, (b.y).xxxx, ((b.x - a.x) * (a.z).xxxx), ((b.x - a.x) * (b.z).xxxx), t).x;
+    float4 b = points[min(uint(at + 1u), 15u)];
+    float t = clamp(divided(x - a.x, b.x - a.x), 0.0, 1.0);
+    return hermite((a.y).xxxx, (b.y).xxxx, (b.x - a.x) * (a.z).xxxx, (b.x - a.x) * (b.z).xxxx, t).x;
 }
 
 /// Color curves
@@ -355,12 +377,13 @@ float4 color_curves(float4 color, Curve all_, Curve red, Curve green, Curve blue
     const float r = curve_at_2(all_, color.x, w.x);
     const float g = curve_at_2(all_, color.y, w.y);
     const float b = curve_at_2(all_, color.z, w.z);
-    return float4(curve_at_2(red, r, w.x), curve_at_2(green, g, w.y), curve_at_2(blue, b, w.z), 1.0);
+    return float4(curve_at_2(red, r, w.x), curve_at_2(green, g, w.y), curve_at_2(blue, b, w.z),
+        1.0);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
+    return float4(below.xyz + tone * (color.xyz - below.xyz), 1.0);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -377,15 +400,13 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_5 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
-    return angle_5;
+    float3 d = 2.0 * dot(normal, view) * normal - view;
+    return ConstructAngle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
@@ -393,25 +414,25 @@ float profile_power(float q, float exponent)
 {
     float log_base = 0.0;
 
-    if ((q >= 1.0)) {
+    if (q >= 1.0) {
         return 0.0;
     }
-    if ((q < 0.5)) {
-        log_base = (LOG2_E * log1p_negative_small((q * q)));
+    if (q < 0.5) {
+        log_base = LOG2_E * log1p_negative_small(q * q);
     } else {
-        log_base = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
     }
-    return min(exp2_stable((exponent * log_base)), 1.0);
+    return min(exp2_stable(exponent * log_base), 1.0);
 }
 
 /// alpha at one angle, without antialiasing; `u` is warped already.
 float profile_point(Angle u, ProfileShape shape)
 {
-    float s = (u.half_sin - (u.half_cos * 0.0));
-    if (((s <= 0.0) | false)) {
+    float s = u.half_sin - u.half_cos * 0.0;
+    if (s <= 0.0) {
         return 1.0;
     }
-    float q = (s * shape.scale);
+    float q = s * shape.scale;
     return profile_power(q, shape.exponent);
 }
 
@@ -421,51 +442,52 @@ float profile_point(Angle u, ProfileShape shape)
 float profile_filtered(Angle u, float w, ProfileShape shape)
 {
     const float point_ = profile_point(u, shape);
-    bool is_wide = (w < (0.1 * shape.edge_deviation));
-    if (((is_wide | (w <= 0.0)) | false)) {
+    bool is_wide = w < 0.1 * shape.edge_deviation;
+    if ((is_wide | (w <= 0.0))) {
         return point_;
     }
-    const float2 reach = sin_cos_tiny((0.19364917 * w));
+    const float2 reach = sin_cos_tiny(0.19364917 * w);
     const float before = profile_point(angle_turned(u, reach), shape);
-    const float after = profile_point(angle_turned(u, float2(-(reach.x), reach.y)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    const float after = profile_point(angle_turned(u, float2(-reach.x, reach.y)), shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// Profile
@@ -490,20 +512,36 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape)
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
+    // Parametrization
+    Angle turned_from_the_key = ConstructAngle(0.5 * length(surface.normal - look.key.direction),
+        0.5 * length(surface.normal + look.key.direction));
     const float tone = profile(turned_from_the_key, 0.0, tone_shape);
     const float response_of_the_film_2 = curve_at(response_of_the_film, tone, footprint_of(tone));
+    // Blend
     float body_tone = clamp(response_of_the_film_2, 0.0, 1.0);
-    const float4 body = blend_alpha(float4(0.1216, 0.1137, 0.1333, 1.0), float4(0.7765, 0.7137, 0.6392, 1.0), body_tone, 1.0, true);
-    const Angle sheen_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
+    const float4 body = blend_alpha(float4(0.1216, 0.1137, 0.1333, 1.0),
+        float4(0.7765, 0.7137, 0.6392, 1.0), body_tone, 1.0, true);
+
+    // Sheen (Light layer)
+    const Angle sheen_angle = parametrization_specular_balanced(look.key, surface.normal,
+        surface.view);
     const float sheen_tone = profile_balanced(sheen_angle, 0.0, sheen_tone_shape);
-    const LitLayer sheen_lit = light_apply(look.key, float4(0.3725, 0.3451, 0.298, 1.0), sheen_tone);
-    float4 sheen_blend = clamp(float4((body.xyz + (sheen_lit.tone * sheen_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    Angle back_light_angle = ConstructAngle((0.5 * length((surface.normal - look.back.direction))), (0.5 * length((surface.normal + look.back.direction))));
+    const LitLayer sheen_lit = light_apply(look.key, float4(0.3725, 0.3451, 0.298, 1.0),
+        sheen_tone);
+    float4 sheen_blend = clamp(float4(body.xyz + sheen_lit.tone * sheen_lit.color.xyz, 1.0),
+        (0.0).xxxx, (1.0).xxxx);
+
+    // Back-light (Light layer)
+    Angle back_light_angle = ConstructAngle(0.5 * length(surface.normal - look.back.direction),
+        0.5 * length(surface.normal + look.back.direction));
     const float back_light_tone = profile_balanced(back_light_angle, 0.0, back_light_tone_shape);
-    const LitLayer back_light_lit = light_apply(look.back, float4(0.498, 0.5255, 0.549, 1.0), back_light_tone);
-    float4 back_light_blend = clamp(float4((sheen_blend.xyz + (back_light_lit.tone * back_light_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 film_print_5 = color_curves(back_light_blend, film_print, film_print_2, film_print_3, film_print_4);
+    const LitLayer back_light_lit = light_apply(look.back, float4(0.498, 0.5255, 0.549, 1.0),
+        back_light_tone);
+    float4 back_light_blend = clamp(float4(sheen_blend.xyz + back_light_lit.tone
+        * back_light_lit.color.xyz, 1.0), (0.0).xxxx, (1.0).xxxx);
+
+    const float4 film_print_5 = color_curves(back_light_blend, film_print, film_print_2,
+        film_print_3, film_print_4);
     return film_print_5;
 }
 
@@ -518,7 +556,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -532,10 +571,11 @@ Surface ConstructSurface(float3 arg0, float3 arg1) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))));
+    float3 normal = is_front ? facing : -facing;
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position));
     return shade(surface);
 }

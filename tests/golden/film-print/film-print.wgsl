@@ -303,7 +303,7 @@ struct ProfileShape {
 /// alpha at one angle, without antialiasing; `u` is warped already.
 fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
     let s = u.half_sin - u.half_cos * 0.0;
-    if (s <= 0.0) | false {
+    if s <= 0.0 {
         return 1.0;
     }
     let q = s * shape.scale;
@@ -330,7 +330,7 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
 fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point(u, shape);
     let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+    if is_wide | (w <= 0.0) {
         return point;
     }
     let reach = sin_cos_tiny(0.193649167310370844 * w);
@@ -360,7 +360,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -402,24 +402,31 @@ const film_print_4 = Curve(array(vec4f(0.0, 0.13, 0.8, 0.0), vec4f(0.3, 0.37, 0.
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Parametrization
     let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
         * length(surface.normal + look.key.direction));
     let tone = profile(turned_from_the_key, 0.0, tone_shape);
     let response_of_the_film_2 = curve_at(response_of_the_film, tone, footprint_of(tone));
+    // Blend
     let body_tone = clamp(response_of_the_film_2, 0.0, 1.0);
     let body = blend_alpha(vec4f(0.1216, 0.1137, 0.1333, 1.0), vec4f(0.7765, 0.7137, 0.6392, 1.0),
         body_tone, 1.0, true);
+
+    // Sheen (Light layer)
     let sheen_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let sheen_tone = profile_balanced(sheen_angle, 0.0, sheen_tone_shape);
     let sheen_lit = light_apply(look.key, vec4f(0.3725, 0.3451, 0.298, 1.0), sheen_tone);
     let sheen_blend = clamp(vec4f(body.xyz + sheen_lit.tone * sheen_lit.color.xyz, 1.0), vec4f(0.0),
         vec4f(1.0));
+
+    // Back-light (Light layer)
     let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
         * length(surface.normal + look.back.direction));
     let back_light_tone = profile_balanced(back_light_angle, 0.0, back_light_tone_shape);
     let back_light_lit = light_apply(look.back, vec4f(0.498, 0.5255, 0.549, 1.0), back_light_tone);
     let back_light_blend = clamp(vec4f(sheen_blend.xyz + back_light_lit.tone
         * back_light_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+
     let film_print_5 = color_curves(back_light_blend, film_print, film_print_2, film_print_3,
         film_print_4);
     return film_print_5;

@@ -13,11 +13,13 @@ struct Look {
     vec2 lamp_cone;
     vec2 lamp_fading;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 position;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -26,6 +28,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -37,18 +40,21 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 struct LitLayer {
     /// The color under this light.
     vec4 color;
     /// The tone under this light.
     float tone;
 };
+
 struct FilteredLight {
     /// The light behind the filter.
     Light light;
     /// The angle for the profile.
     Angle angle;
 };
+
 struct PlaceInLight {
     /// From 0,0 at the picture's lower left corner to 1,1 at its upper right one, as the light sees
     /// it.
@@ -56,6 +62,7 @@ struct PlaceInLight {
     /// 1 within the picture, 0 outside of it.
     float inside;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -74,6 +81,7 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Cell {
     /// The distance to the nearest border, in cells.
     float border;
@@ -82,6 +90,7 @@ struct Cell {
     /// The distance to the cell's point.
     float distance_;
 };
+
 struct Cells {
     /// The distance to the nearest border, in cells: 0 at it, rarely above 0.3.
     float border;
@@ -90,11 +99,13 @@ struct Cells {
     /// The distance to the cell's middle, in cells.
     float distance_;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
 const float SMALLEST_NORMAL = 1.1754944e-38;
@@ -103,7 +114,8 @@ const float FAR_FROM_SHAPE = 1000.0;
 /// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
 /// cell from their cell's sides.
 const float CELL_REACH = 1.25;
-const ProfileShape tone_shape = ProfileShape(0.87758255, 0.47942555, 20.008335, 2.4978132, 1.0, 0.04909103, 0.021148764, 0u);
+const ProfileShape tone_shape = ProfileShape(0.87758255, 0.47942555, 20.008335, 2.4978132, 1.0,
+    0.04909103, 0.021148764, 0u);
 
 layout(std140, binding = 2) uniform LookBlock { Look u_look; };
 
@@ -114,7 +126,7 @@ layout(location = 0) out vec4 out_color;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+    return (floatBitsToUint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -122,23 +134,25 @@ bool is_finite(float x) {
 /// overflow.
 vec3 normalize_or(vec3 v, vec3 otherwise) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) && (largest < 1e30)))) {
+    if (!(largest > 1e-30 && largest < 1e30)) {
         return otherwise;
     }
-    vec3 scaled = (v * (1.0 / largest));
+    vec3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 /// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
 vec2 sin_cos_eighth(float x) {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666667 + (y * (0.008333334 + (y * (-0.0001984127 + (y * 2.7557319e-6)))))))));
-    float c = (1.0 - (y * (0.5 + (y * (-0.041666668 + (y * (0.0013888889 + (y * (-2.4801588e-5 + (y * 2.755732e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666667 + y
+        * (0.008333334 + y * (-0.0001984127 + y * 2.7557319e-6))));
+    float c = 1.0 - y * (0.5 + y * (-0.041666668 + y
+        * (0.0013888889 + y * (-2.4801588e-5 + y * 2.755732e-7))));
     return vec2(s, c);
 }
 
@@ -146,7 +160,7 @@ vec2 sin_cos_eighth(float x) {
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -159,17 +173,20 @@ vec3 normalize_seen(vec3 v) {
 float atan2_positive(float y, float x) {
     float small = min(y, x);
     float large = max(y, x);
-    if ((large <= 0.0)) {
+    if (large <= 0.0) {
         return 0.0;
     }
-    float t = (small / large);
+    float t = small / large;
     // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    bool is_wide = (t > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t);
-    float r2 = (r * r);
-    float series = (r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x) ? (HALF_PI - a) : a);
+    bool is_wide = t > 0.41421357;
+    float r = is_wide ? (small - large) / (small + large) : t;
+    float r2 = r * r;
+    float series = r * (1.0 + r2 * (-0.33333334 + r2
+        * (0.2 + r2 * (-0.14285715 + r2
+        * (0.11111111 + r2 * (-0.09090909 + r2
+        * (0.07692308 + r2 * (-0.06666667 + r2 * 0.05882353))))))));
+    float a = is_wide ? series + 0.7853982 : series;
+    return y > x ? HALF_PI - a : a;
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -178,15 +195,15 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = (u.half_sin - 0.0);
-    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
-    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - 0.0;
+    vec2 upper = u.half_cos <= 0.0 ? vec2(1.0, 0.0) : vec2(s, u.half_cos);
+    vec2 turned = (s <= 0.0 && s < u.half_cos) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -196,7 +213,7 @@ float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -211,27 +228,27 @@ vec3 bounded_vec3(vec3 v) {
 /// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
 /// 1 from there on.
 float place_between(float x, float low, float high) {
-    float span = (high - low);
-    if ((span < SMALLEST_NORMAL)) {
-        return ((x >= high) ? 1.0 : 0.0);
+    float span = high - low;
+    if (span < SMALLEST_NORMAL) {
+        return x >= high ? 1.0 : 0.0;
     }
-    return bounded(((x - low) / span));
+    return bounded((x - low) / span);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high) {
     float t = clamp(place_between(bounded(x), low, high), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
 float angle_of_point(float y, float x) {
     vec2 p = abs(vec2(x, y));
-    vec2 scaled = ((max(p.x, p.y) > 1.0) ? (0.5 * p) : p);
+    vec2 scaled = max(p.x, p.y) > 1.0 ? 0.5 * p : p;
     float a = atan2_positive(scaled.y, scaled.x);
-    float turned = ((x < 0.0) ? (PI - a) : a);
-    return ((y < 0.0) ? -(turned) : turned);
+    float turned = x < 0.0 ? PI - a : a;
+    return y < 0.0 ? -turned : turned;
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -244,7 +261,7 @@ float footprint_of(float x) {
 vec2 footprint_of_vec2(vec2 v) {
     vec2 dx = dFdx(v);
     vec2 dy = dFdy(v);
-    return sqrt(((dx * dx) + (dy * dy)));
+    return sqrt(dx * dx + dy * dy);
 }
 
 /// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
@@ -260,9 +277,9 @@ float footprint_of_vec3(vec3 v) {
 mat3x3 axes_around(vec3 toward, vec3 up) {
     vec3 leaning = cross(up, toward);
     float square = dot(leaning, leaning);
-    vec3 aside = ((abs(toward.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
-    vec3 x = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
+    vec3 aside = abs(toward.x) > 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+    vec3 across = square > 1e-8 ? leaning : cross(aside, toward);
+    vec3 x = normalize_moderate(across - dot(across, toward) * toward, vec3(1.0, 0.0, 0.0));
     return mat3x3(x, cross(toward, x), toward);
 }
 
@@ -270,26 +287,29 @@ mat3x3 axes_around(vec3 toward, vec3 up) {
 ///
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0), vec4(0.0),
+        vec4(1.0));
 }
 
 /// Axes of a thing that points along `toward`, upright and then turned by `spin`, as columns.
 mat3x3 axes_turned(vec3 toward, float spin) {
     mat3x3 axes = axes_around(toward, vec3(0.0, 1.0, 0.0));
     vec2 turn = vec2(0.0, 1.0);
-    return mat3x3(((turn.y * axes[0]) + (turn.x * axes[1])), ((turn.y * axes[1]) - (turn.x * axes[0])), axes[2]);
+    return mat3x3(turn.y * axes[0] + turn.x * axes[1], turn.y * axes[1] - turn.x * axes[0],
+        axes[2]);
 }
 
 /// Axes of a thing that points along `toward`, upright and then turned by `spin`, as columns.
 mat3x3 axes_turned_2(vec3 toward, float spin) {
     mat3x3 axes = axes_around(toward, vec3(0.0, 1.0, 0.0));
-    vec2 turn = clamp(sin_cos_eighth((((spin - 0.0) - 0.0) - 0.0)), vec2(-1.0), vec2(1.0));
-    return mat3x3(((turn.y * axes[0]) + (turn.x * axes[1])), ((turn.y * axes[1]) - (turn.x * axes[0])), axes[2]);
+    vec2 turn = clamp(sin_cos_eighth(spin - 0.0 - 0.0 - 0.0), vec2(-1.0), vec2(1.0));
+    return mat3x3(turn.y * axes[0] + turn.x * axes[1], turn.y * axes[1] - turn.x * axes[0],
+        axes[2]);
 }
 
 /// A place as seen from a center along axes, within a million of it.
 vec3 place_along(vec3 place, vec3 center, mat3x3 axes) {
-    vec3 away = clamp((place - center), vec3(-1000000.0), vec3(1000000.0));
+    vec3 away = clamp(place - center, vec3(-1000000.0), vec3(1000000.0));
     return vec3(dot(away, axes[0]), dot(away, axes[1]), dot(away, axes[2]));
 }
 
@@ -298,59 +318,65 @@ vec3 place_along(vec3 place, vec3 center, mat3x3 axes) {
 /// flow.
 float share_beside(float m, float softness, float density, bool inverted) {
     float near = min(m, FAR_FROM_SHAPE);
-    float half_ = (0.5 * min(footprint_of(near), 0.25));
-    float beside = eased(near, (1.0 - half_), (1.0 + half_));
-    return (1.0 - beside);
+    float half_ = 0.5 * min(footprint_of(near), 0.25);
+    float beside = eased(near, 1.0 - half_, 1.0 + half_);
+    return 1.0 - beside;
 }
 
 /// The share of a lamp's light that passes between four flaps, for a place as the lamp sees it and
 /// the angles to the left, right, top and bottom flap.
 float share_of_doors(vec3 seen, vec4 flaps, float softness) {
     vec2 angles = vec2(angle_of_point(seen.x, seen.z), angle_of_point(seen.y, seen.z));
-    vec2 half_ = (0.5 * min(footprint_of_vec2(angles), vec2(0.1)));
-    float aside = ((1.0 - smoothstep((flaps.x - half_.x), (flaps.x + max(softness, half_.x)), angles.x)) * (1.0 - smoothstep((flaps.y - half_.x), (flaps.y + max(softness, half_.x)), -(angles.x))));
-    return ((aside * (1.0 - smoothstep((flaps.z - half_.y), (flaps.z + max(softness, half_.y)), angles.y))) * (1.0 - smoothstep((flaps.w - half_.y), (flaps.w + max(softness, half_.y)), -(angles.y))));
+    vec2 half_ = 0.5 * min(footprint_of_vec2(angles), vec2(0.1));
+    float aside = (1.0 - smoothstep(flaps.x - half_.x, flaps.x + max(softness, half_.x),
+        angles.x)) * (1.0 - smoothstep(flaps.y - half_.x, flaps.y + max(softness, half_.x),
+        -angles.x));
+    return aside * (1.0 - smoothstep(flaps.z - half_.y, flaps.z + max(softness, half_.y),
+        angles.y)) * (1.0 - smoothstep(flaps.w - half_.y, flaps.w + max(softness, half_.y),
+        -angles.y));
 }
 
 /// Attenuation at `distance`: 1 / (1 + (d / half)^2), ended smoothly at the range by (1 - (d /
 /// range)^4)^2. A half distance or range of 0 leaves its factor out.
 float light_fading(float distance_, vec2 fading) {
     float left = 1.0;
-    if ((fading.x > 0.0)) {
-        float d = min((distance_ / fading.x), 1000000000000000.0);
-        left = (1.0 / (1.0 + (d * d)));
+    if (fading.x > 0.0) {
+        float d = min(distance_ / fading.x, 1000000000000000.0);
+        left = 1.0 / (1.0 + d * d);
     }
-    if ((fading.y > 0.0)) {
-        float d_1 = min((distance_ / fading.y), 1.0);
-        float window = max((1.0 - (((d_1 * d_1) * d_1) * d_1)), 0.0);
-        left = (left * (window * window));
+    if (fading.y > 0.0) {
+        float d_1 = min(distance_ / fading.y, 1.0);
+        float window = max(1.0 - d_1 * d_1 * d_1 * d_1, 0.0);
+        left = left * (window * window);
     }
     return left;
 }
 
 /// A light at `light_position` seen from `position`, both in world space; `fading` is half distance
 /// and range.
-Light light_at(vec3 light_position, mat3x3 own_from_world, vec3 color, float intensity, vec2 fading, vec3 position) {
-    vec3 offset = (light_position - position);
+Light light_at(vec3 light_position, mat3x3 own_from_world, vec3 color, float intensity, vec2 fading,
+    vec3 position) {
+    vec3 offset = light_position - position;
     vec3 direction = normalize_or(offset, vec3(0.0, 0.0, 1.0));
-    float faded = (intensity * light_fading(length(offset), fading));
-    return Light(direction, (own_from_world * direction), color, faded);
+    float faded = intensity * light_fading(length(offset), fading);
+    return Light(direction, own_from_world * direction, color, faded);
 }
 
 /// Attenuation at an angle from a spot light's aim: smoothstep between the cosines `cone.y` (outer)
 /// and `cone.x` (inner); a hard, inclusive edge where they are equal.
 float light_cone(float cos_angle, vec2 cone) {
-    if ((cone.x <= cone.y)) {
-        return ((cos_angle >= cone.y) ? 1.0 : 0.0);
+    if (cone.x <= cone.y) {
+        return cos_angle >= cone.y ? 1.0 : 0.0;
     }
-    float t = clamp(((cos_angle - cone.y) / (cone.x - cone.y)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp((cos_angle - cone.y) / (cone.x - cone.y), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
-Light light_spot(vec3 light_position, vec3 aim, mat3x3 own_from_world, vec3 color, float intensity, vec2 cone, vec2 fading, vec3 position) {
+Light light_spot(vec3 light_position, vec3 aim, mat3x3 own_from_world, vec3 color, float intensity,
+    vec2 cone, vec2 fading, vec3 position) {
     Light light = Light(vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
     light = light_at(light_position, own_from_world, color, intensity, fading, position);
-    light.intensity = (light.intensity * light_cone(dot(-(light.direction), aim), cone));
+    light.intensity = light.intensity * light_cone(dot(-light.direction, aim), cone);
     return light;
 }
 
@@ -360,54 +386,56 @@ Light light_spot(vec3 light_position, vec3 aim, mat3x3 own_from_world, vec3 colo
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 PlaceInLight place_in_light(vec2 at) {
     vec2 near = clamp(at, vec2(-1000.0), vec2(1000.0));
     float inside = share_beside(max(abs(near.x), abs(near.y)), 0.0, 1.0, true);
-    return PlaceInLight((vec2(0.5) + (0.5 * vec2(-(near.x), near.y))), inside);
+    return PlaceInLight(vec2(0.5) + 0.5 * vec2(-near.x, near.y), inside);
 }
 
-PlaceInLight light_place_point(vec3 light_position, float angle, float spin, vec3 toward, vec3 position) {
+PlaceInLight light_place_point(vec3 light_position, float angle, float spin, vec3 toward,
+    vec3 position) {
     vec3 seen = place_along(position, light_position, axes_turned_2(toward, spin));
-    vec2 turn = clamp(sin_cos_eighth((((angle - 0.0) - 0.0) - 0.0)), vec2(-1.0), vec2(1.0));
-    vec2 at = ((seen.xy * (turn.y / turn.x)) / vec2(max(seen.z, 0.001)));
-    return place_in_light(((seen.z > 0.001) ? at : vec2(1000.0)));
+    vec2 turn = clamp(sin_cos_eighth(angle - 0.0 - 0.0 - 0.0), vec2(-1.0), vec2(1.0));
+    vec2 at = seen.xy * (turn.y / turn.x) / vec2(max(seen.z, 0.001));
+    return place_in_light(seen.z > 0.001 ? at : vec2(1000.0));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false || is_narrow)) {
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = w > 0.0 && w >= 3.4641016 * shape.edge_deviation;
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
@@ -419,25 +447,25 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape) {
 /// upper bits are the best.
 uvec3 hash_pcg3d(uvec3 seed) {
     uvec3 v = uvec3(0u);
-    v = ((seed * 1664525u) + uvec3(1013904223u));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + uvec3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> uvec3(16u)));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
 /// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 vec3 unit_of_hash(uvec3 hash) {
-    return (vec3((hash >> uvec3(8u))) * 5.9604645e-8);
+    return vec3((hash >> uvec3(8u))) * 5.9604645e-8;
 }
 
 /// The hash of a lattice point.
 uvec3 lattice_hash(ivec3 cell, uint seed) {
-    return hash_pcg3d((uvec3(cell) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
+    return hash_pcg3d(uvec3(cell) + seed * uvec3(2654435769u, 2246822507u, 3266489909u));
 }
 
 /// The cell around the nearest of one point per lattice cell, each in the middle half of its own.
@@ -452,47 +480,48 @@ Cell nearest_cell(vec3 p, uint seed) {
     float border = 0.0;
     int i_1 = 0;
     vec3 corner = floor(p);
-    vec3 d = (p - corner);
+    vec3 d = p - corner;
     ivec3 cell = ivec3(corner);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if ((i < 27)) {
+        if (i < 27) {
         } else {
             break;
         }
         {
-            ivec3 at = ivec3(((i % 3) - 1), (((i / 3) % 3) - 1), ((i / 9) - 1));
-            uvec3 own = lattice_hash((cell + at), seed);
-            vec3 offset = (((vec3(at) + vec3(0.25)) + (0.5 * unit_of_hash(own))) - d);
-            if ((dot(offset, offset) < dot(nearest, nearest))) {
+            ivec3 at = ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            uvec3 own = lattice_hash(cell + at, seed);
+            vec3 offset = vec3(at) + vec3(0.25) + 0.5 * unit_of_hash(own) - d;
+            if (dot(offset, offset) < dot(nearest, nearest)) {
                 nearest = offset;
                 hash = own;
             }
         }
     }
     float distance_ = length(nearest);
-    border = max((0.5 * (CELL_REACH - distance_)), 0.0);
+    border = max(0.5 * (CELL_REACH - distance_), 0.0);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            i_1 = (i_1 + 1);
+            i_1 = i_1 + 1;
         }
         loop_init_1 = false;
-        if ((i_1 < 27)) {
+        if (i_1 < 27) {
         } else {
             break;
         }
         {
-            ivec3 at_1 = ivec3(((i_1 % 3) - 1), (((i_1 / 3) % 3) - 1), ((i_1 / 9) - 1));
-            vec3 apart = ((((vec3(at_1) + vec3(0.25)) + (0.5 * unit_of_hash(lattice_hash((cell + at_1), seed)))) - d) - nearest);
+            ivec3 at_1 = ivec3(i_1 % 3 - 1, i_1 / 3 % 3 - 1, i_1 / 9 - 1);
+            vec3 apart = vec3(at_1) + vec3(0.25) + 0.5
+                * unit_of_hash(lattice_hash(cell + at_1, seed)) - d - nearest;
             float between = length(apart);
             // Points are half a cell apart at least; a nearer one is the cell's own.
-            if ((between > 0.25)) {
-                border = min(border, (dot((nearest + (0.5 * apart)), apart) / between));
+            if (between > 0.25) {
+                border = min(border, dot(nearest + 0.5 * apart, apart) / between);
             }
         }
     }
@@ -507,9 +536,9 @@ Cell nearest_cell(vec3 p, uint seed) {
 /// tiles, cracks. A Threshold of the border draws the seams, a Ramp of the number gives every piece
 /// its color.
 Cells cells(vec3 position, float scale, int seed) {
-    vec3 p = bounded_vec3((position * scale));
+    vec3 p = bounded_vec3(position * scale);
     Cell cell = nearest_cell(p, 0u);
-    float visible = (1.0 - smoothstep(0.5, 1.0, footprint_of_vec3(p)));
+    float visible = 1.0 - smoothstep(0.5, 1.0, footprint_of_vec3(p));
     vec3 average = vec3(0.1301, 0.5, 0.491);
     vec3 seen = mix(average, vec3(cell.border, cell.random, cell.distance_), visible);
     return Cells(seen.x, seen.y, seen.z);
@@ -517,14 +546,24 @@ Cells cells(vec3 position, float scale, int seed) {
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    Light lamp = light_spot(u_look.lamp_position, u_look.lamp_aim, u_look.lamp_own_from_world, u_look.lamp_color, u_look.lamp_intensity, u_look.lamp_cone, u_look.lamp_fading, surface.position);
-    Angle angle = Angle((0.5 * length((surface.normal - lamp.direction))), (0.5 * length((surface.normal + lamp.direction))));
-    vec3 place_along_value = place_along(surface.position, u_look.lamp_position, axes_turned(u_look.lamp_aim, 0.0));
+    Light lamp = light_spot(u_look.lamp_position, u_look.lamp_aim, u_look.lamp_own_from_world,
+        u_look.lamp_color, u_look.lamp_intensity, u_look.lamp_cone, u_look.lamp_fading,
+        surface.position);
+    // Parametrization
+    Angle angle = Angle(0.5 * length(surface.normal - lamp.direction), 0.5
+        * length(surface.normal + lamp.direction));
+    vec3 place_along_value = place_along(surface.position, u_look.lamp_position,
+        axes_turned(u_look.lamp_aim, 0.0));
+    // Barn doors
     float doors = share_of_doors(place_along_value, vec4(0.3, 0.36, 0.3, 0.2), 0.02);
-    PlaceInLight place = light_place_point(u_look.lamp_position, 0.4, 0.6, u_look.lamp_aim, surface.position);
+    PlaceInLight place = light_place_point(u_look.lamp_position, 0.4, 0.6, u_look.lamp_aim,
+        surface.position);
     Cells leaves = cells(vec3(place.uv, 0.0), 13.0, 0);
-    float both = (doors * smoothstep(0.12, 0.62, leaves.distance_));
-    FilteredLight filter_2 = FilteredLight(Light(lamp.direction, lamp.own_direction, lamp.color, (lamp.intensity * both)), angle);
+    // Combine filters
+    float both = doors * smoothstep(0.12, 0.62, leaves.distance_);
+    // Light filter
+    FilteredLight filter_2 = FilteredLight(Light(lamp.direction, lamp.own_direction, lamp.color,
+        lamp.intensity * both), angle);
     float tone = profile_balanced(filter_2.angle, 0.0, tone_shape);
     LitLayer lit = light_apply(filter_2.light, vec4(0.93, 0.62, 0.36, 1.0), tone);
     return blend_add(vec4(0.13, 0.14, 0.27, 1.0), lit.color, lit.tone, 1.0, true);
@@ -534,9 +573,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     Surface surface = Surface(normal, in_.position);
     out_color = shade(surface);
-    return;
 }
-

@@ -424,7 +424,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -545,13 +545,17 @@ const tone_shape = ProfileShape(0.87758255, 0.47942555, 20.008335, 2.4978132, 1.
 fn shade(surface: Surface) -> vec4f {
     let lamp = light_spot(look.lamp_position, look.lamp_aim, look.lamp_own_from_world,
         look.lamp_color, look.lamp_intensity, look.lamp_cone, look.lamp_fading, surface.position);
+    // Parametrization
     let angle = Angle(0.5 * length(surface.normal - lamp.direction), 0.5
         * length(surface.normal + lamp.direction));
+    // Barn doors
     let doors = share_of_doors(place_along(surface.position, look.lamp_position,
         axes_turned(look.lamp_aim, 0.0)), vec4f(0.3, 0.36, 0.3, 0.2), 0.02);
     let place = light_place_point(look.lamp_position, 0.4, 0.6, look.lamp_aim, surface.position);
     let leaves = cells(vec3f(place.uv, 0.0), 13.0, 0i);
+    // Combine filters
     let both = doors * smoothstep(0.12, 0.62, leaves.distance);
+    // Light filter
     let filter_2 = FilteredLight(Light(lamp.direction, lamp.own_direction, lamp.color,
         lamp.intensity * both), angle);
     let tone = profile_balanced(filter_2.angle, 0.0, tone_shape);

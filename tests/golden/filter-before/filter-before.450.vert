@@ -9,12 +9,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -33,15 +35,18 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
 const float SMALLEST_NORMAL = 1.1754944e-38;
@@ -50,7 +55,8 @@ const float FAR_FROM_SHAPE = 1000.0;
 /// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
 /// cell from their cell's sides.
 const float CELL_REACH = 1.25;
-const ProfileShape tone_shape = ProfileShape(0.87758255, 0.47942555, 20.008335, 2.4978132, 1.0, 0.04909103, 0.021148764, 0u);
+const ProfileShape tone_shape = ProfileShape(0.87758255, 0.47942555, 20.008335, 2.4978132, 1.0,
+    0.04909103, 0.021148764, 0u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
 
@@ -63,11 +69,10 @@ layout(location = 1) smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_position = _tmp_return.position;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, world.xyz,
+        u_object.world_from_normal * vertex.normal);
+    gl_Position = varyings.clip;
+    v_position = varyings.position;
+    v_normal = varyings.normal;
 }
-

@@ -150,7 +150,8 @@ static const float FAR_FROM_SHAPE = 1000.0;
 /// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
 /// cell from their cell's sides.
 static const float CELL_REACH = 1.25;
-static const ProfileShape tone_shape = {0.87758255, 0.47942555, 20.008335, 2.4978132, 1.0, 0.04909103, 0.021148764, 0u};
+static const ProfileShape tone_shape = {0.87758255, 0.47942555, 20.008335, 2.4978132, 1.0,
+    0.04909103, 0.021148764, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -173,7 +174,7 @@ struct FragmentInput_fs_main {
 /// never happens.
 bool is_finite(float x)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
+    return (asuint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -182,24 +183,26 @@ bool is_finite(float x)
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) & (largest < 1e30)))) {
+    if (!((largest > 1e-30) & (largest < 1e30))) {
         return otherwise;
     }
-    float3 scaled = (v * (1.0 / largest));
+    float3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 /// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
 float2 sin_cos_eighth(float x)
 {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666667 + (y * (0.008333334 + (y * (-0.0001984127 + (y * 2.7557319e-6)))))))));
-    float c = (1.0 - (y * (0.5 + (y * (-0.041666668 + (y * (0.0013888889 + (y * (-2.4801588e-5 + (y * 2.755732e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666667 + y
+        * (0.008333334 + y * (-0.0001984127 + y * 2.7557319e-6))));
+    float c = 1.0 - y * (0.5 + y * (-0.041666668 + y
+        * (0.0013888889 + y * (-2.4801588e-5 + y * 2.755732e-7))));
     return float2(s, c);
 }
 
@@ -208,7 +211,7 @@ float2 sin_cos_eighth(float x)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -223,17 +226,20 @@ float atan2_positive(float y, float x)
 {
     float small = min(y, x);
     float large = max(y, x);
-    if ((large <= 0.0)) {
+    if (large <= 0.0) {
         return 0.0;
     }
-    float t = (small / large);
+    float t = small / large;
     // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    bool is_wide = (t > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t);
-    float r2 = (r * r);
-    float series = (r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x) ? (HALF_PI - a) : a);
+    bool is_wide = t > 0.41421357;
+    float r = is_wide ? (small - large) / (small + large) : t;
+    float r2 = r * r;
+    float series = r * (1.0 + r2 * (-0.33333334 + r2
+        * (0.2 + r2 * (-0.14285715 + r2
+        * (0.11111111 + r2 * (-0.09090909 + r2
+        * (0.07692308 + r2 * (-0.06666667 + r2 * 0.05882353))))))));
+    float a = is_wide ? series + 0.7853982 : series;
+    return y > x ? HALF_PI - a : a;
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -243,7 +249,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -257,12 +263,11 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = (u.half_sin - (u.half_cos * 0.0));
-    float c = (u.half_cos + 0.0);
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
-    return angle_2;
+    float s = u.half_sin - u.half_cos * 0.0;
+    float c = u.half_cos + 0.0;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -272,7 +277,7 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -281,19 +286,19 @@ float3 bounded_vec3(float3 v)
     uint3 bits = asuint(v);
     uint3 magnitude = (bits & (2147483647u).xxx);
     float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers = ((magnitude == (2139095040u).xxx) ? largest : (0.0).xxx);
-    return ((magnitude < (2139095040u).xxx) ? v : numbers);
+    float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
+    return magnitude < (2139095040u).xxx ? v : numbers;
 }
 
 /// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
 /// 1 from there on.
 float place_between(float x, float low, float high)
 {
-    float span = (high - low);
-    if ((span < SMALLEST_NORMAL)) {
-        return ((x >= high) ? 1.0 : 0.0);
+    float span = high - low;
+    if (span < SMALLEST_NORMAL) {
+        return x >= high ? 1.0 : 0.0;
     }
-    return bounded(((x - low) / span));
+    return bounded((x - low) / span);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -301,17 +306,17 @@ float place_between(float x, float low, float high)
 float eased(float x, float low, float high)
 {
     float t = clamp(place_between(bounded(x), low, high), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
 float angle_of_point(float y, float x)
 {
     float2 p = abs(float2(x, y));
-    float2 scaled = ((max(p.x, p.y) > 1.0) ? (0.5 * p) : p);
+    float2 scaled = max(p.x, p.y) > 1.0 ? 0.5 * p : p;
     const float a = atan2_positive(scaled.y, scaled.x);
-    float turned = ((x < 0.0) ? (PI - a) : a);
-    return ((y < 0.0) ? -(turned) : turned);
+    float turned = x < 0.0 ? PI - a : a;
+    return y < 0.0 ? -turned : turned;
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -326,7 +331,7 @@ float2 footprint_of_vec2(float2 v)
 {
     float2 dx = ddx(v);
     float2 dy = ddy(v);
-    return sqrt(((dx * dx) + (dy * dy)));
+    return sqrt(dx * dx + dy * dy);
 }
 
 /// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
@@ -350,9 +355,10 @@ float3x3 axes_around(float3 toward, float3 up)
 {
     float3 leaning = cross(up, toward);
     float square = dot(leaning, leaning);
-    float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
-    const float3 x = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    float3 aside = abs(toward.x) > 0.7 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0);
+    float3 across = square > 1e-8 ? leaning : cross(aside, toward);
+    const float3 x = normalize_moderate(across - dot(across, toward) * toward,
+        float3(1.0, 0.0, 0.0));
     return float3x3(x, cross(toward, x), toward);
 }
 
@@ -361,7 +367,8 @@ float3x3 axes_around(float3 toward, float3 up)
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0), (0.0).xxxx,
+        (1.0).xxxx);
 }
 
 /// Axes of a thing that points along `toward`, upright and then turned by `spin`, as columns.
@@ -369,21 +376,23 @@ float3x3 axes_turned(float3 toward, float spin)
 {
     const float3x3 axes = axes_around(toward, float3(0.0, 1.0, 0.0));
     float2 turn = float2(0.0, 1.0);
-    return float3x3(((turn.y * axes[0]) + (turn.x * axes[1])), ((turn.y * axes[1]) - (turn.x * axes[0])), axes[2]);
+    return float3x3(turn.y * axes[0] + turn.x * axes[1], turn.y * axes[1] - turn.x * axes[0],
+        axes[2]);
 }
 
 /// Axes of a thing that points along `toward`, upright and then turned by `spin`, as columns.
 float3x3 axes_turned_2(float3 toward, float spin)
 {
     const float3x3 axes = axes_around(toward, float3(0.0, 1.0, 0.0));
-    float2 turn = clamp(sin_cos_eighth((((spin - 0.0) - 0.0) - 0.0)), (-1.0).xx, (1.0).xx);
-    return float3x3(((turn.y * axes[0]) + (turn.x * axes[1])), ((turn.y * axes[1]) - (turn.x * axes[0])), axes[2]);
+    float2 turn = clamp(sin_cos_eighth(spin - 0.0 - 0.0 - 0.0), (-1.0).xx, (1.0).xx);
+    return float3x3(turn.y * axes[0] + turn.x * axes[1], turn.y * axes[1] - turn.x * axes[0],
+        axes[2]);
 }
 
 /// A place as seen from a center along axes, within a million of it.
 float3 place_along(float3 place, float3 center_, float3x3 axes)
 {
-    float3 away = clamp((place - center_), (-1000000.0).xxx, (1000000.0).xxx);
+    float3 away = clamp(place - center_, (-1000000.0).xxx, (1000000.0).xxx);
     return float3(dot(away, axes[0]), dot(away, axes[1]), dot(away, axes[2]));
 }
 
@@ -393,9 +402,9 @@ float3 place_along(float3 place, float3 center_, float3x3 axes)
 float share_beside(float m, float softness, float density, bool inverted)
 {
     float near = min(m, FAR_FROM_SHAPE);
-    float half_ = (0.5 * min(footprint_of(near), 0.25));
-    const float beside = eased(near, (1.0 - half_), (1.0 + half_));
-    return (1.0 - beside);
+    float half_ = 0.5 * min(footprint_of(near), 0.25);
+    const float beside = eased(near, 1.0 - half_, 1.0 + half_);
+    return 1.0 - beside;
 }
 
 /// The share of a lamp's light that passes between four flaps, for a place as the lamp sees it and
@@ -403,21 +412,24 @@ float share_beside(float m, float softness, float density, bool inverted)
 float share_of_doors(float3 seen, float4 flaps, float softness)
 {
     float2 angles = float2(angle_of_point(seen.x, seen.z), angle_of_point(seen.y, seen.z));
-    float2 half_ = (0.5 * min(footprint_of_vec2(angles), (0.1).xx));
-    float aside = ((1.0 - smoothstep((flaps.x - half_.x), (flaps.x + max(softness, half_.x)), angles.x)) * (1.0 - smoothstep((flaps.y - half_.x), (flaps.y + max(softness, half_.x)), -(angles.x))));
-    return ((aside * (1.0 - smoothstep((flaps.z - half_.y), (flaps.z + max(softness, half_.y)), angles.y))) * (1.0 - smoothstep((flaps.w - half_.y), (flaps.w + max(softness, half_.y)), -(angles.y))));
+    float2 half_ = 0.5 * min(footprint_of_vec2(angles), (0.1).xx);
+    float aside = (1.0 - smoothstep(flaps.x - half_.x, flaps.x + max(softness, half_.x),
+        angles.x)) * (1.0 - smoothstep(flaps.y - half_.x, flaps.y + max(softness, half_.x),
+        -angles.x));
+    return aside * (1.0 - smoothstep(flaps.z - half_.y, flaps.z + max(softness, half_.y),
+        angles.y)) * (1.0 - smoothstep(flaps.w - half_.y, flaps.w + max(softness, half_.y),
+        -angles.y));
 }
 
 /// An angle as a filter before the profile leaves it: tan(u/2) over the share that passes, so that
 /// the dark side grows from its edge as less passes, and everything is dark where nothing does.
 Angle angle_filtered(Angle u, float share)
 {
-    float cosine = (u.half_cos * share);
-    float square = ((u.half_sin * u.half_sin) + (cosine * cosine));
+    float cosine = u.half_cos * share;
+    float square = u.half_sin * u.half_sin + cosine * cosine;
     float scale = rsqrt(max(square, 1e-30));
-    bool is_dark = (square < 1e-30);
-    const Angle angle_3 = ConstructAngle((is_dark ? 1.0 : (u.half_sin * scale)), (is_dark ? 0.0 : (cosine * scale)));
-    return angle_3;
+    bool is_dark = square < 1e-30;
+    return ConstructAngle(is_dark ? 1.0 : u.half_sin * scale, is_dark ? 0.0 : cosine * scale);
 }
 
 /// Attenuation at `distance`: 1 / (1 + (d / half)^2), ended smoothly at the range by (1 - (d /
@@ -426,14 +438,14 @@ float light_fading(float distance_, float2 fading)
 {
     float left = 1.0;
 
-    if ((fading.x > 0.0)) {
-        float d = min((distance_ / fading.x), 1000000000000000.0);
-        left = (1.0 / (1.0 + (d * d)));
+    if (fading.x > 0.0) {
+        float d = min(distance_ / fading.x, 1000000000000000.0);
+        left = 1.0 / (1.0 + d * d);
     }
-    if ((fading.y > 0.0)) {
-        float d_1 = min((distance_ / fading.y), 1.0);
-        float window = max((1.0 - (((d_1 * d_1) * d_1) * d_1)), 0.0);
-        left = (left * (window * window));
+    if (fading.y > 0.0) {
+        float d_1 = min(distance_ / fading.y, 1.0);
+        float window = max(1.0 - d_1 * d_1 * d_1 * d_1, 0.0);
+        left = left * (window * window);
     }
     return left;
 }
@@ -449,34 +461,34 @@ Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
 
 /// A light at `light_position` seen from `position`, both in world space; `fading` is half distance
 /// and range.
-Light light_at(float3 light_position, float3x3 own_from_world, float3 color, float intensity, float2 fading, float3 position)
+Light light_at(float3 light_position, float3x3 own_from_world, float3 color, float intensity,
+    float2 fading, float3 position)
 {
-    float3 offset = (light_position - position);
+    float3 offset = light_position - position;
     const float3 direction = normalize_or(offset, float3(0.0, 0.0, 1.0));
-    float faded = (intensity * light_fading(length(offset), fading));
-    const Light light_2 = ConstructLight(direction, mul(direction, own_from_world), color, faded);
-    return light_2;
+    float faded = intensity * light_fading(length(offset), fading);
+    return ConstructLight(direction, mul(direction, own_from_world), color, faded);
 }
 
 /// Attenuation at an angle from a spot light's aim: smoothstep between the cosines `cone.y` (outer)
 /// and `cone.x` (inner); a hard, inclusive edge where they are equal.
 float light_cone(float cos_angle, float2 cone)
 {
-    if ((cone.x <= cone.y)) {
-        return ((cos_angle >= cone.y) ? 1.0 : 0.0);
+    if (cone.x <= cone.y) {
+        return cos_angle >= cone.y ? 1.0 : 0.0;
     }
-    float t = clamp(((cos_angle - cone.y) / (cone.x - cone.y)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp((cos_angle - cone.y) / (cone.x - cone.y), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
-Light light_spot(float3 light_position, float3 aim, float3x3 own_from_world, float3 color, float intensity, float2 cone, float2 fading, float3 position)
+Light light_spot(float3 light_position, float3 aim, float3x3 own_from_world, float3 color,
+    float intensity, float2 cone, float2 fading, float3 position)
 {
     Light light = (Light)0;
 
     light = light_at(light_position, own_from_world, color, intensity, fading, position);
-    light.intensity = (light.intensity * light_cone(dot(-(light.direction), aim), cone));
-    const Light light_1 = light;
-    return light_1;
+    light.intensity = light.intensity * light_cone(dot(-light.direction, aim), cone);
+    return light;
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -493,8 +505,7 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 PlaceInLight ConstructPlaceInLight(float2 arg0, float arg1) {
@@ -508,54 +519,54 @@ PlaceInLight place_in_light(float2 at)
 {
     float2 near = clamp(at, (-1000.0).xx, (1000.0).xx);
     const float inside = share_beside(max(abs(near.x), abs(near.y)), 0.0, 1.0, true);
-    const PlaceInLight placeinlight = ConstructPlaceInLight(((0.5).xx + (0.5 * float2(-(near.x), near.y))), inside);
-    return placeinlight;
+    return ConstructPlaceInLight((0.5).xx + 0.5 * float2(-near.x, near.y), inside);
 }
 
-PlaceInLight light_place_point(float3 light_position, float angle, float spin, float3 toward, float3 position)
+PlaceInLight light_place_point(float3 light_position, float angle, float spin, float3 toward,
+    float3 position)
 {
     const float3 seen = place_along(position, light_position, axes_turned_2(toward, spin));
-    float2 turn = clamp(sin_cos_eighth((((angle - 0.0) - 0.0) - 0.0)), (-1.0).xx, (1.0).xx);
-    float2 at = ((seen.xy * (turn.y / turn.x)) / (max(seen.z, 0.001)).xx);
-    const PlaceInLight placeinlight_1 = place_in_light(((seen.z > 0.001) ? at : (1000.0).xx));
-    return placeinlight_1;
+    float2 turn = clamp(sin_cos_eighth(angle - 0.0 - 0.0 - 0.0), (-1.0).xx, (1.0).xx);
+    float2 at = seen.xy * (turn.y / turn.x) / (max(seen.z, 0.001)).xx;
+    return place_in_light(seen.z > 0.001 ? at : (1000.0).xx);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
@@ -570,32 +581,32 @@ uint3 hash_pcg3d(uint3 seed)
 {
     uint3 v = (uint3)0;
 
-    v = ((seed * 1664525u) + (1013904223u).xxx);
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + (1013904223u).xxx;
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> (16u).xxx));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
 /// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 float3 unit_of_hash(uint3 hash)
 {
-    return (float3((hash >> (8u).xxx)) * 5.9604645e-8);
+    return float3((hash >> (8u).xxx)) * 5.9604645e-8;
 }
 
 /// The hash of a lattice point.
 uint3 lattice_hash(int3 cell, uint seed)
 {
-    return hash_pcg3d((asuint(cell) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
+    return hash_pcg3d(asuint(cell) + seed * uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 int naga_mod(int lhs, int rhs) {
     int divisor = ((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs;
-    return lhs - (lhs / divisor) * divisor;
+    return lhs - lhs / divisor * divisor;
 }
 
 int naga_div(int lhs, int rhs) {
@@ -628,7 +639,7 @@ Cell nearest_cell(float3 p, uint seed)
     int i_1 = int(0);
 
     float3 corner = floor(p);
-    float3 d = (p - corner);
+    float3 d = p - corner;
     int3 cell = naga_f2i32(corner);
     bool loop_init = true;
     while(true) {
@@ -636,44 +647,50 @@ Cell nearest_cell(float3 p, uint seed)
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if ((i < int(27))) {
+        if (i < int(27)) {
         } else {
             break;
         }
         {
-            int3 at = int3(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(i, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(i, int(9))) - asuint(int(1))));
+            int3 at = int3(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))),
+                asint(asuint(naga_mod(naga_div(i, int(3)), int(3))) - asuint(int(1))),
+                asint(asuint(naga_div(i, int(9))) - asuint(int(1))));
             const uint3 own = lattice_hash(asint(asuint(cell) + asuint(at)), seed);
-            float3 offset = (((float3(at) + (0.25).xxx) + (0.5 * unit_of_hash(own))) - d);
-            if ((dot(offset, offset) < dot(nearest, nearest))) {
+            float3 offset = float3(at) + (0.25).xxx + 0.5 * unit_of_hash(own) - d;
+            if (dot(offset, offset) < dot(nearest, nearest)) {
                 nearest = offset;
                 hash = own;
             }
         }
     }
     float distance_ = length(nearest);
-    border = max((0.5 * (CELL_REACH - distance_)), 0.0);
+    border = max(0.5 * (CELL_REACH - distance_), 0.0);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
             i_1 = asint(asuint(i_1) + asuint(int(1)));
         }
         loop_init_1 = false;
-        if ((i_1 < int(27))) {
+        if (i_1 < int(27)) {
         } else {
             break;
         }
         {
-            int3 at_1 = int3(asint(asuint(naga_mod(i_1, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(i_1, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(i_1, int(9))) - asuint(int(1))));
-            const float3 unit_of_hash_value = unit_of_hash(lattice_hash(asint(asuint(cell) + asuint(at_1)), seed));
-            float3 apart = ((((float3(at_1) + (0.25).xxx) + (0.5 * unit_of_hash_value)) - d) - nearest);
+            int3 at_1 = int3(asint(asuint(naga_mod(i_1, int(3))) - asuint(int(1))),
+                asint(asuint(naga_mod(naga_div(i_1, int(3)), int(3))) - asuint(int(1))),
+                asint(asuint(naga_div(i_1, int(9))) - asuint(int(1))));
+            const float3 unit_of_hash_value = unit_of_hash(lattice_hash(asint(asuint(cell)
+                + asuint(at_1)), seed));
+            float3 apart = float3(at_1) + (0.25).xxx + 0.5 * unit_of_hash_value - d - nearest;
             float between = length(apart);
             // Points are half a cell apart at least; a nearer one is the cell's own.
-            if ((between > 0.25)) {
-                border = min(border, (dot((nearest + (0.5 * apart)), apart) / between));
+            if (between > 0.25) {
+                border = min(border, dot(nearest + 0.5 * apart, apart) / between);
             }
         }
     }
-    const Cell cell_1 = ConstructCell(max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x, distance_);
+    const Cell cell_1 = ConstructCell(max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x,
+        distance_);
     // The number has a hash other than that of the point's place, or it would tell where in its
     // cell the point lies.
     return cell_1;
@@ -694,13 +711,12 @@ Cells ConstructCells(float arg0, float arg1, float arg2) {
 /// its color.
 Cells cells(float3 position, float scale, int seed)
 {
-    const float3 p = bounded_vec3((position * scale));
+    const float3 p = bounded_vec3(position * scale);
     const Cell cell = nearest_cell(p, 0u);
-    float visible = (1.0 - smoothstep(0.5, 1.0, footprint_of_vec3(p)));
+    float visible = 1.0 - smoothstep(0.5, 1.0, footprint_of_vec3(p));
     float3 average = float3(0.1301, 0.5, 0.491);
     float3 seen = lerp(average, float3(cell.border, cell.random, cell.distance_), visible);
-    const Cells cells_1 = ConstructCells(seen.x, seen.y, seen.z);
-    return cells_1;
+    return ConstructCells(seen.x, seen.y, seen.z);
 }
 
 FilteredLight ConstructFilteredLight(Light arg0, Angle arg1) {
@@ -713,14 +729,23 @@ FilteredLight ConstructFilteredLight(Light arg0, Angle arg1) {
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    const Light lamp = light_spot(look.lamp_position, look.lamp_aim, look.lamp_own_from_world, look.lamp_color, look.lamp_intensity, look.lamp_cone, look.lamp_fading, surface.position);
-    Angle angle = ConstructAngle((0.5 * length((surface.normal - lamp.direction))), (0.5 * length((surface.normal + lamp.direction))));
-    const float3 place_along_value = place_along(surface.position, look.lamp_position, axes_turned(look.lamp_aim, 0.0));
+    const Light lamp = light_spot(look.lamp_position, look.lamp_aim, look.lamp_own_from_world,
+        look.lamp_color, look.lamp_intensity, look.lamp_cone, look.lamp_fading, surface.position);
+    // Parametrization
+    Angle angle = ConstructAngle(0.5 * length(surface.normal - lamp.direction), 0.5
+        * length(surface.normal + lamp.direction));
+    const float3 place_along_value = place_along(surface.position, look.lamp_position,
+        axes_turned(look.lamp_aim, 0.0));
+    // Barn doors
     const float doors = share_of_doors(place_along_value, float4(0.3, 0.36, 0.3, 0.2), 0.02);
-    const PlaceInLight place = light_place_point(look.lamp_position, 0.4, 0.6, look.lamp_aim, surface.position);
+    const PlaceInLight place = light_place_point(look.lamp_position, 0.4, 0.6, look.lamp_aim,
+        surface.position);
     const Cells leaves = cells(float3(place.uv, 0.0), 13.0, int(0));
-    float both = (doors * smoothstep(0.12, 0.62, leaves.distance_));
-    FilteredLight filter_2 = ConstructFilteredLight(lamp, angle_filtered(angle, (both * min(luminance((1.0).xxxx), 1.0))));
+    // Combine filters
+    float both = doors * smoothstep(0.12, 0.62, leaves.distance_);
+    // Light filter
+    FilteredLight filter_2 = ConstructFilteredLight(lamp,
+        angle_filtered(angle, both * min(luminance((1.0).xxxx), 1.0)));
     const float tone = profile_balanced(filter_2.angle, 0.0, tone_shape);
     const LitLayer lit_ = light_apply(filter_2.light, float4(0.93, 0.62, 0.36, 1.0), tone);
     return blend_add(float4(0.13, 0.14, 0.27, 1.0), lit_.color, lit_.tone, 1.0, true);
@@ -737,7 +762,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -751,10 +777,11 @@ Surface ConstructSurface(float3 arg0, float3 arg1) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_5, fragmentinput_fs_main.normal_1 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_5,
+        fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     Surface surface = ConstructSurface(normal, in_.position);
     return shade(surface);
 }

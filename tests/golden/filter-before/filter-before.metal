@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// What is known before the fragment.
 struct Look {
     metal::float3 lamp_position;
@@ -33,11 +35,13 @@ struct Look {
     metal::float2 lamp_cone;
     metal::float2 lamp_fading;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 position;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -48,6 +52,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -59,6 +64,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -66,6 +72,7 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 struct FilteredLight {
     /// The light behind the filter.
     Light light;
@@ -73,6 +80,7 @@ struct FilteredLight {
     Angle angle;
     char _pad2[8];
 };
+
 struct PlaceInLight {
     /// From 0,0 at the picture's lower left corner to 1,1 at its upper right one, as the light sees
     /// it.
@@ -81,6 +89,7 @@ struct PlaceInLight {
     float inside;
     char _pad2[4];
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -99,6 +108,7 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Cell {
     /// The distance to the nearest border, in cells.
     float border;
@@ -107,6 +117,7 @@ struct Cell {
     /// The distance to the cell's point.
     float distance;
 };
+
 struct Cells {
     /// The distance to the nearest border, in cells: 0 at it, rarely above 0.3.
     float border;
@@ -115,15 +126,18 @@ struct Cells {
     /// The distance to the cell's middle, in cells.
     float distance;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
+
 constant float PI = 3.1415927;
 constant float HALF_PI = 1.5707964;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
@@ -132,7 +146,8 @@ constant float FAR_FROM_SHAPE = 1000.0;
 /// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
 /// cell from their cell's sides.
 constant float CELL_REACH = 1.25;
-constant ProfileShape tone_shape = ProfileShape {0.87758255, 0.47942555, 20.008335, 2.4978132, 1.0, 0.04909103, 0.021148764, 0u};
+constant ProfileShape tone_shape = ProfileShape {0.87758255, 0.47942555, 20.008335, 2.4978132, 1.0,
+    0.04909103, 0.021148764, 0u};
 
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
@@ -150,13 +165,14 @@ metal::float3 normalize_or(
     metal::float3 otherwise
 ) {
     float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
-    if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
+    if (!((largest > 0.000000000000000000000000000001)
+        & (largest < 1000000000000000000000000000000.0))) {
         return otherwise;
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
@@ -167,8 +183,10 @@ metal::float2 sin_cos_eighth(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666667 + (y * (0.008333334 + (y * (-0.0001984127 + (y * 0.0000027557319))))))));
-    float c = 1.0 - (y * (0.5 + (y * (-0.041666668 + (y * (0.0013888889 + (y * (-0.000024801588 + (y * 0.0000002755732)))))))));
+    float s = x * (1.0 + y * (-0.16666667 + y
+        * (0.008333334 + y * (-0.0001984127 + y * 0.0000027557319))));
+    float c = 1.0 - y * (0.5 + y * (-0.041666668 + y
+        * (0.0013888889 + y * (-0.000024801588 + y * 0.0000002755732))));
     return metal::float2(s, c);
 }
 
@@ -179,7 +197,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -203,11 +222,14 @@ float atan2_positive(
     float t = small / large;
     // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
     bool is_wide = t > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t;
+    float r = is_wide ? (small - large) / (small + large) : t;
     float r2 = r * r;
-    float series = r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353))))))))))))))));
-    float a = is_wide ? (series + 0.7853982) : series;
-    return (y > x) ? (HALF_PI - a) : a;
+    float series = r * (1.0 + r2 * (-0.33333334 + r2
+        * (0.2 + r2 * (-0.14285715 + r2
+        * (0.11111111 + r2 * (-0.09090909 + r2
+        * (0.07692308 + r2 * (-0.06666667 + r2 * 0.05882353))))))));
+    float a = is_wide ? series + 0.7853982 : series;
+    return y > x ? HALF_PI - a : a;
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -227,9 +249,9 @@ Angle angle_turned(
     Angle u,
     metal::float2 t
 ) {
-    float s = u.half_sin - (u.half_cos * 0.0);
+    float s = u.half_sin - u.half_cos * 0.0;
     float c = u.half_cos + 0.0;
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
@@ -242,7 +264,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -251,8 +273,10 @@ metal::float3 bounded_vec3(
 ) {
     metal::uint3 bits = as_type<metal::uint3>(v);
     metal::uint3 magnitude = bits & metal::uint3(2147483647u);
-    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
-    metal::float3 numbers = metal::select(metal::float3(0.0), largest, magnitude == metal::uint3(2139095040u));
+    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u))
+        | metal::uint3(2139095039u));
+    metal::float3 numbers = metal::select(metal::float3(0.0), largest,
+        magnitude == metal::uint3(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint3(2139095040u));
 }
 
@@ -265,7 +289,7 @@ float place_between(
 ) {
     float span = high - low;
     if (span < SMALLEST_NORMAL) {
-        return (x >= high) ? 1.0 : 0.0;
+        return x >= high ? 1.0 : 0.0;
     }
     return bounded((x - low) / span);
 }
@@ -278,7 +302,7 @@ float eased(
     float high
 ) {
     float t = metal::clamp(place_between(bounded(x), low, high), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
@@ -287,10 +311,10 @@ float angle_of_point(
     float x
 ) {
     metal::float2 p = metal::abs(metal::float2(x, y));
-    metal::float2 scaled = (metal::max(p.x, p.y) > 1.0) ? (0.5 * p) : p;
+    metal::float2 scaled = metal::max(p.x, p.y) > 1.0 ? 0.5 * p : p;
     float a = atan2_positive(scaled.y, scaled.x);
-    float turned = (x < 0.0) ? (PI - a) : a;
-    return (y < 0.0) ? -(turned) : turned;
+    float turned = x < 0.0 ? PI - a : a;
+    return y < 0.0 ? -turned : turned;
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -307,7 +331,7 @@ metal::float2 footprint_of_vec2(
 ) {
     metal::float2 dx = metal::dfdx(v);
     metal::float2 dy = metal::dfdy(v);
-    return metal::sqrt((dx * dx) + (dy * dy));
+    return metal::sqrt(dx * dx + dy * dy);
 }
 
 /// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
@@ -335,9 +359,11 @@ metal::float3x3 axes_around(
 ) {
     metal::float3 leaning = metal::cross(up, toward);
     float square = metal::dot(leaning, leaning);
-    metal::float3 aside = (metal::abs(toward.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square > 0.00000001) ? leaning : metal::cross(aside, toward);
-    metal::float3 x = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
+    metal::float3 aside = metal::abs(toward.x)
+        > 0.7 ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
+    metal::float3 across = square > 0.00000001 ? leaning : metal::cross(aside, toward);
+    metal::float3 x = normalize_moderate(across - metal::dot(across, toward) * toward,
+        metal::float3(1.0, 0.0, 0.0));
     return metal::float3x3(x, metal::cross(toward, x), toward);
 }
 
@@ -351,7 +377,8 @@ Composite blend_add(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0),
+        metal::float4(0.0), metal::float4(1.0));
 }
 
 /// Axes of a thing that points along `toward`, upright and then turned by `spin`, as columns.
@@ -361,7 +388,8 @@ metal::float3x3 axes_turned(
 ) {
     metal::float3x3 axes = axes_around(toward, metal::float3(0.0, 1.0, 0.0));
     metal::float2 turn = metal::float2(0.0, 1.0);
-    return metal::float3x3((turn.y * axes[0]) + (turn.x * axes[1]), (turn.y * axes[1]) - (turn.x * axes[0]), axes[2]);
+    return metal::float3x3(turn.y * axes[0] + turn.x * axes[1], turn.y * axes[1] - turn.x * axes[0],
+        axes[2]);
 }
 
 /// Axes of a thing that points along `toward`, upright and then turned by `spin`, as columns.
@@ -370,8 +398,10 @@ metal::float3x3 axes_turned_2(
     float spin
 ) {
     metal::float3x3 axes = axes_around(toward, metal::float3(0.0, 1.0, 0.0));
-    metal::float2 turn = metal::clamp(sin_cos_eighth(((spin - 0.0) - 0.0) - 0.0), metal::float2(-1.0), metal::float2(1.0));
-    return metal::float3x3((turn.y * axes[0]) + (turn.x * axes[1]), (turn.y * axes[1]) - (turn.x * axes[0]), axes[2]);
+    metal::float2 turn = metal::clamp(sin_cos_eighth(spin - 0.0 - 0.0 - 0.0), metal::float2(-1.0),
+        metal::float2(1.0));
+    return metal::float3x3(turn.y * axes[0] + turn.x * axes[1], turn.y * axes[1] - turn.x * axes[0],
+        axes[2]);
 }
 
 /// A place as seen from a center along axes, within a million of it.
@@ -380,8 +410,10 @@ metal::float3 place_along(
     metal::float3 center,
     metal::float3x3 axes
 ) {
-    metal::float3 away = metal::clamp(place - center, metal::float3(-1000000.0), metal::float3(1000000.0));
-    return metal::float3(metal::dot(away, axes[0]), metal::dot(away, axes[1]), metal::dot(away, axes[2]));
+    metal::float3 away = metal::clamp(place - center, metal::float3(-1000000.0),
+        metal::float3(1000000.0));
+    return metal::float3(metal::dot(away, axes[0]), metal::dot(away, axes[1]),
+        metal::dot(away, axes[2]));
 }
 
 /// The share of a light that passes a shape at distance m, 1 on its surface, in sizes of the shape:
@@ -406,10 +438,17 @@ float share_of_doors(
     metal::float4 flaps,
     float softness
 ) {
-    metal::float2 angles = metal::float2(angle_of_point(seen.x, seen.z), angle_of_point(seen.y, seen.z));
+    metal::float2 angles = metal::float2(angle_of_point(seen.x, seen.z),
+        angle_of_point(seen.y, seen.z));
     metal::float2 half_ = 0.5 * metal::min(footprint_of_vec2(angles), metal::float2(0.1));
-    float aside = (1.0 - metal::smoothstep(flaps.x - half_.x, flaps.x + metal::max(softness, half_.x), angles.x)) * (1.0 - metal::smoothstep(flaps.y - half_.x, flaps.y + metal::max(softness, half_.x), -(angles.x)));
-    return (aside * (1.0 - metal::smoothstep(flaps.z - half_.y, flaps.z + metal::max(softness, half_.y), angles.y))) * (1.0 - metal::smoothstep(flaps.w - half_.y, flaps.w + metal::max(softness, half_.y), -(angles.y)));
+    float aside = (1.0 - metal::smoothstep(flaps.x - half_.x, flaps.x
+        + metal::max(softness, half_.x), angles.x))
+        * (1.0 - metal::smoothstep(flaps.y - half_.x, flaps.y + metal::max(softness, half_.x),
+        -angles.x));
+    return aside * (1.0 - metal::smoothstep(flaps.z - half_.y, flaps.z
+        + metal::max(softness, half_.y), angles.y))
+        * (1.0 - metal::smoothstep(flaps.w - half_.y, flaps.w + metal::max(softness, half_.y),
+        -angles.y));
 }
 
 /// An angle as a filter before the profile leaves it: tan(u/2) over the share that passes, so that
@@ -419,10 +458,10 @@ Angle angle_filtered(
     float share
 ) {
     float cosine = u.half_cos * share;
-    float square = (u.half_sin * u.half_sin) + (cosine * cosine);
+    float square = u.half_sin * u.half_sin + cosine * cosine;
     float scale = metal::rsqrt(metal::max(square, 0.000000000000000000000000000001));
     bool is_dark = square < 0.000000000000000000000000000001;
-    return Angle {is_dark ? 1.0 : (u.half_sin * scale), is_dark ? 0.0 : (cosine * scale)};
+    return Angle {is_dark ? 1.0 : u.half_sin * scale, is_dark ? 0.0 : cosine * scale};
 }
 
 /// Attenuation at `distance`: 1 / (1 + (d / half)^2), ended smoothly at the range by (1 - (d /
@@ -434,11 +473,11 @@ float light_fading(
     float left = 1.0;
     if (fading.x > 0.0) {
         float d = metal::min(distance / fading.x, 1000000000000000.0);
-        left = 1.0 / (1.0 + (d * d));
+        left = 1.0 / (1.0 + d * d);
     }
     if (fading.y > 0.0) {
         float d_1 = metal::min(distance / fading.y, 1.0);
-        float window = metal::max(1.0 - (((d_1 * d_1) * d_1) * d_1), 0.0);
+        float window = metal::max(1.0 - d_1 * d_1 * d_1 * d_1, 0.0);
         left = left * (window * window);
     }
     return left;
@@ -467,10 +506,10 @@ float light_cone(
     metal::float2 cone
 ) {
     if (cone.x <= cone.y) {
-        return (cos_angle >= cone.y) ? 1.0 : 0.0;
+        return cos_angle >= cone.y ? 1.0 : 0.0;
     }
     float t = metal::clamp((cos_angle - cone.y) / (cone.x - cone.y), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 Light light_spot(
@@ -485,7 +524,7 @@ Light light_spot(
 ) {
     Light light = {};
     light = light_at(light_position, own_from_world, color, intensity, fading, position);
-    light.intensity = light.intensity * light_cone(metal::dot(-(light.direction), aim), cone);
+    light.intensity = light.intensity * light_cone(metal::dot(-light.direction, aim), cone);
     return light;
 }
 
@@ -498,8 +537,9 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 PlaceInLight place_in_light(
@@ -507,7 +547,7 @@ PlaceInLight place_in_light(
 ) {
     metal::float2 near = metal::clamp(at, metal::float2(-1000.0), metal::float2(1000.0));
     float inside = share_beside(metal::max(metal::abs(near.x), metal::abs(near.y)), 0.0, 1.0, true);
-    return PlaceInLight {metal::float2(0.5) + (0.5 * metal::float2(-(near.x), near.y)), inside};
+    return PlaceInLight {metal::float2(0.5) + 0.5 * metal::float2(-near.x, near.y), inside};
 }
 
 PlaceInLight light_place_point(
@@ -518,9 +558,10 @@ PlaceInLight light_place_point(
     metal::float3 position
 ) {
     metal::float3 seen = place_along(position, light_position, axes_turned_2(toward, spin));
-    metal::float2 turn = metal::clamp(sin_cos_eighth(((angle - 0.0) - 0.0) - 0.0), metal::float2(-1.0), metal::float2(1.0));
-    metal::float2 at = (seen.xy * (turn.y / turn.x)) / metal::float2(metal::max(seen.z, 0.001));
-    return place_in_light((seen.z > 0.001) ? at : metal::float2(1000.0));
+    metal::float2 turn = metal::clamp(sin_cos_eighth(angle - 0.0 - 0.0 - 0.0), metal::float2(-1.0),
+        metal::float2(1.0));
+    metal::float2 at = seen.xy * (turn.y / turn.x) / metal::float2(metal::max(seen.z, 0.001));
+    return place_in_light(seen.z > 0.001 ? at : metal::float2(1000.0));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -529,7 +570,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -539,10 +580,10 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -552,20 +593,22 @@ float profile_filtered_quick(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -583,14 +626,14 @@ metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
     metal::uint3 v = {};
-    v = (seed * 1664525u) + metal::uint3(1013904223u);
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v = seed * 1664525u + metal::uint3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = v ^ (v >> metal::uint3(16u));
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -606,7 +649,8 @@ metal::uint3 lattice_hash(
     metal::int3 cell,
     uint seed
 ) {
-    return hash_pcg3d(as_type<metal::uint3>(cell) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+    return hash_pcg3d(as_type<metal::uint3>(cell) + seed
+        * metal::uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
@@ -615,7 +659,7 @@ metal::int3 naga_f2i32(metal::float3 value) {
 
 int naga_mod(int lhs, int rhs) {
     int divisor = metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-    return lhs - (lhs / divisor) * divisor;
+    return lhs - lhs / divisor * divisor;
 }
 
 int naga_div(int lhs, int rhs) {
@@ -650,9 +694,14 @@ Cell nearest_cell(
             break;
         }
         {
-            metal::int3 at = metal::int3(as_type<int>(as_type<uint>(naga_mod(i, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 9)) - as_type<uint>(1)));
-            metal::uint3 own = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)), seed);
-            metal::float3 offset = ((static_cast<metal::float3>(at) + metal::float3(0.25)) + (0.5 * unit_of_hash(own))) - d;
+            metal::int3 at = metal::int3(as_type<int>(as_type<uint>(naga_mod(i, 3))
+                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i, 3), 3))
+                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 9))
+                - as_type<uint>(1)));
+            metal::uint3 own = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell)
+                + as_type<metal::uint3>(at)), seed);
+            metal::float3 offset = static_cast<metal::float3>(at) + metal::float3(0.25) + 0.5
+                * unit_of_hash(own) - d;
             if (metal::dot(offset, offset) < metal::dot(nearest, nearest)) {
                 nearest = offset;
                 hash = own;
@@ -672,14 +721,19 @@ Cell nearest_cell(
             break;
         }
         {
-            metal::int3 at_1 = metal::int3(as_type<int>(as_type<uint>(naga_mod(i_1, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i_1, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i_1, 9)) - as_type<uint>(1)));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1)), seed);
+            metal::int3 at_1 = metal::int3(as_type<int>(as_type<uint>(naga_mod(i_1, 3))
+                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i_1, 3), 3))
+                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i_1, 9))
+                - as_type<uint>(1)));
+            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1)),
+                seed);
             metal::float3 unit_of_hash_value = unit_of_hash(lattice_hash_value);
-            metal::float3 apart = (((static_cast<metal::float3>(at_1) + metal::float3(0.25)) + (0.5 * unit_of_hash_value)) - d) - nearest;
+            metal::float3 apart = static_cast<metal::float3>(at_1) + metal::float3(0.25) + 0.5
+                * unit_of_hash_value - d - nearest;
             float between = metal::length(apart);
             // Points are half a cell apart at least; a nearer one is the cell's own.
             if (between > 0.25) {
-                border = metal::min(border, metal::dot(nearest + (0.5 * apart), apart) / between);
+                border = metal::min(border, metal::dot(nearest + 0.5 * apart, apart) / between);
             }
         }
     }
@@ -702,7 +756,8 @@ Cells cells(
     Cell cell = nearest_cell(p, 0u);
     float visible = 1.0 - metal::smoothstep(0.5, 1.0, footprint_of_vec3(p));
     metal::float3 average = metal::float3(0.1301, 0.5, 0.491);
-    metal::float3 seen = metal::mix(average, metal::float3(cell.border, cell.random, cell.distance), visible);
+    metal::float3 seen = metal::mix(average, metal::float3(cell.border, cell.random, cell.distance),
+        visible);
     return Cells {seen.x, seen.y, seen.z};
 }
 
@@ -711,14 +766,24 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    Light lamp = light_spot(look.lamp_position, look.lamp_aim, look.lamp_own_from_world, metal::float3(look.lamp_color), look.lamp_intensity, look.lamp_cone, look.lamp_fading, surface.position);
-    Angle angle = Angle {0.5 * metal::length(surface.normal - lamp.direction), 0.5 * metal::length(surface.normal + lamp.direction)};
-    metal::float3 place_along_value = place_along(surface.position, look.lamp_position, axes_turned(look.lamp_aim, 0.0));
+    Light lamp = light_spot(look.lamp_position, look.lamp_aim, look.lamp_own_from_world,
+        metal::float3(look.lamp_color), look.lamp_intensity, look.lamp_cone, look.lamp_fading,
+        surface.position);
+    // Parametrization
+    Angle angle = Angle {0.5 * metal::length(surface.normal - lamp.direction), 0.5
+        * metal::length(surface.normal + lamp.direction)};
+    metal::float3 place_along_value = place_along(surface.position, look.lamp_position,
+        axes_turned(look.lamp_aim, 0.0));
+    // Barn doors
     float doors = share_of_doors(place_along_value, metal::float4(0.3, 0.36, 0.3, 0.2), 0.02);
-    PlaceInLight place = light_place_point(look.lamp_position, 0.4, 0.6, look.lamp_aim, surface.position);
+    PlaceInLight place = light_place_point(look.lamp_position, 0.4, 0.6, look.lamp_aim,
+        surface.position);
     Cells leaves = cells(metal::float3(place.uv, 0.0), 13.0, 0);
+    // Combine filters
     float both = doors * metal::smoothstep(0.12, 0.62, leaves.distance);
-    FilteredLight filter_2 = FilteredLight {lamp, angle_filtered(angle, both * metal::min(luminance(metal::float4(1.0)), 1.0))};
+    // Light filter
+    FilteredLight filter_2 = FilteredLight {lamp,
+        angle_filtered(angle, both * metal::min(luminance(metal::float4(1.0)), 1.0))};
     float tone = profile_balanced(filter_2.angle, 0.0, tone_shape);
     LitLayer lit = light_apply(filter_2.light, metal::float4(0.93, 0.62, 0.36, 1.0), tone);
     return blend_add(metal::float4(0.13, 0.14, 0.27, 1.0), lit.color, lit.tone, 1.0, true);
@@ -728,11 +793,13 @@ struct vs_mainInput {
     metal::float3 position_4 [[attribute(0)]];
     metal::float3 normal [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -740,7 +807,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position_4, varyings.normal };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -749,9 +817,11 @@ struct fs_mainInput {
     metal::float3 position_4 [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -760,7 +830,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position_4, varyings_1.normal };
     metal::float3 facing = normalize_seen(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     Surface surface = Surface {normal, in.position};
     return fs_mainOutput { shade(surface, look) };
 }

@@ -110,8 +110,10 @@ struct Varyings {
     float3 normal : LOC2;
 };
 
-static const ProfileShape gray_modeling_tone_shape = {1.0, 0.0, 1.0537579, 1.3909147, 0.0, 1.2772532, 0.561292, 0u};
-static const ProfileShape gray_lights_tone_shape = {0.99875027, 0.04997917, 2.0858297, 3.3126261, 0.1, 0.42646712, 0.19445144, 0u};
+static const ProfileShape gray_modeling_tone_shape = {1.0, 0.0, 1.0537579, 1.3909147, 0.0,
+    1.2772532, 0.561292, 0u};
+static const ProfileShape gray_lights_tone_shape = {0.99875027, 0.04997917, 2.0858297, 3.3126261,
+    0.1, 0.42646712, 0.19445144, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -137,7 +139,7 @@ struct FragmentInput_fs_main {
 float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
-    return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
+    return (asuint(v) & exponent) != exponent ? v : (0.0).xxxx;
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -145,7 +147,7 @@ float4 finite_vec4(float4 v)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -162,7 +164,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -176,11 +178,10 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = (u.half_sin - 0.0);
-    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
-    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
-    return angle_2;
+    float s = u.half_sin - 0.0;
+    float2 upper = u.half_cos <= 0.0 ? float2(1.0, 0.0) : float2(s, u.half_cos);
+    float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// [`bounded`], component by component.
@@ -189,15 +190,15 @@ float3 bounded_vec3(float3 v)
     uint3 bits = asuint(v);
     uint3 magnitude = (bits & (2147483647u).xxx);
     float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers = ((magnitude == (2139095040u).xxx) ? largest : (0.0).xxx);
-    return ((magnitude < (2139095040u).xxx) ? v : numbers);
+    float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
+    return magnitude < (2139095040u).xxx ? v : numbers;
 }
 
 /// [`mixed`], component by component.
 float3 mixed_vec3(float3 a, float3 b, float t)
 {
-    const float3 d = bounded_vec3((b - a));
-    return bounded_vec3(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
+    const float3 d = bounded_vec3(b - a);
+    return bounded_vec3(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -211,15 +212,15 @@ float footprint_of(float x)
 /// and Blending 1).
 float soft_light(float a, float b)
 {
-    float curved = ((a <= 0.25) ? (((((16.0 * a) - 12.0) * a) + 4.0) * a) : sqrt(max(a, 0.0)));
-    return (a + (((2.0 * b) - 1.0) * (curved - a)));
+    float curved = a <= 0.25 ? ((16.0 * a - 12.0) * a + 4.0) * a : sqrt(max(a, 0.0));
+    return a + (2.0 * b - 1.0) * (curved - a);
 }
 
 /// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
 float4 color_mixed(float4 a, float3 blended, float factor)
 {
     const float3 b = bounded_vec3(blended);
-    return float4(bounded_vec3((b - ((1.0 - factor) * bounded_vec3((b - a.xyz))))), 1.0);
+    return float4(bounded_vec3(b - (1.0 - factor) * bounded_vec3(b - a.xyz)), 1.0);
 }
 
 /// Lightness of a color in the non-separable modes (W3C Compositing and Blending 1, Lum).
@@ -233,39 +234,43 @@ float lightness_of(float3 rgb)
 float3 lit_as(float3 rgb, float3 other)
 {
     const float light = lightness_of(other);
-    float3 moved = (rgb + ((light - lightness_of(rgb))).xxx);
+    float3 moved = rgb + (light - lightness_of(rgb)).xxx;
     float least = min(min(moved.x, moved.y), moved.z);
     float largest = max(max(moved.x, moved.y), moved.z);
-    float raised = ((least < 0.0) ? (light / max((light - least), 1e-6)) : 1.0);
-    float3 clipped = ((light).xxx + ((moved - (light).xxx) * raised));
+    float raised = least < 0.0 ? light / max(light - least, 1e-6) : 1.0;
+    float3 clipped = (light).xxx + (moved - (light).xxx) * raised;
     // If both ends lie outside, the upper one is measured after the lower one was drawn in.
-    float top = (light + ((largest - light) * raised));
-    float lowered = ((top > 1.0) ? ((1.0 - light) / max((top - light), 1e-6)) : 1.0);
-    return ((light).xxx + ((clipped - (light).xxx) * lowered));
+    float top = light + (largest - light) * raised;
+    float lowered = top > 1.0 ? (1.0 - light) / max(top - light, 1e-6) : 1.0;
+    return (light).xxx + (clipped - (light).xxx) * lowered;
 }
 
 float4 mix_colors_screen(float4 a, float4 b, float factor)
 {
-    return float4(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(((a.xyz + b.xyz) - (a.xyz * b.xyz))), factor), 1.0);
+    return float4(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(a.xyz + b.xyz - a.xyz * b.xyz),
+        factor), 1.0);
 }
 
 float4 mix_colors_soft_light(float4 a, float4 b, float factor)
 {
     const float soft_light_value = soft_light(a.x, b.x);
     const float soft_light_value_1 = soft_light(a.y, b.y);
-    return color_mixed(a, float3(soft_light_value, soft_light_value_1, (a.z - (((1.0 - (2.0 * b.z)) * a.z) * (1.0 - a.z)))), factor);
+    return color_mixed(a, float3(soft_light_value, soft_light_value_1, a.z - (1.0 - 2.0 * b.z)
+        * a.z * (1.0 - a.z)), factor);
 }
 
 float4 mix_colors_hue(float4 a, float4 b, float factor)
 {
     float3 below = clamp(bounded_vec3(a.xyz), (0.0).xxx, (1.0).xxx);
-    const float3 lit_as_value = lit_as(((b.xyz - (b.y).xxx) * ((max(max(below.x, below.y), below.z) - min(min(below.x, below.y), below.z)) / (b.x - b.y))), below);
+    const float3 lit_as_value = lit_as((b.xyz - (b.y).xxx)
+        * ((max(max(below.x, below.y), below.z) - min(min(below.x, below.y), below.z))
+        / (b.x - b.y)), below);
     return float4(mixed_vec3(bounded_vec3(a.xyz), lit_as_value, max(factor, 0.0)), 1.0);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + tone * (color.xyz - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -282,54 +287,53 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_3 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
-    return angle_3;
+    float3 d = 2.0 * dot(normal, view) * normal - view;
+    return ConstructAngle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2((u.half_sin - 0.0), u.half_cos);
+    float2 place = float2(u.half_sin - 0.0, u.half_cos);
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
@@ -351,14 +355,15 @@ float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 float rim(Light light, float3 normal, float3 view, float width, float softness, float follow)
 {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float edge = max((width * softness), min(footprint_of(facing), 1.0));
-    float3 aside = (normal - view);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - width)) : (width - facing));
-    float within = ((further / edge) + 0.0);
+    float edge = max(width * softness, min(footprint_of(facing), 1.0));
+    float3 aside = normal - view;
+    float further = facing > 0.5 ? 0.5 * dot(aside, aside) - (1.0 - width) : width - facing;
+    float within = further / edge + 0.0;
     float inside = clamp(within, 0.0, 1.0);
-    float3 across = (light.direction - (dot(light.direction, view) * view));
-    float side = dot((normal - (dot(normal, view) * view)), (across * rsqrt(max(dot(across, across), 1e-30))));
-    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow));
+    float3 across = light.direction - dot(light.direction, view) * view;
+    float side = dot(normal - dot(normal, view) * view, across
+        * rsqrt(max(dot(across, across), 1e-30)));
+    return inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 VectorParts ConstructVectorParts(float arg0, float arg1, float arg2) {
@@ -372,28 +377,48 @@ VectorParts ConstructVectorParts(float arg0, float arg1, float arg2) {
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    Angle gray_modeling_angle = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
-    const float gray_modeling_tone = profile_balanced(gray_modeling_angle, 0.0, gray_modeling_tone_shape);
-    const LitLayer gray_modeling_lit = light_apply(look.key, float4(0.7059, 0.7059, 0.7059, 1.0), gray_modeling_tone);
-    const float4 gray_modeling_blend = blend_alpha(float4(0.1216, 0.1216, 0.1216, 1.0), gray_modeling_lit.color, gray_modeling_lit.tone, 1.0, true);
-    const Angle gray_lights_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
-    const float gray_lights_tone = profile_balanced_2(gray_lights_angle, 0.0, gray_lights_tone_shape);
-    const LitLayer gray_lights_lit = light_apply(look.key, float4(0.2902, 0.2902, 0.2902, 1.0), gray_lights_tone);
-    float4 gray_lights_blend = clamp(float4((gray_modeling_blend.xyz + (gray_lights_lit.tone * gray_lights_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    // Gray modeling (Light layer)
+    Angle gray_modeling_angle = ConstructAngle(0.5 * length(surface.normal - look.key.direction),
+        0.5 * length(surface.normal + look.key.direction));
+    const float gray_modeling_tone = profile_balanced(gray_modeling_angle, 0.0,
+        gray_modeling_tone_shape);
+    const LitLayer gray_modeling_lit = light_apply(look.key, float4(0.7059, 0.7059, 0.7059, 1.0),
+        gray_modeling_tone);
+    const float4 gray_modeling_blend = blend_alpha(float4(0.1216, 0.1216, 0.1216, 1.0),
+        gray_modeling_lit.color, gray_modeling_lit.tone, 1.0, true);
+
+    // Gray lights (Light layer)
+    const Angle gray_lights_angle = parametrization_specular_balanced(look.key, surface.normal,
+        surface.view);
+    const float gray_lights_tone = profile_balanced_2(gray_lights_angle, 0.0,
+        gray_lights_tone_shape);
+    const LitLayer gray_lights_lit = light_apply(look.key, float4(0.2902, 0.2902, 0.2902, 1.0),
+        gray_lights_tone);
+    float4 gray_lights_blend = clamp(float4(gray_modeling_blend.xyz + gray_lights_lit.tone
+        * gray_lights_lit.color.xyz, 1.0), (0.0).xxxx, (1.0).xxxx);
+
+    // Set alpha
     float4 grisaille = float4(gray_lights_blend.xyz, 1.0);
-    float4 glaze_of_green_earth = float4(lerp(grisaille.xyz, lit_as(float3(0.4275, 0.5412, 0.4471), grisaille.xyz), 0.75), 1.0);
-    float4 glaze_of_sienna = float4(lerp(grisaille.xyz, lit_as(float3(0.7098, 0.4667, 0.3098), grisaille.xyz), 0.7), 1.0);
+    float4 glaze_of_green_earth = float4(lerp(grisaille.xyz,
+        lit_as(float3(0.4275, 0.5412, 0.4471), grisaille.xyz), 0.75), 1.0);
+    float4 glaze_of_sienna = float4(lerp(grisaille.xyz,
+        lit_as(float3(0.7098, 0.4667, 0.3098), grisaille.xyz), 0.7), 1.0);
     float3 place = surface.position_object;
     VectorParts height = ConstructVectorParts(place.x, place.y, place.z);
     float toward_the_head = smoothstep(-0.5, 0.5, height.y);
     float4 from_green_to_sienna = lerp(glaze_of_green_earth, glaze_of_sienna, toward_the_head);
-    const float4 warm_light = mix_colors_soft_light(from_green_to_sienna, float4(0.9098, 0.702, 0.4157, 1.0), 0.6);
+    const float4 warm_light = mix_colors_soft_light(from_green_to_sienna,
+        float4(0.9098, 0.702, 0.4157, 1.0), 0.6);
     float curvature = surface.kappa;
-    float bulge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.06), -20.0, 20.0))))))));
-    float hollows = lerp(0.6, 0.0, min(((bulge - 0.0) / 0.55), 1.0));
-    const float4 wine_in_the_hollows = mix_colors_hue(warm_light, float4(0.4902, 0.2471, 0.3608, 1.0), hollows);
+    // Curvature transition
+    float bulge = 0.5 + 0.5 * (1.0 - 2.0
+        / (1.0 + exp2(2.88539 * clamp(curvature * 0.06, -20.0, 20.0))));
+    float hollows = lerp(0.6, 0.0, min((bulge - 0.0) / 0.55, 1.0));
+    const float4 wine_in_the_hollows = mix_colors_hue(warm_light,
+        float4(0.4902, 0.2471, 0.3608, 1.0), hollows);
     const float rim_2 = rim(look.back, surface.normal, surface.view, 0.3, 0.6, 1.0);
-    const float4 cool_edge = mix_colors_screen(wine_in_the_hollows, float4(0.4353, 0.5294, 0.6588, 1.0), rim_2);
+    const float4 cool_edge = mix_colors_screen(wine_in_the_hollows,
+        float4(0.4353, 0.5294, 0.6588, 1.0), rim_2);
     return finite_vec4(cool_edge);
 }
 
@@ -409,8 +434,10 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        vertex.position, mul(vertex.normal, object.world_from_normal));
+    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
+        varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
@@ -429,11 +456,13 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_3 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), in_.position_object, texel.x);
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        in_.position_object, texel.x);
     return finite_vec4(shade(surface));
 }

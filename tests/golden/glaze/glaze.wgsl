@@ -294,6 +294,7 @@ const gray_lights_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.0858297, 3
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Gray modeling (Light layer)
     let gray_modeling_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
         * length(surface.normal + look.key.direction));
     let gray_modeling_tone = profile_balanced(gray_modeling_angle, 0.0, gray_modeling_tone_shape);
@@ -301,6 +302,8 @@ fn shade(surface: Surface) -> vec4f {
         gray_modeling_tone);
     let gray_modeling_blend = blend_alpha(vec4f(0.1216, 0.1216, 0.1216, 1.0),
         gray_modeling_lit.color, gray_modeling_lit.tone, 1.0, true);
+
+    // Gray lights (Light layer)
     let gray_lights_angle = parametrization_specular_balanced(look.key, surface.normal,
         surface.view);
     let gray_lights_tone = profile_balanced_2(gray_lights_angle, 0.0, gray_lights_tone_shape);
@@ -308,6 +311,8 @@ fn shade(surface: Surface) -> vec4f {
         gray_lights_tone);
     let gray_lights_blend = clamp(vec4f(gray_modeling_blend.xyz + gray_lights_lit.tone
         * gray_lights_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
+
+    // Set alpha
     let grisaille = vec4f(gray_lights_blend.xyz, 1.0);
     let glaze_of_green_earth = vec4f(mix(grisaille.xyz,
         lit_as(vec4f(0.4275, 0.5412, 0.4471, 1.0).xyz, grisaille.xyz), 0.75), 1.0);
@@ -320,6 +325,7 @@ fn shade(surface: Surface) -> vec4f {
     let warm_light = mix_colors_soft_light(from_green_to_sienna, vec4f(0.9098, 0.702, 0.4157, 1.0),
         0.6);
     let curvature = surface.kappa;
+    // Curvature transition
     let bulge = 0.5 + 0.5 * (1.0 - 2.0
         / (1.0 + exp2(2.8853900817779268 * clamp(curvature * 0.06, -20.0, 20.0))));
     let hollows = mix(0.6, 0.0, min((bulge - 0.0) / (0.55 - 0.0), 1.0));

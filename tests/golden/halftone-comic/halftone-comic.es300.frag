@@ -15,6 +15,7 @@ struct View {
     /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     vec4 screen;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -26,17 +27,20 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light key;
     vec2 viewport;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     vec2 pixel;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -45,6 +49,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -63,13 +68,17 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
-const ProfileShape not_in_deep_shade_shape = ProfileShape(0.65243745, 0.75784254, 0.0, 1.0, 1.72, 0.0, 0.0, 1u);
-const ProfileShape highlight_shape = ProfileShape(0.9915619, 0.12963414, 0.0, 1.0, 0.26, 0.0, 0.0, 1u);
+
+const ProfileShape not_in_deep_shade_shape = ProfileShape(0.65243745, 0.75784254, 0.0, 1.0, 1.72,
+    0.0, 0.0, 1u);
+const ProfileShape highlight_shape = ProfileShape(0.9915619, 0.12963414, 0.0, 1.0, 0.26, 0.0, 0.0,
+    1u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -85,18 +94,21 @@ vec2 sin_cos_quarter(float x) {
     // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
     // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
     // whose cut-off is pi is 0 there, in f64 too.
-    float h = (0.5 * x);
-    float h2 = (h * h);
-    float s = (h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (2.7557319e-6 + (h2 * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-2.4801588e-5 + (h2 * (2.755732e-7 + (h2 * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+    float h = 0.5 * x;
+    float h2 = h * h;
+    float s = h * (1.0 + h2 * (-0.16666667 + h2
+        * (0.008333334 + h2 * (-0.0001984127 + h2 * (2.7557319e-6 + h2 * -2.5052108e-8)))));
+    float one_minus_c = h2 * (0.5 + h2
+        * (-0.041666668 + h2 * (0.0013888889 + h2
+        * (-2.4801588e-5 + h2 * (2.755732e-7 + h2 * -2.0876756e-9)))));
+    float c = 1.0 - one_minus_c;
+    return vec2(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -105,63 +117,64 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = (u.half_sin - 0.0);
-    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
-    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - 0.0;
+    vec2 upper = u.half_cos <= 0.0 ? vec2(1.0, 0.0) : vec2(s, u.half_cos);
+    vec2 turned = (s <= 0.0 && s < u.half_cos) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high) {
-    float t = clamp(((x - low) / (high - low)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp((x - low) / (high - low), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Change of each of a point's coordinates over one pixel, finite. Call it in uniform control flow.
 vec2 footprint_of_vec2(vec2 v) {
     vec2 dx = dFdx(v);
     vec2 dy = dFdy(v);
-    return sqrt(((dx * dx) + (dy * dy)));
+    return sqrt(dx * dx + dy * dy);
 }
 
 Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
-    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
+    vec3 d = 2.0 * dot(normal, view) * normal - view;
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt((w * w));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (0.0 - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
     Angle warped = angle_turned(angle, vec2(0.0, 1.0));
     float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
+    return profile_ramp_quick(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// p turned by an angle in radians, from x to y.
 vec2 turned_by(vec2 p, float angle) {
     vec2 turn = vec2(sin(angle), cos(angle));
-    return vec2(((turn.y * p.x) - (turn.x * p.y)), ((turn.x * p.x) + (turn.y * p.y)));
+    return vec2(turn.y * p.x - turn.x * p.y, turn.x * p.x + turn.y * p.y);
 }
 
 /// A place in pixels, in cells of a half-tone screen that has `lines` lines to the picture's height
 /// and is turned by an angle in radians.
 vec2 screen_cells(vec2 place, vec2 viewport, float lines, float angle) {
     vec2 most = vec2(4194304.0);
-    vec2 upright = (place * (lines / max(viewport.y, 1.0)));
+    vec2 upright = place * (lines / max(viewport.y, 1.0));
     return clamp(turned_by(clamp(upright, vec2(-4194304.0), most), angle), vec2(-4194304.0), most);
 }
 
@@ -170,84 +183,87 @@ vec2 screen_cells(vec2 place, vec2 viewport, float lines, float angle) {
 float dot_radius(float share) {
     float a = 0.0;
     int i = 0;
-    if ((share <= 0.7853982)) {
-        return sqrt((share * 0.31830987));
+    if (share <= 0.7853982) {
+        return sqrt(share * 0.31830987);
     }
-    float s = ((share - 0.7853982) / 0.21460183);
-    a = mix((0.5227232 * sqrt(s)), (0.7853982 - (0.3275682 * sqrt((1.0 - s)))), s);
+    float s = (share - 0.7853982) / 0.21460183;
+    a = mix(0.5227232 * sqrt(s), 0.7853982 - 0.3275682 * sqrt(1.0 - s), s);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if (!((i < 2))) {
+        if (!(i < 2)) {
             break;
         }
         vec2 turn = sin_cos_quarter(clamp(a, 0.0, 0.7853982));
-        float tangent = (turn.x / turn.y);
-        float square = (1.0 / (turn.y * turn.y));
-        float sector = (0.7853982 - a);
-        float slope = (((2.0 * sector) * square) * tangent);
-        a = clamp((a - ((slope > 0.001) ? ((((sector * square) + tangent) - share) / slope) : 0.0)), 0.0, 0.7853982);
+        float tangent = turn.x / turn.y;
+        float square = 1.0 / (turn.y * turn.y);
+        float sector = 0.7853982 - a;
+        float slope = 2.0 * sector * square * tangent;
+        a = clamp(a - (slope > 0.001 ? (sector * square + tangent - share) / slope : 0.0), 0.0,
+            0.7853982);
     }
-    return (0.5 / sin_cos_quarter(a).y);
+    return 0.5 / sin_cos_quarter(a).y;
 }
 
 /// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
 /// over the plane is the disk's own area, however small the disk; without a footprint its edge is
 /// inclusive.
 float disk_filtered(float d, float r, float w) {
-    if ((w < 1e-30)) {
-        return (((d <= r) && (r > 0.0)) ? 1.0 : 0.0);
+    if (w < 1e-30) {
+        return (d <= r && r > 0.0) ? 1.0 : 0.0;
     }
     // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to give that back
     // is drawn fainter.
-    float square = (r * r);
-    float least = ((w * w) / 3.0);
-    float inner = sqrt((max(square, least) - (0.25 * least)));
-    return (clamp((0.5 + ((inner - d) / w)), 0.0, 1.0) * min((square / least), 1.0));
+    float square = r * r;
+    float least = w * w / 3.0;
+    float inner = sqrt(max(square, least) - 0.25 * least);
+    return clamp(0.5 + (inner - d) / w, 0.0, 1.0) * min(square / least, 1.0);
 }
 
 /// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
 /// over the plane is the disk's own area, however small the disk; without a footprint its edge is
 /// inclusive.
 float disk_filtered_2(float d, float r, float w) {
-    if ((w < 1e-30)) {
-        return (((d <= r) && true) ? 1.0 : 0.0);
+    if (w < 1e-30) {
+        return d <= r ? 1.0 : 0.0;
     }
-    float square = (r * r);
-    float least = ((w * w) / 3.0);
-    float inner = sqrt((max(square, least) - (0.25 * least)));
-    return (clamp((0.5 + ((inner - d) / w)), 0.0, 1.0) * min((square / least), 1.0));
+    float square = r * r;
+    float least = w * w / 3.0;
+    float inner = sqrt(max(square, least) - 0.25 * least);
+    return clamp(0.5 + (inner - d) / w, 0.0, 1.0) * min(square / least, 1.0);
 }
 
 /// Ink of round dots that cover `share` of the plane.
 float ink_of_dots(vec2 cell, float share, float w) {
     float ink = 0.0;
     float width = min(w, 1.0);
-    ink = disk_filtered(length((cell - roundEven(cell))), dot_radius(share), width);
-    float hole = sqrt(((1.0 - share) * 0.31830987));
-    float is_star = (smoothstep((0.3 * hole), (0.9 * hole), width) * smoothstep(0.5, 0.7, share));
-    if ((is_star > 0.0)) {
-        ink = mix(ink, (1.0 - disk_filtered_2(length(((cell - floor(cell)) - vec2(0.5))), hole, width)), is_star);
+    ink = disk_filtered(length(cell - roundEven(cell)), dot_radius(share), width);
+    float hole = sqrt((1.0 - share) * 0.31830987);
+    float is_star = smoothstep(0.3 * hole, 0.9 * hole, width) * smoothstep(0.5, 0.7, share);
+    if (is_star > 0.0) {
+        ink = mix(ink, 1.0 - disk_filtered_2(length(cell - floor(cell) - vec2(0.5)), hole, width),
+            is_star);
     }
     float mean = mix(ink, share, smoothstep(0.4, 1.0, w));
-    return (((share <= 0.0) || false) ? share : mean);
+    return share <= 0.0 ? share : mean;
 }
 
 /// Ink of round dots that cover `share` of the plane.
 float ink_of_dots_2(vec2 cell, float share, float w) {
     float ink = 0.0;
     float width = min(w, 1.0);
-    ink = disk_filtered(length((cell - roundEven(cell))), sqrt((share * 0.31830987)), width);
-    float hole = sqrt(((1.0 - share) * 0.31830987));
-    float is_star = (smoothstep((0.3 * hole), (0.9 * hole), width) * smoothstep(0.5, 0.7, share));
-    if ((is_star > 0.0)) {
-        ink = mix(ink, (1.0 - disk_filtered_2(length(((cell - floor(cell)) - vec2(0.5))), hole, width)), is_star);
+    ink = disk_filtered(length(cell - roundEven(cell)), sqrt(share * 0.31830987), width);
+    float hole = sqrt((1.0 - share) * 0.31830987);
+    float is_star = smoothstep(0.3 * hole, 0.9 * hole, width) * smoothstep(0.5, 0.7, share);
+    if (is_star > 0.0) {
+        ink = mix(ink, 1.0 - disk_filtered_2(length(cell - floor(cell) - vec2(0.5)), hole, width),
+            is_star);
     }
     float mean = mix(ink, share, smoothstep(0.4, 1.0, w));
-    return (((share <= 0.0) || false) ? share : mean);
+    return share <= 0.0 ? share : mean;
 }
 
 /// Half-tone
@@ -259,7 +275,7 @@ float ink_of_dots_2(vec2 cell, float share, float w) {
 float halftone_dots(float value, vec2 place, float lines, float angle, vec2 viewport) {
     vec2 cell = screen_cells(place, viewport, lines, angle);
     vec2 w = footprint_of_vec2(cell);
-    return (1.0 - ink_of_dots(cell, (1.0 - min(value, 1.0)), max(w.x, w.y)));
+    return 1.0 - ink_of_dots(cell, 1.0 - min(value, 1.0), max(w.x, w.y));
 }
 
 /// Half-tone
@@ -271,23 +287,27 @@ float halftone_dots(float value, vec2 place, float lines, float angle, vec2 view
 float halftone_dots_2(float value, vec2 place, float lines, float angle, vec2 viewport) {
     vec2 cell = screen_cells(place, viewport, lines, angle);
     vec2 w = footprint_of_vec2(cell);
-    return (1.0 - ink_of_dots_2(cell, (1.0 - value), max(w.x, w.y)));
+    return 1.0 - ink_of_dots_2(cell, 1.0 - value, max(w.x, w.y));
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    float light_and_shade = max(((dot(surface.normal, u_look.key.direction) + 0.25) / 1.25), 0.0);
-    float red_to_print = mix(0.15, 1.0, clamp(((light_and_shade - 0.1) / 0.65), 0.0, 1.0));
+    // Reflectance
+    float light_and_shade = max((dot(surface.normal, u_look.key.direction) + 0.25) / 1.25, 0.0);
+    float red_to_print = mix(0.15, 1.0, clamp((light_and_shade - 0.1) / 0.65, 0.0, 1.0));
     float red_dots = halftone_dots(red_to_print, surface.pixel, 78.0, 0.2617994, u_look.viewport);
     vec4 red_on_yellow = mix(vec4(0.91, 0.3, 0.24, 1.0), vec4(1.0, 0.87, 0.58, 1.0), red_dots);
-    Angle turned_from_the_light = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
+    // Parametrization
+    Angle turned_from_the_light = Angle(0.5 * length(surface.normal - u_look.key.direction), 0.5
+        * length(surface.normal + u_look.key.direction));
     float not_in_deep_shade = profile_balanced(turned_from_the_light, 0.0, not_in_deep_shade_shape);
-    float deep_shade = (1.0 - not_in_deep_shade);
-    float how_much_blue = (deep_shade * 0.62);
-    float less = (1.0 - how_much_blue);
+    float deep_shade = 1.0 - not_in_deep_shade;
+    float how_much_blue = deep_shade * 0.62;
+    float less = 1.0 - how_much_blue;
     float blue_dots = halftone_dots_2(less, surface.pixel, 78.0, 1.3089969, u_look.viewport);
-    float inked = (1.0 - blue_dots);
-    vec4 blue_over_it = vec4(mix(red_on_yellow.xyz, (red_on_yellow.xyz * vec3(0.24, 0.3, 0.58)), inked), 1.0);
+    float inked = 1.0 - blue_dots;
+    vec4 blue_over_it = vec4(mix(red_on_yellow.xyz, red_on_yellow.xyz * vec3(0.24, 0.3, 0.58),
+        inked), 1.0);
     Angle mirrored = parametrization_specular_balanced(u_look.key, surface.normal, surface.view);
     float highlight = profile_balanced(mirrored, 0.0, highlight_shape);
     vec4 left_free = mix(blue_over_it, vec4(1.0, 0.99, 0.95, 1.0), highlight);
@@ -300,9 +320,8 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), ((in_.clip.xy * u_view.screen.xy) + u_view.screen.zw));
+    vec3 normal = is_front ? facing : -facing;
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position),
+        in_.clip.xy * u_view.screen.xy + u_view.screen.zw);
     out_color = shade(surface);
-    return;
 }
-

@@ -18,6 +18,7 @@ struct View {
     /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     metal::float4 screen;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -25,6 +26,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -36,12 +38,14 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light key;
     metal::float2 viewport;
     char _pad2[8];
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
@@ -49,6 +53,7 @@ struct Surface {
     metal::float2 pixel;
     char _pad3[8];
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -57,6 +62,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -75,17 +81,22 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
-constant ProfileShape not_in_deep_shade_shape = ProfileShape {0.65243745, 0.75784254, 0.0, 1.0, 1.72, 0.0, 0.0, 1u};
-constant ProfileShape highlight_shape = ProfileShape {0.9915619, 0.12963414, 0.0, 1.0, 0.26, 0.0, 0.0, 1u};
+
+constant ProfileShape not_in_deep_shade_shape = ProfileShape {0.65243745, 0.75784254, 0.0, 1.0,
+    1.72, 0.0, 0.0, 1u};
+constant ProfileShape highlight_shape = ProfileShape {0.9915619, 0.12963414, 0.0, 1.0, 0.26, 0.0,
+    0.0, 1u};
 
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
@@ -97,10 +108,13 @@ metal::float2 sin_cos_quarter(
     // whose cut-off is pi is 0 there, in f64 too.
     float h = 0.5 * x;
     float h2 = h * h;
-    float s = h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (0.0000027557319 + (h2 * -0.000000025052108))))))))));
-    float one_minus_c = h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-0.000024801588 + (h2 * (0.0000002755732 + (h2 * -0.0000000020876756))))))))));
+    float s = h * (1.0 + h2 * (-0.16666667 + h2
+        * (0.008333334 + h2 * (-0.0001984127 + h2 * (0.0000027557319 + h2 * -0.000000025052108)))));
+    float one_minus_c = h2 * (0.5 + h2
+        * (-0.041666668 + h2 * (0.0013888889 + h2
+        * (-0.000024801588 + h2 * (0.0000002755732 + h2 * -0.0000000020876756)))));
     float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    return metal::float2(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -129,7 +143,8 @@ Angle angle_turned(
     metal::float2 t
 ) {
     float s = u.half_sin - 0.0;
-    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 upper = u.half_cos
+        <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
     metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
@@ -142,7 +157,7 @@ float eased(
     float high
 ) {
     float t = metal::clamp((x - low) / (high - low), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Change of each of a point's coordinates over one pixel, finite. Call it in uniform control flow.
@@ -151,7 +166,7 @@ metal::float2 footprint_of_vec2(
 ) {
     metal::float2 dx = metal::dfdx(v);
     metal::float2 dy = metal::dfdy(v);
-    return metal::sqrt((dx * dx) + (dy * dy));
+    return metal::sqrt(dx * dx + dy * dy);
 }
 
 Angle parametrization_specular_balanced(
@@ -159,8 +174,9 @@ Angle parametrization_specular_balanced(
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
+    metal::float3 d = 2.0 * metal::dot(normal, view) * normal - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5
+        * metal::length(d + light.direction)};
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -171,9 +187,9 @@ float profile_ramp_quick(
     ProfileShape shape
 ) {
     float width = metal::sqrt(w * w);
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((0.0 - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (0.0 - from_offset) / metal::max(width, 0.000001), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 float profile_balanced(
@@ -183,7 +199,8 @@ float profile_balanced(
 ) {
     Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
     float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset), angle_footprint_value, shape);
+    return profile_ramp_quick(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// p turned by an angle in radians, from x to y.
@@ -192,7 +209,7 @@ metal::float2 turned_by(
     float angle
 ) {
     metal::float2 turn = metal::float2(metal::sin(angle), metal::cos(angle));
-    return metal::float2((turn.y * p.x) - (turn.x * p.y), (turn.x * p.x) + (turn.y * p.y));
+    return metal::float2(turn.y * p.x - turn.x * p.y, turn.x * p.x + turn.y * p.y);
 }
 
 /// A place in pixels, in cells of a half-tone screen that has `lines` lines to the picture's height
@@ -205,7 +222,8 @@ metal::float2 screen_cells(
 ) {
     metal::float2 most = metal::float2(4194304.0);
     metal::float2 upright = place * (lines / metal::max(viewport.y, 1.0));
-    return metal::clamp(turned_by(metal::clamp(upright, metal::float2(-4194304.0), most), angle), metal::float2(-4194304.0), most);
+    return metal::clamp(turned_by(metal::clamp(upright, metal::float2(-4194304.0), most), angle),
+        metal::float2(-4194304.0), most);
 }
 
 /// The radius of disks around whole places that together cover `share` of the plane: beyond pi/4
@@ -219,22 +237,23 @@ float dot_radius(
         return metal::sqrt(share * 0.31830987);
     }
     float s = (share - 0.7853982) / 0.21460183;
-    a = metal::mix(0.5227232 * metal::sqrt(s), 0.7853982 - (0.3275682 * metal::sqrt(1.0 - s)), s);
+    a = metal::mix(0.5227232 * metal::sqrt(s), 0.7853982 - 0.3275682 * metal::sqrt(1.0 - s), s);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 2))) {
+        if (!(i < 2)) {
             break;
         }
         metal::float2 turn = sin_cos_quarter(metal::clamp(a, 0.0, 0.7853982));
         float tangent = turn.x / turn.y;
         float square = 1.0 / (turn.y * turn.y);
         float sector = 0.7853982 - a;
-        float slope = ((2.0 * sector) * square) * tangent;
-        a = metal::clamp(a - ((slope > 0.001) ? ((((sector * square) + tangent) - share) / slope) : 0.0), 0.0, 0.7853982);
+        float slope = 2.0 * sector * square * tangent;
+        a = metal::clamp(a - (slope > 0.001 ? (sector * square + tangent - share) / slope : 0.0),
+            0.0, 0.7853982);
     }
     return 0.5 / sin_cos_quarter(a).y;
 }
@@ -253,9 +272,9 @@ float disk_filtered(
     // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to give that back
     // is drawn fainter.
     float square = r * r;
-    float least = (w * w) / 3.0;
-    float inner = metal::sqrt(metal::max(square, least) - (0.25 * least));
-    return metal::clamp(0.5 + ((inner - d) / w), 0.0, 1.0) * metal::min(square / least, 1.0);
+    float least = w * w / 3.0;
+    float inner = metal::sqrt(metal::max(square, least) - 0.25 * least);
+    return metal::clamp(0.5 + (inner - d) / w, 0.0, 1.0) * metal::min(square / least, 1.0);
 }
 
 /// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
@@ -267,12 +286,12 @@ float disk_filtered_2(
     float w
 ) {
     if (w < 0.000000000000000000000000000001) {
-        return ((d <= r) & true) ? 1.0 : 0.0;
+        return d <= r ? 1.0 : 0.0;
     }
     float square = r * r;
-    float least = (w * w) / 3.0;
-    float inner = metal::sqrt(metal::max(square, least) - (0.25 * least));
-    return metal::clamp(0.5 + ((inner - d) / w), 0.0, 1.0) * metal::min(square / least, 1.0);
+    float least = w * w / 3.0;
+    float inner = metal::sqrt(metal::max(square, least) - 0.25 * least);
+    return metal::clamp(0.5 + (inner - d) / w, 0.0, 1.0) * metal::min(square / least, 1.0);
 }
 
 /// Ink of round dots that cover `share` of the plane.
@@ -285,13 +304,15 @@ float ink_of_dots(
     float width = metal::min(w, 1.0);
     ink = disk_filtered(metal::length(cell - metal::rint(cell)), dot_radius(share), width);
     float hole = metal::sqrt((1.0 - share) * 0.31830987);
-    float is_star = metal::smoothstep(0.3 * hole, 0.9 * hole, width) * metal::smoothstep(0.5, 0.7, share);
+    float is_star = metal::smoothstep(0.3 * hole, 0.9 * hole, width)
+        * metal::smoothstep(0.5, 0.7, share);
     if (is_star > 0.0) {
-        float disk_filtered_2_value = disk_filtered_2(metal::length((cell - metal::floor(cell)) - metal::float2(0.5)), hole, width);
+        float disk_filtered_2_value = disk_filtered_2(metal::length(cell - metal::floor(cell)
+            - metal::float2(0.5)), hole, width);
         ink = metal::mix(ink, 1.0 - disk_filtered_2_value, is_star);
     }
     float mean = metal::mix(ink, share, metal::smoothstep(0.4, 1.0, w));
-    return ((share <= 0.0) | false) ? share : mean;
+    return share <= 0.0 ? share : mean;
 }
 
 /// Ink of round dots that cover `share` of the plane.
@@ -302,15 +323,18 @@ float ink_of_dots_2(
 ) {
     float ink = {};
     float width = metal::min(w, 1.0);
-    ink = disk_filtered(metal::length(cell - metal::rint(cell)), metal::sqrt(share * 0.31830987), width);
+    ink = disk_filtered(metal::length(cell - metal::rint(cell)), metal::sqrt(share * 0.31830987),
+        width);
     float hole = metal::sqrt((1.0 - share) * 0.31830987);
-    float is_star = metal::smoothstep(0.3 * hole, 0.9 * hole, width) * metal::smoothstep(0.5, 0.7, share);
+    float is_star = metal::smoothstep(0.3 * hole, 0.9 * hole, width)
+        * metal::smoothstep(0.5, 0.7, share);
     if (is_star > 0.0) {
-        float disk_filtered_2_value = disk_filtered_2(metal::length((cell - metal::floor(cell)) - metal::float2(0.5)), hole, width);
+        float disk_filtered_2_value = disk_filtered_2(metal::length(cell - metal::floor(cell)
+            - metal::float2(0.5)), hole, width);
         ink = metal::mix(ink, 1.0 - disk_filtered_2_value, is_star);
     }
     float mean = metal::mix(ink, share, metal::smoothstep(0.4, 1.0, w));
-    return ((share <= 0.0) | false) ? share : mean;
+    return share <= 0.0 ? share : mean;
 }
 
 /// Half-tone
@@ -354,22 +378,31 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    float light_and_shade = metal::max((metal::dot(surface.normal, look.key.direction) + 0.25) / 1.25, 0.0);
-    float red_to_print = metal::mix(0.15, 1.0, metal::clamp((light_and_shade - 0.1) / 0.65, 0.0, 1.0));
+    // Reflectance
+    float light_and_shade = metal::max((metal::dot(surface.normal, look.key.direction) + 0.25)
+        / 1.25, 0.0);
+    float red_to_print = metal::mix(0.15, 1.0,
+        metal::clamp((light_and_shade - 0.1) / 0.65, 0.0, 1.0));
     float red_dots = halftone_dots(red_to_print, surface.pixel, 78.0, 0.2617994, look.viewport);
-    metal::float4 red_on_yellow = metal::mix(metal::float4(0.91, 0.3, 0.24, 1.0), metal::float4(1.0, 0.87, 0.58, 1.0), red_dots);
-    Angle turned_from_the_light = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
+    metal::float4 red_on_yellow = metal::mix(metal::float4(0.91, 0.3, 0.24, 1.0),
+        metal::float4(1.0, 0.87, 0.58, 1.0), red_dots);
+    // Parametrization
+    Angle turned_from_the_light = Angle {0.5 * metal::length(surface.normal - look.key.direction),
+        0.5 * metal::length(surface.normal + look.key.direction)};
     float not_in_deep_shade = profile_balanced(turned_from_the_light, 0.0, not_in_deep_shade_shape);
     float deep_shade = 1.0 - not_in_deep_shade;
     float how_much_blue = deep_shade * 0.62;
     float less = 1.0 - how_much_blue;
     float blue_dots = halftone_dots_2(less, surface.pixel, 78.0, 1.3089969, look.viewport);
     float inked = 1.0 - blue_dots;
-    metal::float4 blue_over_it = metal::float4(metal::mix(red_on_yellow.xyz, red_on_yellow.xyz * metal::float3(0.24, 0.3, 0.58), inked), 1.0);
+    metal::float4 blue_over_it = metal::float4(metal::mix(red_on_yellow.xyz, red_on_yellow.xyz
+        * metal::float3(0.24, 0.3, 0.58), inked), 1.0);
     Angle mirrored = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     float highlight = profile_balanced(mirrored, 0.0, highlight_shape);
-    metal::float4 left_free = metal::mix(blue_over_it, metal::float4(1.0, 0.99, 0.95, 1.0), highlight);
-    float contour = eased(metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.22);
+    metal::float4 left_free = metal::mix(blue_over_it, metal::float4(1.0, 0.99, 0.95, 1.0),
+        highlight);
+    float contour = eased(metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0), 0.3,
+        0.22);
     metal::float4 black_line = metal::mix(left_free, metal::float4(0.09, 0.07, 0.13, 1.0), contour);
     return black_line;
 }
@@ -378,11 +411,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_1 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -390,7 +425,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -399,9 +435,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -411,7 +449,8 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), (in.clip.xy * view.screen.xy) + view.screen.zw};
+    metal::float3 normal = is_front ? facing : -facing;
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        in.clip.xy * view.screen.xy + view.screen.zw};
     return fs_mainOutput { shade(surface, look) };
 }

@@ -215,7 +215,7 @@ fn disk_filtered(d: f32, r: f32, w: f32) -> f32 {
 /// inclusive.
 fn disk_filtered_2(d: f32, r: f32, w: f32) -> f32 {
     if w < 1e-30 {
-        return select(0.0, 1.0, (d <= r) & true);
+        return select(0.0, 1.0, d <= r);
     }
     let square = r * r;
     let least = w * w / 3.0;
@@ -234,7 +234,7 @@ fn ink_of_dots(cell: vec2f, share: f32, w: f32) -> f32 {
             is_star);
     }
     let mean = mix(ink, share, smoothstep(0.4, 1.0, w));
-    return select(mean, share, (share <= 0.0) | false);
+    return select(mean, share, share <= 0.0);
 }
 
 /// Ink of round dots that cover `share` of the plane.
@@ -248,7 +248,7 @@ fn ink_of_dots_2(cell: vec2f, share: f32, w: f32) -> f32 {
             is_star);
     }
     let mean = mix(ink, share, smoothstep(0.4, 1.0, w));
-    return select(mean, share, (share <= 0.0) | false);
+    return select(mean, share, share <= 0.0);
 }
 
 /// Half-tone
@@ -280,10 +280,12 @@ const highlight_shape = ProfileShape(0.9915619, 0.12963414, 0.0, 1.0, 0.26, 0.0,
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Reflectance
     let light_and_shade = max((dot(surface.normal, look.key.direction) + 0.25) / 1.25, 0.0);
     let red_to_print = mix(0.15, 1.0, clamp((light_and_shade - 0.1) / (0.75 - 0.1), 0.0, 1.0));
     let red_dots = halftone_dots(red_to_print, surface.pixel, 78.0, 0.2617994, look.viewport);
     let red_on_yellow = mix(vec4f(0.91, 0.3, 0.24, 1.0), vec4f(1.0, 0.87, 0.58, 1.0), red_dots);
+    // Parametrization
     let turned_from_the_light = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
         * length(surface.normal + look.key.direction));
     let not_in_deep_shade = profile_balanced(turned_from_the_light, 0.0, not_in_deep_shade_shape);

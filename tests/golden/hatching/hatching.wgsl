@@ -434,17 +434,22 @@ fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Reflectance
     let light_and_shade = max((dot(surface.normal, look.key.direction) + 0.35) / (1.0 + 0.35), 0.0);
     let tone_to_draw = mix(0.04, 1.0, min((light_and_shade - 0.0) / (0.85 - 0.0), 1.0));
     let around_the_light = mark_place_light(look.key, surface.normal, 0.0, surface.view,
         surface.position_object, surface.world_from_normal, surface.magnification);
+    // Hatching
     let pen_strokes = cross_hatched(spaced(around_the_light.place, around_the_light.stretch,
         look.viewport, 120.0), 1.0 - min(tone_to_draw, 1.0), 3i, 0.8,
         Strokes(0.42, 24.0, 0.6, 0.45, 0.25, 1.0, 4u));
     let contour = eased(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.34, 0.2);
+    // Combine tones
     let ink = max(pen_strokes, contour);
+    // Inner contour
     let features = faded_in(-principal_curvatures(surface.curvature_tensor).y, 75.0, 0.3)
         * smoothstep(0.05, 0.3, dot(surface.normal, surface.view));
+    // Combine tones
     let strokes_and_features = max(ink, features);
     let pen_on_paper = mix(vec4f(0.965, 0.937, 0.875, 1.0), vec4f(0.12, 0.105, 0.16, 1.0),
         strokes_and_features);

@@ -112,7 +112,8 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-static const ProfileShape lit_side_shape = {0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u};
+static const ProfileShape lit_side_shape = {0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25,
+    0.17004733, 0.08138281, 0u};
 static const ProfileShape disc_shape = {0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u};
 static const ProfileShape bite_shape = {0.9887711, 0.14943813, 0.0, 1.0, 0.3, 0.0, 0.0, 1u};
 static const ProfileShape dot_shape = {0.99875027, 0.04997917, 0.0, 1.0, 0.1, 0.0, 0.0, 1u};
@@ -138,7 +139,7 @@ struct FragmentInput_fs_main {
 /// never happens.
 bool is_finite(float x)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
+    return (asuint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -147,16 +148,16 @@ bool is_finite(float x)
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) & (largest < 1e30)))) {
+    if (!((largest > 1e-30) & (largest < 1e30))) {
         return otherwise;
     }
-    float3 scaled = (v * (1.0 / largest));
+    float3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -164,14 +165,14 @@ float3 normalize_or(float3 v, float3 otherwise)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -181,7 +182,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -195,22 +196,20 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = (u.half_sin - 0.0);
-    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
-    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
-    return angle_2;
+    float s = u.half_sin - 0.0;
+    float2 upper = u.half_cos <= 0.0 ? float2(1.0, 0.0) : float2(s, u.half_cos);
+    float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned_2(Angle u, float2 t)
 {
-    float s = (u.half_sin - (u.half_cos * 0.0));
-    float c = (u.half_cos + (u.half_sin * 0.0));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
-    return angle_3;
+    float s = u.half_sin - u.half_cos * 0.0;
+    float c = u.half_cos + u.half_sin * 0.0;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -223,9 +222,9 @@ float footprint_of(float x)
 /// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).
 float3 any_orthogonal(float3 n)
 {
-    float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (sign_ + n.z));
-    return float3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
+    float sign_ = n.z >= 0.0 ? 1.0 : -1.0;
+    float a = -1.0 / (sign_ + n.z);
+    return float3(1.0 + sign_ * n.x * n.x * a, sign_ * n.x * n.y * a, -sign_ * n.x);
 }
 
 /// Angle between directions
@@ -234,8 +233,7 @@ float3 any_orthogonal(float3 n)
 /// the normal, a hair's tangent and a light.
 Angle angle_between_directions(float3 a, float3 b)
 {
-    const Angle angle_4 = ConstructAngle((0.5 * length((a - b))), (0.5 * length((a + b))));
-    return angle_4;
+    return ConstructAngle(0.5 * length(a - b), 0.5 * length(a + b));
 }
 
 DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
@@ -251,17 +249,17 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 /// without one is +z.
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    float3 y = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
-    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y, float2(dot(direction, x_axis), dot(direction, y)));
-    return directionparts;
+    float3 y = y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30));
+    return ConstructDirectionParts(direction, x_axis, y,
+        float2(dot(direction, x_axis), dot(direction, y)));
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 float3 direction_moved(DirectionParts parts, float2 by)
 {
-    float3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
+    float3 moved = parts.direction + by.x * parts.x_axis + by.y * parts.y_axis;
     const float3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
+    return dot(moved, moved) > 1e-6 ? normalize_moderate_value : parts.direction;
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -270,9 +268,10 @@ float3x3 axes_around(float3 toward, float3 up)
 {
     float3 leaning = cross(up, toward);
     float square = dot(leaning, leaning);
-    float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
-    const float3 x = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    float3 aside = abs(toward.x) > 0.7 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0);
+    float3 across = square > 1e-8 ? leaning : cross(aside, toward);
+    const float3 x = normalize_moderate(across - dot(across, toward) * toward,
+        float3(1.0, 0.0, 0.0));
     return float3x3(x, cross(toward, x), toward);
 }
 
@@ -291,8 +290,7 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
 AxesAround axes(float3 direction, float3 up)
 {
     const float3x3 axes_2 = axes_around(direction, up);
-    const AxesAround axesaround = ConstructAxesAround(axes_2[0], axes_2[1]);
-    return axesaround;
+    return ConstructAxesAround(axes_2[0], axes_2[1]);
 }
 
 /// Half-vector
@@ -302,61 +300,63 @@ AxesAround axes(float3 direction, float3 up)
 /// takes another shape.
 float3 half_vector(Light light, float3 view)
 {
-    float3 half_ = (light.direction + view);
+    float3 half_ = light.direction + view;
     const float3 any_orthogonal_value = any_orthogonal(view);
-    return normalize_or(((dot(half_, half_) > 1e-12) ? half_ : any_orthogonal_value), view);
+    return normalize_or(dot(half_, half_) > 1e-12 ? half_ : any_orthogonal_value, view);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick_2(float s, float w, ProfileShape shape)
 {
-    float width = sqrt((w * w));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (0.0 - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
@@ -369,7 +369,8 @@ float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
     const Angle warped = angle_turned_2(angle, float2(0.0, 1.0));
     const float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick_2(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
+    return profile_ramp_quick_2(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// Rim light
@@ -379,40 +380,56 @@ float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 float rim(Light light, float3 normal, float3 view, float width, float softness, float follow)
 {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float edge = max((width * softness), min(footprint_of(facing), 1.0));
-    float3 aside = (normal - view);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - width)) : (width - facing));
-    float within = ((further / edge) + 0.0);
+    float edge = max(width * softness, min(footprint_of(facing), 1.0));
+    float3 aside = normal - view;
+    float further = facing > 0.5 ? 0.5 * dot(aside, aside) - (1.0 - width) : width - facing;
+    float within = further / edge + 0.0;
     float inside = clamp(within, 0.0, 1.0);
-    float3 across = (light.direction - (dot(light.direction, view) * view));
-    float side = dot((normal - (dot(normal, view) * view)), (across * rsqrt(max(dot(across, across), 1e-30))));
-    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow));
+    float3 across = light.direction - dot(light.direction, view) * view;
+    float side = dot(normal - dot(normal, view) * view, across
+        * rsqrt(max(dot(across, across), 1e-30)));
+    return inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
+    // Parametrization
+    Angle turned_from_the_key = ConstructAngle(0.5 * length(surface.normal - look.key.direction),
+        0.5 * length(surface.normal + look.key.direction));
     const float lit_side = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
-    float in_the_dark = (1.0 - lit_side);
-    float4 shadow = float4((float3(0.62, 0.16, 0.26) * lerp((1.0).xxx, float3(0.5, 0.33, 0.56), in_the_dark)), 1.0);
+    float in_the_dark = 1.0 - lit_side;
+    // Blend
+    float4 shadow = float4(float3(0.62, 0.16, 0.26)
+        * lerp((1.0).xxx, float3(0.5, 0.33, 0.56), in_the_dark), 1.0);
     float3 normal = surface.normal;
     const float3 half_ = half_vector(look.key, surface.view);
     const Angle from_the_highlight = angle_between_directions(normal, half_);
     const float disc = profile_balanced_2(from_the_highlight, 0.0, disc_shape);
     const AxesAround upright = axes(half_, float3(0.0, 1.0, 0.0));
-    const float3 aside = direction_moved(direction_within(normal, upright.x_axis, upright.y_axis), float2(-0.13, 0.13));
+    // Shift direction
+    const float3 aside = direction_moved(direction_within(normal, upright.x_axis, upright.y_axis),
+        float2(-0.13, 0.13));
     const Angle from_beside_it = angle_between_directions(aside, half_);
     const float bite = profile_balanced_2(from_beside_it, 0.0, bite_shape);
-    float crescent = min(disc, (1.0 - bite));
-    const float3 dot_s_place = direction_moved(direction_within(normal, upright.x_axis, upright.y_axis), float2(-0.06, 0.06));
+    // Combine tones
+    float crescent = min(disc, 1.0 - bite);
+    // Shift direction
+    const float3 dot_s_place = direction_moved(direction_within(normal, upright.x_axis,
+        upright.y_axis), float2(-0.06, 0.06));
     const Angle from_the_dot = angle_between_directions(dot_s_place, half_);
     const float dot_2 = profile_balanced_2(from_the_dot, 0.0, dot_shape);
+    // Combine tones
     float crescent_and_dot = max(crescent, dot_2);
-    const float4 highlight_on_top = blend_alpha(shadow, float4(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96, true);
+    const float4 highlight_on_top = blend_alpha(shadow, float4(1.0, 0.97, 0.9, 1.0),
+        crescent_and_dot, 0.96, true);
     const float rim_2 = rim(look.back, surface.normal, surface.view, 0.42, 0.08, 1.0);
+    // Combine tones
     float rim_in_the_dark_only = min(rim_2, in_the_dark);
-    float4 rim_s_light = clamp(float4((highlight_on_top.xyz + (0.6 * ((highlight_on_top.xyz + (rim_in_the_dark_only * float3(1.0, 0.62, 0.5))) - highlight_on_top.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    // Blend
+    float4 rim_s_light = clamp(float4(highlight_on_top.xyz + 0.6
+        * (highlight_on_top.xyz + rim_in_the_dark_only * float3(1.0, 0.62, 0.5)
+        - highlight_on_top.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
     return rim_s_light;
 }
 
@@ -427,7 +444,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -441,10 +459,11 @@ Surface ConstructSurface(float3 arg0, float3 arg1) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))));
+    float3 normal = is_front ? facing : -facing;
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position));
     return shade(surface);
 }

@@ -261,7 +261,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -310,10 +310,12 @@ const dot_shape = ProfileShape(0.99875027, 0.04997917, 0.0, 1.0, 0.1, 0.0, 0.0, 
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Parametrization
     let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
         * length(surface.normal + look.key.direction));
     let lit_side = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     let in_the_dark = 1.0 - lit_side;
+    // Blend
     let shadow = vec4f(vec4f(0.62, 0.16, 0.26, 1.0).xyz
         * mix(vec3f(1.0), vec4f(0.5, 0.33, 0.56, 1.0).xyz, in_the_dark), 1.0);
     let normal = surface.normal;
@@ -321,20 +323,26 @@ fn shade(surface: Surface) -> vec4f {
     let from_the_highlight = angle_between_directions(normal, half);
     let disc = profile_balanced_2(from_the_highlight, 0.0, disc_shape);
     let upright = axes(half, vec3f(0.0, 1.0, 0.0));
+    // Shift direction
     let aside = direction_moved(direction_within(normal, upright.x_axis, upright.y_axis),
         vec2f(-0.13, 0.13));
     let from_beside_it = angle_between_directions(aside, half);
     let bite = profile_balanced_2(from_beside_it, 0.0, bite_shape);
+    // Combine tones
     let crescent = min(disc, 1.0 - bite);
+    // Shift direction
     let dot_s_place = direction_moved(direction_within(normal, upright.x_axis, upright.y_axis),
         vec2f(-0.06, 0.06));
     let from_the_dot = angle_between_directions(dot_s_place, half);
     let dot_2 = profile_balanced_2(from_the_dot, 0.0, dot_shape);
+    // Combine tones
     let crescent_and_dot = max(crescent, dot_2);
     let highlight_on_top = blend_alpha(shadow, vec4f(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96,
         true);
     let rim_2 = rim(look.back, surface.normal, surface.view, 0.42, 0.08, 1.0);
+    // Combine tones
     let rim_in_the_dark_only = min(rim_2, in_the_dark);
+    // Blend
     let rim_s_light = clamp(vec4f(highlight_on_top.xyz + 0.6
         * (highlight_on_top.xyz + rim_in_the_dark_only * vec4f(1.0, 0.62, 0.5, 1.0).xyz
         - highlight_on_top.xyz), 1.0), vec4f(0.0), vec4f(1.0));

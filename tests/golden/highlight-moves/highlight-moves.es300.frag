@@ -13,6 +13,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -24,6 +25,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light back;
@@ -38,11 +40,13 @@ struct Look {
     float square_amount;
     vec4 body;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -51,6 +55,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// A direction with the two axes along which it is bent.
 struct DirectionParts {
     /// Unit.
@@ -60,12 +65,14 @@ struct DirectionParts {
     /// The direction's cosines with the two axes.
     vec2 place;
 };
+
 struct AxesAround {
     /// Unit, to the right as seen against the direction.
     vec3 x_axis;
     /// Unit, upright.
     vec3 y_axis;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -84,16 +91,20 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float HALF_PI = 1.5707964;
 const float LN_2 = 0.6931472;
 const float LOG2_E = 1.442695;
-const ProfileShape lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
-const ProfileShape highlight_shape = ProfileShape(0.9939561, 0.1097783, 0.0, 1.0, 0.22, 0.0, 0.0, 1u);
+const ProfileShape lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25,
+    0.17004733, 0.08138281, 0u);
+const ProfileShape highlight_shape = ProfileShape(0.9939561, 0.1097783, 0.0, 1.0, 0.22, 0.0, 0.0,
+    1u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -106,7 +117,7 @@ layout(location = 0) out vec4 out_color;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+    return (floatBitsToUint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v with 0 for each component that is NaN or infinite.
@@ -120,16 +131,16 @@ vec4 finite_vec4(vec4 v) {
 /// overflow.
 vec3 normalize_or(vec3 v, vec3 otherwise) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) && (largest < 1e30)))) {
+    if (!(largest > 1e-30 && largest < 1e30)) {
         return otherwise;
     }
-    vec3 scaled = (v * (1.0 / largest));
+    vec3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -137,9 +148,11 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
 float exp2_stable(float x) {
     float clamped = max(x, -126.0);
     float whole = roundEven(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+    float f = clamped - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -147,31 +160,31 @@ float exp2_stable(float x) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (int(bits - 1060439283u) >> 23u);
+    float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// ln(x) for normal x > 0.
 float log_stable(float x) {
-    return (LN_2 * log2_stable(x));
+    return LN_2 * log2_stable(x);
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y) {
-    float z = (y / (2.0 - y));
-    float z2 = (z * z);
-    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
+    float z = y / (2.0 - y);
+    float z2 = z * z;
+    return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
 }
 
 /// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
 float log1p_negative(float y) {
-    if ((y < 0.25)) {
+    if (y < 0.25) {
         return log1p_negative_small(y);
     }
-    return log_stable(max((1.0 - y), 1.1754944e-38));
+    return log_stable(max(1.0 - y, 1.1754944e-38));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
@@ -180,35 +193,38 @@ vec2 sin_cos_quarter(float x) {
     // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
     // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
     // whose cut-off is pi is 0 there, in f64 too.
-    float h = (0.5 * x);
-    float h2 = (h * h);
-    float s = (h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (2.7557319e-6 + (h2 * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-2.4801588e-5 + (h2 * (2.755732e-7 + (h2 * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+    float h = 0.5 * x;
+    float h2 = h * h;
+    float s = h * (1.0 + h2 * (-0.16666667 + h2
+        * (0.008333334 + h2 * (-0.0001984127 + h2 * (2.7557319e-6 + h2 * -2.5052108e-8)))));
+    float one_minus_c = h2 * (0.5 + h2
+        * (-0.041666668 + h2 * (0.0013888889 + h2
+        * (-2.4801588e-5 + h2 * (2.755732e-7 + h2 * -2.0876756e-9)))));
+    float c = 1.0 - one_minus_c;
+    return vec2(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
 /// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
 /// quarter turn.
 vec2 sin_cos(float x) {
-    float turns = roundEven((x * 0.31830987));
+    float turns = roundEven(x * 0.31830987);
     // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
-    float r = (((x - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
-    float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
-    return (sign_ * sin_cos_quarter(clamp(r, -1.5707964, HALF_PI)));
+    float r = x - turns * 3.140625 - turns * 0.00096702576 - turns * 6.2783295e-7;
+    float sign_ = 1.0 - 2.0 * abs(turns - 2.0 * trunc(turns * 0.5));
+    return sign_ * sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -217,24 +233,24 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = (u.half_sin - 0.0);
-    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
-    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - 0.0;
+    vec2 upper = u.half_cos <= 0.0 ? vec2(1.0, 0.0) : vec2(s, u.half_cos);
+    vec2 turned = (s <= 0.0 && s < u.half_cos) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned_2(Angle u, vec2 t) {
-    float s = (u.half_sin - (u.half_cos * 0.0));
-    float c = (u.half_cos + (u.half_sin * 0.0));
-    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
-    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - u.half_cos * 0.0;
+    float c = u.half_cos + u.half_sin * 0.0;
+    vec2 upper = c <= 0.0 ? vec2(1.0, 0.0) : vec2(s, c);
+    vec2 turned = (s <= 0.0 && s < c) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -255,31 +271,31 @@ float footprint_of(float x) {
 
 /// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).
 vec3 any_orthogonal(vec3 n) {
-    float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (sign_ + n.z));
-    return vec3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
+    float sign_ = n.z >= 0.0 ? 1.0 : -1.0;
+    float a = -1.0 / (sign_ + n.z);
+    return vec3(1.0 + sign_ * n.x * n.x * a, sign_ * n.x * n.y * a, -sign_ * n.x);
 }
 
 /// The direction and its axes, made unit; an axis without a direction does nothing, a direction
 /// without one is +z.
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 y = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
+    vec3 y = y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30));
     return DirectionParts(direction, x_axis, y, vec2(dot(direction, x_axis), dot(direction, y)));
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 vec3 direction_moved(DirectionParts parts, vec2 by) {
     vec2 step_ = clamp(by, vec2(-1000000.0), vec2(1000000.0));
-    vec3 moved = ((parts.direction + (step_.x * parts.x_axis)) + (step_.y * parts.y_axis));
+    vec3 moved = parts.direction + step_.x * parts.x_axis + step_.y * parts.y_axis;
     vec3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
+    return dot(moved, moved) > 1e-6 ? normalize_moderate_value : parts.direction;
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 vec3 direction_moved_2(DirectionParts parts, vec2 by) {
-    vec3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
+    vec3 moved = parts.direction + by.x * parts.x_axis + by.y * parts.y_axis;
     vec3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
+    return dot(moved, moved) > 1e-6 ? normalize_moderate_value : parts.direction;
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -288,9 +304,9 @@ mat3x3 axes_around(vec3 toward, vec3 up) {
     vec3 y = normalize_moderate(up, vec3(0.0, 1.0, 0.0));
     vec3 leaning = cross(y, toward);
     float square = dot(leaning, leaning);
-    vec3 aside = ((abs(toward.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
-    vec3 x = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
+    vec3 aside = abs(toward.x) > 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+    vec3 across = square > 1e-8 ? leaning : cross(aside, toward);
+    vec3 x = normalize_moderate(across - dot(across, toward) * toward, vec3(1.0, 0.0, 0.0));
     return mat3x3(x, cross(toward, x), toward);
 }
 
@@ -310,9 +326,9 @@ AxesAround axes(vec3 direction, vec3 up) {
 /// them with the nodes beside this one, measure the Angle between directions, and the highlight
 /// takes another shape.
 vec3 half_vector(Light light, vec3 view) {
-    vec3 half_ = (light.direction + view);
+    vec3 half_ = light.direction + view;
     vec3 any_orthogonal_value = any_orthogonal(view);
-    return normalize_or(((dot(half_, half_) > 1e-12) ? half_ : any_orthogonal_value), view);
+    return normalize_or(dot(half_, half_) > 1e-12 ? half_ : any_orthogonal_value, view);
 }
 
 /// Split direction
@@ -322,7 +338,7 @@ vec3 half_vector(Light light, vec3 view) {
 vec3 split_direction(vec3 direction, vec3 x_axis, vec3 y_axis, float x, float y) {
     DirectionParts bent = direction_within(direction, x_axis, y_axis);
     vec2 side = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(bent.place, vec2(0.0)));
-    return direction_moved(bent, (-(max(vec2(x, y), vec2(0.0))) * side));
+    return direction_moved(bent, -max(vec2(x, y), vec2(0.0)) * side);
 }
 
 /// Square direction
@@ -331,11 +347,11 @@ vec3 split_direction(vec3 direction, vec3 x_axis, vec3 y_axis, float x, float y)
 vec3 square_direction(vec3 direction, vec3 x_axis, vec3 y_axis, float amount, float sharpness) {
     DirectionParts bent = direction_within(direction, x_axis, y_axis);
     float square = dot(bent.place, bent.place);
-    float apart = (abs(bent.place.x) - abs(bent.place.y));
-    float aside = min(((apart * apart) / max(square, 1e-20)), 1.0);
-    float exp2_stable_value = exp2_stable(((sharpness * LOG2_E) * log1p_negative(aside)));
-    float corner = (((square > 1e-20) && (aside < 1.0)) ? exp2_stable_value : 0.0);
-    return direction_moved_2(bent, ((-(clamp(amount, 0.0, 1.0)) * corner) * bent.place));
+    float apart = abs(bent.place.x) - abs(bent.place.y);
+    float aside = min(apart * apart / max(square, 1e-20), 1.0);
+    float exp2_stable_value = exp2_stable(sharpness * LOG2_E * log1p_negative(aside));
+    float corner = (square > 1e-20 && aside < 1.0) ? exp2_stable_value : 0.0;
+    return direction_moved_2(bent, -clamp(amount, 0.0, 1.0) * corner * bent.place);
 }
 
 /// Stretch direction
@@ -344,55 +360,57 @@ vec3 square_direction(vec3 direction, vec3 x_axis, vec3 y_axis, float amount, fl
 /// brushed metal.
 vec3 stretch_direction(vec3 direction, vec3 x_axis, vec3 y_axis, float x, float y) {
     DirectionParts bent = direction_within(direction, x_axis, y_axis);
-    return direction_moved(bent, (-(min(vec2(x, y), vec2(1.0))) * bent.place));
+    return direction_moved(bent, -min(vec2(x, y), vec2(1.0)) * bent.place);
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    float alpha = (below.w + ((tone * opacity) * (1.0 - below.w)));
-    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), alpha), vec4(0.0), vec4(1.0));
+    float alpha = below.w + tone * opacity * (1.0 - below.w);
+    return clamp(vec4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), alpha), vec4(0.0), vec4(1.0));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick_2(float s, float w, ProfileShape shape) {
-    float width = sqrt((w * w));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (0.0 - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false || is_narrow)) {
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = w > 0.0 && w >= 3.4641016 * shape.edge_deviation;
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
@@ -403,7 +421,8 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape) {
 float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
     Angle warped = angle_turned_2(angle, vec2(0.0, 1.0));
     float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick_2(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
+    return profile_ramp_quick_2(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// Rim light
@@ -412,45 +431,61 @@ float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
 /// background.
 float rim(Light light, vec3 normal, vec3 view, float width, float softness, float follow) {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float edge = max((width * softness), min(footprint_of(facing), 1.0));
-    vec3 aside = (normal - view);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - width)) : (width - facing));
-    float within = ((further / edge) + 0.0);
+    float edge = max(width * softness, min(footprint_of(facing), 1.0));
+    vec3 aside = normal - view;
+    float further = facing > 0.5 ? 0.5 * dot(aside, aside) - (1.0 - width) : width - facing;
+    float within = further / edge + 0.0;
     float inside = clamp(within, 0.0, 1.0);
-    vec3 across = (light.direction - (dot(light.direction, view) * view));
-    float side = dot((normal - (dot(normal, view) * view)), (across * inversesqrt(max(dot(across, across), 1e-30))));
-    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), follow));
+    vec3 across = light.direction - dot(light.direction, view) * view;
+    float side = dot(normal - dot(normal, view) * view, across
+        * inversesqrt(max(dot(across, across), 1e-30)));
+    return inside * mix(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 /// Rotate vector
 ///
 /// Turns a vector about an axis, counter-clockwise as the axis points at you.
 vec3 rotate_vector(vec3 vector, vec3 axis, float angle) {
-    vec2 half_ = clamp(sin_cos((0.5 * angle)), vec2(-1.0), vec2(1.0));
+    vec2 half_ = clamp(sin_cos(0.5 * angle), vec2(-1.0), vec2(1.0));
     vec3 aside = cross(axis, vector);
-    return bounded_vec3((vector + ((2.0 * half_.x) * ((half_.y * aside) + (half_.x * cross(axis, aside))))));
+    return bounded_vec3(vector + 2.0 * half_.x * (half_.y * aside + half_.x * cross(axis, aside)));
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    Angle turned_from_the_key = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
+    // Parametrization
+    Angle turned_from_the_key = Angle(0.5 * length(surface.normal - u_look.key.direction), 0.5
+        * length(surface.normal + u_look.key.direction));
     float lit_side = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
-    float in_the_dark = (1.0 - lit_side);
-    vec4 shadow = clamp(vec4((u_look.body.xyz + ((u_look.body.xyz * mix(vec3(1.0), vec3(0.45, 0.36, 0.62), in_the_dark)) - u_look.body.xyz)), u_look.body.w), vec4(0.0), vec4(1.0));
+    float in_the_dark = 1.0 - lit_side;
+    // Blend
+    vec4 shadow = clamp(vec4(u_look.body.xyz
+        + (u_look.body.xyz * mix(vec3(1.0), vec3(0.45, 0.36, 0.62), in_the_dark) - u_look.body.xyz),
+        u_look.body.w), vec4(0.0), vec4(1.0));
     vec3 normal = surface.normal;
     vec3 half_ = half_vector(u_look.key, surface.view);
     vec3 turn = rotate_vector(vec3(0.0, 1.0, 0.0), half_, u_look.turn_angle);
     AxesAround axes_of_the_highlight = axes(half_, turn);
-    vec3 move_2 = direction_moved(direction_within(normal, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis), vec2(u_look.move_x, u_look.move_y));
-    vec3 stretch = stretch_direction(move_2, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, u_look.stretch_x, u_look.stretch_y);
-    vec3 split = split_direction(stretch, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, u_look.split_x, u_look.split_y);
-    vec3 square = square_direction(split, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, u_look.square_amount, 4.0);
-    Angle from_the_highlight = Angle((0.5 * length((square - half_))), (0.5 * length((square + half_))));
+    // Shift direction
+    vec3 move_2 = direction_moved(direction_within(normal, axes_of_the_highlight.x_axis,
+        axes_of_the_highlight.y_axis), vec2(u_look.move_x, u_look.move_y));
+    vec3 stretch = stretch_direction(move_2, axes_of_the_highlight.x_axis,
+        axes_of_the_highlight.y_axis, u_look.stretch_x, u_look.stretch_y);
+    vec3 split = split_direction(stretch, axes_of_the_highlight.x_axis,
+        axes_of_the_highlight.y_axis, u_look.split_x, u_look.split_y);
+    vec3 square = square_direction(split, axes_of_the_highlight.x_axis,
+        axes_of_the_highlight.y_axis, u_look.square_amount, 4.0);
+    // Angle between directions
+    Angle from_the_highlight = Angle(0.5 * length(square - half_), 0.5 * length(square + half_));
     float highlight = profile_balanced_2(from_the_highlight, 0.0, highlight_shape);
     vec4 highlight_on_top = blend_alpha(shadow, vec4(1.0, 0.98, 0.92, 1.0), highlight, 0.96, true);
     float rim_2 = rim(u_look.back, surface.normal, surface.view, 0.3, 0.2, 1.0);
-    vec4 rim_s_light = clamp(vec4((highlight_on_top.xyz + (0.5 * ((highlight_on_top.xyz + (rim_2 * vec3(0.55, 0.75, 1.0))) - highlight_on_top.xyz))), highlight_on_top.w), vec4(0.0), vec4(1.0));
-    vec4 output_ = finite_vec4(((rim_s_light.w <= 0.0) ? rim_s_light : vec4((rim_s_light.xyz / vec3(rim_s_light.w)), rim_s_light.w)));
+    // Blend
+    vec4 rim_s_light = clamp(vec4(highlight_on_top.xyz + 0.5
+        * (highlight_on_top.xyz + rim_2 * vec3(0.55, 0.75, 1.0) - highlight_on_top.xyz),
+        highlight_on_top.w), vec4(0.0), vec4(1.0));
+    vec4 output_ = finite_vec4(rim_s_light.w
+        <= 0.0 ? rim_s_light : vec4(rim_s_light.xyz / vec3(rim_s_light.w), rim_s_light.w));
     return output_;
 }
 
@@ -458,9 +493,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))));
+    vec3 normal = is_front ? facing : -facing;
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position));
     out_color = finite_vec4(shade(surface));
-    return;
 }
-

@@ -124,7 +124,8 @@ struct Varyings {
 static const float HALF_PI = 1.5707964;
 static const float LN_2 = 0.6931472;
 static const float LOG2_E = 1.442695;
-static const ProfileShape lit_side_shape = {0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u};
+static const ProfileShape lit_side_shape = {0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25,
+    0.17004733, 0.08138281, 0u};
 static const ProfileShape highlight_shape = {0.9939561, 0.1097783, 0.0, 1.0, 0.22, 0.0, 0.0, 1u};
 
 cbuffer view : register(b0) { View view; }
@@ -148,14 +149,14 @@ struct FragmentInput_fs_main {
 /// never happens.
 bool is_finite(float x)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
+    return (asuint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v with 0 for each component that is NaN or infinite.
 float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
-    return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
+    return (asuint(v) & exponent) != exponent ? v : (0.0).xxxx;
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -164,16 +165,16 @@ float4 finite_vec4(float4 v)
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) & (largest < 1e30)))) {
+    if (!((largest > 1e-30) & (largest < 1e30))) {
         return otherwise;
     }
-    float3 scaled = (v * (1.0 / largest));
+    float3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 int naga_f2i32(float value) {
@@ -186,9 +187,11 @@ float exp2_stable(float x)
 {
     float clamped = max(x, -126.0);
     float whole = round(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
+    float f = clamped - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -197,34 +200,34 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (asint(bits - 1060439283u) >> 23u);
+    float mantissa = asfloat(bits - (asuint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// ln(x) for normal x > 0.
 float log_stable(float x)
 {
-    return (LN_2 * log2_stable(x));
+    return LN_2 * log2_stable(x);
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y)
 {
-    float z = (y / (2.0 - y));
-    float z2 = (z * z);
-    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
+    float z = y / (2.0 - y);
+    float z2 = z * z;
+    return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
 }
 
 /// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
 float log1p_negative(float y)
 {
-    if ((y < 0.25)) {
+    if (y < 0.25) {
         return log1p_negative_small(y);
     }
-    return log_stable(max((1.0 - y), 1.1754944e-38));
+    return log_stable(max(1.0 - y, 1.1754944e-38));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
@@ -234,23 +237,26 @@ float2 sin_cos_quarter(float x)
     // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
     // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
     // whose cut-off is pi is 0 there, in f64 too.
-    float h = (0.5 * x);
-    float h2 = (h * h);
-    float s = (h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (2.7557319e-6 + (h2 * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-2.4801588e-5 + (h2 * (2.755732e-7 + (h2 * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+    float h = 0.5 * x;
+    float h2 = h * h;
+    float s = h * (1.0 + h2 * (-0.16666667 + h2
+        * (0.008333334 + h2 * (-0.0001984127 + h2 * (2.7557319e-6 + h2 * -2.5052108e-8)))));
+    float one_minus_c = h2 * (0.5 + h2
+        * (-0.041666668 + h2 * (0.0013888889 + h2
+        * (-2.4801588e-5 + h2 * (2.755732e-7 + h2 * -2.0876756e-9)))));
+    float c = 1.0 - one_minus_c;
+    return float2(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
 /// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
 /// quarter turn.
 float2 sin_cos(float x)
 {
-    float turns = round((x * 0.31830987));
+    float turns = round(x * 0.31830987);
     // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
-    float r = (((x - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
-    float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
-    return (sign_ * sin_cos_quarter(clamp(r, -1.5707964, HALF_PI)));
+    float r = x - turns * 3.140625 - turns * 0.00096702576 - turns * 6.2783295e-7;
+    float sign_ = 1.0 - 2.0 * abs(turns - 2.0 * trunc(turns * 0.5));
+    return sign_ * sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -258,14 +264,14 @@ float2 sin_cos(float x)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -275,7 +281,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -289,22 +295,20 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = (u.half_sin - 0.0);
-    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
-    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
-    return angle_3;
+    float s = u.half_sin - 0.0;
+    float2 upper = u.half_cos <= 0.0 ? float2(1.0, 0.0) : float2(s, u.half_cos);
+    float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned_2(Angle u, float2 t)
 {
-    float s = (u.half_sin - (u.half_cos * 0.0));
-    float c = (u.half_cos + (u.half_sin * 0.0));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_4 = ConstructAngle(turned.x, turned.y);
-    return angle_4;
+    float s = u.half_sin - u.half_cos * 0.0;
+    float c = u.half_cos + u.half_sin * 0.0;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// [`bounded`], component by component.
@@ -313,8 +317,8 @@ float3 bounded_vec3(float3 v)
     uint3 bits = asuint(v);
     uint3 magnitude = (bits & (2147483647u).xxx);
     float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers = ((magnitude == (2139095040u).xxx) ? largest : (0.0).xxx);
-    return ((magnitude < (2139095040u).xxx) ? v : numbers);
+    float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
+    return magnitude < (2139095040u).xxx ? v : numbers;
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -327,9 +331,9 @@ float footprint_of(float x)
 /// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).
 float3 any_orthogonal(float3 n)
 {
-    float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (sign_ + n.z));
-    return float3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
+    float sign_ = n.z >= 0.0 ? 1.0 : -1.0;
+    float a = -1.0 / (sign_ + n.z);
+    return float3(1.0 + sign_ * n.x * n.x * a, sign_ * n.x * n.y * a, -sign_ * n.x);
 }
 
 DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
@@ -345,26 +349,26 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 /// without one is +z.
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    float3 y = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
-    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y, float2(dot(direction, x_axis), dot(direction, y)));
-    return directionparts;
+    float3 y = y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30));
+    return ConstructDirectionParts(direction, x_axis, y,
+        float2(dot(direction, x_axis), dot(direction, y)));
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 float3 direction_moved(DirectionParts parts, float2 by)
 {
     float2 step_ = clamp(by, (-1000000.0).xx, (1000000.0).xx);
-    float3 moved = ((parts.direction + (step_.x * parts.x_axis)) + (step_.y * parts.y_axis));
+    float3 moved = parts.direction + step_.x * parts.x_axis + step_.y * parts.y_axis;
     const float3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
+    return dot(moved, moved) > 1e-6 ? normalize_moderate_value : parts.direction;
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 float3 direction_moved_2(DirectionParts parts, float2 by)
 {
-    float3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
+    float3 moved = parts.direction + by.x * parts.x_axis + by.y * parts.y_axis;
     const float3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
+    return dot(moved, moved) > 1e-6 ? normalize_moderate_value : parts.direction;
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -374,9 +378,10 @@ float3x3 axes_around(float3 toward, float3 up)
     const float3 y = normalize_moderate(up, float3(0.0, 1.0, 0.0));
     float3 leaning = cross(y, toward);
     float square = dot(leaning, leaning);
-    float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
-    const float3 x = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    float3 aside = abs(toward.x) > 0.7 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0);
+    float3 across = square > 1e-8 ? leaning : cross(aside, toward);
+    const float3 x = normalize_moderate(across - dot(across, toward) * toward,
+        float3(1.0, 0.0, 0.0));
     return float3x3(x, cross(toward, x), toward);
 }
 
@@ -395,8 +400,7 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
 AxesAround axes(float3 direction, float3 up)
 {
     const float3x3 axes_2 = axes_around(direction, up);
-    const AxesAround axesaround = ConstructAxesAround(axes_2[0], axes_2[1]);
-    return axesaround;
+    return ConstructAxesAround(axes_2[0], axes_2[1]);
 }
 
 /// Half-vector
@@ -406,9 +410,9 @@ AxesAround axes(float3 direction, float3 up)
 /// takes another shape.
 float3 half_vector(Light light, float3 view)
 {
-    float3 half_ = (light.direction + view);
+    float3 half_ = light.direction + view;
     const float3 any_orthogonal_value = any_orthogonal(view);
-    return normalize_or(((dot(half_, half_) > 1e-12) ? half_ : any_orthogonal_value), view);
+    return normalize_or(dot(half_, half_) > 1e-12 ? half_ : any_orthogonal_value, view);
 }
 
 /// Split direction
@@ -418,22 +422,23 @@ float3 half_vector(Light light, float3 view)
 float3 split_direction(float3 direction, float3 x_axis, float3 y_axis, float x, float y)
 {
     const DirectionParts bent = direction_within(direction, x_axis, y_axis);
-    float2 side = ((bent.place >= (0.0).xx) ? (1.0).xx : (-1.0).xx);
-    return direction_moved(bent, (-(max(float2(x, y), (0.0).xx)) * side));
+    float2 side = bent.place >= (0.0).xx ? (1.0).xx : (-1.0).xx;
+    return direction_moved(bent, -max(float2(x, y), (0.0).xx) * side);
 }
 
 /// Square direction
 ///
 /// Gives a highlight corners: from round to a square whose sides lie along the axes.
-float3 square_direction(float3 direction, float3 x_axis, float3 y_axis, float amount, float sharpness)
+float3 square_direction(float3 direction, float3 x_axis, float3 y_axis, float amount,
+    float sharpness)
 {
     const DirectionParts bent = direction_within(direction, x_axis, y_axis);
     float square = dot(bent.place, bent.place);
-    float apart = (abs(bent.place.x) - abs(bent.place.y));
-    float aside = min(((apart * apart) / max(square, 1e-20)), 1.0);
-    const float exp2_stable_value = exp2_stable(((sharpness * LOG2_E) * log1p_negative(aside)));
-    float corner = (((square > 1e-20) & (aside < 1.0)) ? exp2_stable_value : 0.0);
-    return direction_moved_2(bent, ((-(clamp(amount, 0.0, 1.0)) * corner) * bent.place));
+    float apart = abs(bent.place.x) - abs(bent.place.y);
+    float aside = min(apart * apart / max(square, 1e-20), 1.0);
+    const float exp2_stable_value = exp2_stable(sharpness * LOG2_E * log1p_negative(aside));
+    float corner = ((square > 1e-20) & (aside < 1.0)) ? exp2_stable_value : 0.0;
+    return direction_moved_2(bent, -clamp(amount, 0.0, 1.0) * corner * bent.place);
 }
 
 /// Stretch direction
@@ -443,60 +448,62 @@ float3 square_direction(float3 direction, float3 x_axis, float3 y_axis, float am
 float3 stretch_direction(float3 direction, float3 x_axis, float3 y_axis, float x, float y)
 {
     const DirectionParts bent = direction_within(direction, x_axis, y_axis);
-    return direction_moved(bent, (-(min(float2(x, y), (1.0).xx)) * bent.place));
+    return direction_moved(bent, -min(float2(x, y), (1.0).xx) * bent.place);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    float alpha = (below.w + ((tone * opacity) * (1.0 - below.w)));
-    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), alpha), (0.0).xxxx, (1.0).xxxx);
+    float alpha = below.w + tone * opacity * (1.0 - below.w);
+    return clamp(float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), alpha), (0.0).xxxx, (1.0).xxxx);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick_2(float s, float w, ProfileShape shape)
 {
-    float width = sqrt((w * w));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (0.0 - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
@@ -509,7 +516,8 @@ float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
     const Angle warped = angle_turned_2(angle, float2(0.0, 1.0));
     const float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick_2(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
+    return profile_ramp_quick_2(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// Rim light
@@ -519,14 +527,15 @@ float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 float rim(Light light, float3 normal, float3 view, float width, float softness, float follow)
 {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float edge = max((width * softness), min(footprint_of(facing), 1.0));
-    float3 aside = (normal - view);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - width)) : (width - facing));
-    float within = ((further / edge) + 0.0);
+    float edge = max(width * softness, min(footprint_of(facing), 1.0));
+    float3 aside = normal - view;
+    float further = facing > 0.5 ? 0.5 * dot(aside, aside) - (1.0 - width) : width - facing;
+    float within = further / edge + 0.0;
     float inside = clamp(within, 0.0, 1.0);
-    float3 across = (light.direction - (dot(light.direction, view) * view));
-    float side = dot((normal - (dot(normal, view) * view)), (across * rsqrt(max(dot(across, across), 1e-30))));
-    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow));
+    float3 across = light.direction - dot(light.direction, view) * view;
+    float side = dot(normal - dot(normal, view) * view, across
+        * rsqrt(max(dot(across, across), 1e-30)));
+    return inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 /// Rotate vector
@@ -534,32 +543,49 @@ float rim(Light light, float3 normal, float3 view, float width, float softness, 
 /// Turns a vector about an axis, counter-clockwise as the axis points at you.
 float3 rotate_vector(float3 vector_, float3 axis, float angle)
 {
-    float2 half_ = clamp(sin_cos((0.5 * angle)), (-1.0).xx, (1.0).xx);
+    float2 half_ = clamp(sin_cos(0.5 * angle), (-1.0).xx, (1.0).xx);
     float3 aside = cross(axis, vector_);
-    return bounded_vec3((vector_ + ((2.0 * half_.x) * ((half_.y * aside) + (half_.x * cross(axis, aside))))));
+    return bounded_vec3(vector_ + 2.0 * half_.x * (half_.y * aside + half_.x * cross(axis, aside)));
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
+    // Parametrization
+    Angle turned_from_the_key = ConstructAngle(0.5 * length(surface.normal - look.key.direction),
+        0.5 * length(surface.normal + look.key.direction));
     const float lit_side = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
-    float in_the_dark = (1.0 - lit_side);
-    float4 shadow = clamp(float4((look.body.xyz + ((look.body.xyz * lerp((1.0).xxx, float3(0.45, 0.36, 0.62), in_the_dark)) - look.body.xyz)), look.body.w), (0.0).xxxx, (1.0).xxxx);
+    float in_the_dark = 1.0 - lit_side;
+    // Blend
+    float4 shadow = clamp(float4(look.body.xyz
+        + (look.body.xyz * lerp((1.0).xxx, float3(0.45, 0.36, 0.62), in_the_dark) - look.body.xyz),
+        look.body.w), (0.0).xxxx, (1.0).xxxx);
     float3 normal = surface.normal;
     const float3 half_ = half_vector(look.key, surface.view);
     const float3 turn = rotate_vector(float3(0.0, 1.0, 0.0), half_, look.turn_angle);
     const AxesAround axes_of_the_highlight = axes(half_, turn);
-    const float3 move_2 = direction_moved(direction_within(normal, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis), float2(look.move_x, look.move_y));
-    const float3 stretch = stretch_direction(move_2, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, look.stretch_x, look.stretch_y);
-    const float3 split = split_direction(stretch, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, look.split_x, look.split_y);
-    const float3 square = square_direction(split, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, look.square_amount, 4.0);
-    Angle from_the_highlight = ConstructAngle((0.5 * length((square - half_))), (0.5 * length((square + half_))));
+    // Shift direction
+    const float3 move_2 = direction_moved(direction_within(normal, axes_of_the_highlight.x_axis,
+        axes_of_the_highlight.y_axis), float2(look.move_x, look.move_y));
+    const float3 stretch = stretch_direction(move_2, axes_of_the_highlight.x_axis,
+        axes_of_the_highlight.y_axis, look.stretch_x, look.stretch_y);
+    const float3 split = split_direction(stretch, axes_of_the_highlight.x_axis,
+        axes_of_the_highlight.y_axis, look.split_x, look.split_y);
+    const float3 square = square_direction(split, axes_of_the_highlight.x_axis,
+        axes_of_the_highlight.y_axis, look.square_amount, 4.0);
+    // Angle between directions
+    Angle from_the_highlight = ConstructAngle(0.5 * length(square - half_), 0.5
+        * length(square + half_));
     const float highlight = profile_balanced_2(from_the_highlight, 0.0, highlight_shape);
-    const float4 highlight_on_top = blend_alpha(shadow, float4(1.0, 0.98, 0.92, 1.0), highlight, 0.96, true);
+    const float4 highlight_on_top = blend_alpha(shadow, float4(1.0, 0.98, 0.92, 1.0), highlight,
+        0.96, true);
     const float rim_2 = rim(look.back, surface.normal, surface.view, 0.3, 0.2, 1.0);
-    float4 rim_s_light = clamp(float4((highlight_on_top.xyz + (0.5 * ((highlight_on_top.xyz + (rim_2 * float3(0.55, 0.75, 1.0))) - highlight_on_top.xyz))), highlight_on_top.w), (0.0).xxxx, (1.0).xxxx);
-    const float4 output = finite_vec4(((rim_s_light.w <= 0.0) ? rim_s_light : float4((rim_s_light.xyz / (rim_s_light.w).xxx), rim_s_light.w)));
+    // Blend
+    float4 rim_s_light = clamp(float4(highlight_on_top.xyz + 0.5
+        * (highlight_on_top.xyz + rim_2 * float3(0.55, 0.75, 1.0) - highlight_on_top.xyz),
+        highlight_on_top.w), (0.0).xxxx, (1.0).xxxx);
+    const float4 output = finite_vec4(rim_s_light.w
+        <= 0.0 ? rim_s_light : float4(rim_s_light.xyz / (rim_s_light.w).xxx, rim_s_light.w));
     return output;
 }
 
@@ -574,7 +600,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -588,10 +615,11 @@ Surface ConstructSurface(float3 arg0, float3 arg1) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))));
+    float3 normal = is_front ? facing : -facing;
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position));
     return finite_vec4(shade(surface));
 }

@@ -398,7 +398,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -454,10 +454,12 @@ const highlight_shape = ProfileShape(0.9939561, 0.1097783, 0.0, 1.0, 0.22, 0.0, 
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Parametrization
     let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
         * length(surface.normal + look.key.direction));
     let lit_side = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
     let in_the_dark = 1.0 - lit_side;
+    // Blend
     let shadow = clamp(vec4f(look.body.xyz
         + (look.body.xyz * mix(vec3f(1.0), vec4f(0.45, 0.36, 0.62, 1.0).xyz, in_the_dark)
         - look.body.xyz), look.body.w), vec4f(0.0), vec4f(1.0));
@@ -465,6 +467,7 @@ fn shade(surface: Surface) -> vec4f {
     let half = half_vector(look.key, surface.view);
     let turn = rotate_vector(vec3f(0.0, 1.0, 0.0), half, look.turn_angle);
     let axes_of_the_highlight = axes(half, turn);
+    // Shift direction
     let move_2 = direction_moved(direction_within(normal, axes_of_the_highlight.x_axis,
         axes_of_the_highlight.y_axis), vec2f(look.move_x, look.move_y));
     let stretch = stretch_direction(move_2, axes_of_the_highlight.x_axis,
@@ -473,10 +476,12 @@ fn shade(surface: Surface) -> vec4f {
         look.split_x, look.split_y);
     let square = square_direction(split, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis,
         look.square_amount, 4.0);
+    // Angle between directions
     let from_the_highlight = Angle(0.5 * length(square - half), 0.5 * length(square + half));
     let highlight = profile_balanced_2(from_the_highlight, 0.0, highlight_shape);
     let highlight_on_top = blend_alpha(shadow, vec4f(1.0, 0.98, 0.92, 1.0), highlight, 0.96, true);
     let rim_2 = rim(look.back, surface.normal, surface.view, 0.3, 0.2, 1.0);
+    // Blend
     let rim_s_light = clamp(vec4f(highlight_on_top.xyz + 0.5
         * (highlight_on_top.xyz + rim_2 * vec4f(0.55, 0.75, 1.0, 1.0).xyz - highlight_on_top.xyz),
         highlight_on_top.w), vec4f(0.0), vec4f(1.0));

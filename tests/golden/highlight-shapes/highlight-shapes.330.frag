@@ -9,6 +9,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -20,17 +21,20 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light back;
     Light spark;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -39,6 +43,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// A direction with the two axes along which it is bent.
 struct DirectionParts {
     /// Unit.
@@ -48,12 +53,14 @@ struct DirectionParts {
     /// The direction's cosines with the two axes.
     vec2 place;
 };
+
 struct AxesAround {
     /// Unit, to the right as seen against the direction.
     vec3 x_axis;
     /// Unit, upright.
     vec3 y_axis;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -72,17 +79,21 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
 const float LN_2 = 0.6931472;
 const float LOG2_E = 1.442695;
-const ProfileShape shadow_side_shape = ProfileShape(0.7484994, 0.66313547, 0.0, 1.0, 1.45, 0.0, 0.0, 1u);
-const ProfileShape window_shape = ProfileShape(0.99804753, 0.062459316, 0.0, 1.0, 0.125, 0.0, 0.0, 1u);
+const ProfileShape shadow_side_shape = ProfileShape(0.7484994, 0.66313547, 0.0, 1.0, 1.45, 0.0, 0.0,
+    1u);
+const ProfileShape window_shape = ProfileShape(0.99804753, 0.062459316, 0.0, 1.0, 0.125, 0.0, 0.0,
+    1u);
 const ProfileShape spark_shape = ProfileShape(0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u);
 
 layout(std140) uniform ViewBlock { View u_view; };
@@ -96,7 +107,7 @@ layout(location = 0) out vec4 out_color;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+    return (floatBitsToUint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -104,16 +115,16 @@ bool is_finite(float x) {
 /// overflow.
 vec3 normalize_or(vec3 v, vec3 otherwise) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) && (largest < 1e30)))) {
+    if (!(largest > 1e-30 && largest < 1e30)) {
         return otherwise;
     }
-    vec3 scaled = (v * (1.0 / largest));
+    vec3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -121,9 +132,11 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
 float exp2_stable(float x) {
     float clamped = max(x, -126.0);
     float whole = roundEven(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+    float f = clamped - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -131,31 +144,31 @@ float exp2_stable(float x) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (int(bits - 1060439283u) >> 23u);
+    float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// ln(x) for normal x > 0.
 float log_stable(float x) {
-    return (LN_2 * log2_stable(x));
+    return LN_2 * log2_stable(x);
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y) {
-    float z = (y / (2.0 - y));
-    float z2 = (z * z);
-    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
+    float z = y / (2.0 - y);
+    float z2 = z * z;
+    return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
 }
 
 /// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
 float log1p_negative(float y) {
-    if ((y < 0.25)) {
+    if (y < 0.25) {
         return log1p_negative_small(y);
     }
-    return log_stable(max((1.0 - y), 1.1754944e-38));
+    return log_stable(max(1.0 - y, 1.1754944e-38));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
@@ -164,30 +177,33 @@ vec2 sin_cos_quarter(float x) {
     // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
     // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
     // whose cut-off is pi is 0 there, in f64 too.
-    float h = (0.5 * x);
-    float h2 = (h * h);
-    float s = (h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (2.7557319e-6 + (h2 * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-2.4801588e-5 + (h2 * (2.755732e-7 + (h2 * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+    float h = 0.5 * x;
+    float h2 = h * h;
+    float s = h * (1.0 + h2 * (-0.16666667 + h2
+        * (0.008333334 + h2 * (-0.0001984127 + h2 * (2.7557319e-6 + h2 * -2.5052108e-8)))));
+    float one_minus_c = h2 * (0.5 + h2
+        * (-0.041666668 + h2 * (0.0013888889 + h2
+        * (-2.4801588e-5 + h2 * (2.755732e-7 + h2 * -2.0876756e-9)))));
+    float c = 1.0 - one_minus_c;
+    return vec2(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// The angle of `radians`, clamped to [0, pi]; 0 where it is not finite.
 Angle angle_of(float radians_) {
-    float half_angle = (0.5 * min(radians_, PI));
+    float half_angle = 0.5 * min(radians_, PI);
     vec2 sc = sin_cos_quarter(half_angle);
     return Angle(max(sc.x, 0.0), max(sc.y, 0.0));
 }
@@ -196,17 +212,20 @@ Angle angle_of(float radians_) {
 float atan2_positive(float y, float x) {
     float small = min(y, x);
     float large = max(y, x);
-    if ((large <= 0.0)) {
+    if (large <= 0.0) {
         return 0.0;
     }
-    float t = (small / large);
+    float t = small / large;
     // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    bool is_wide = (t > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t);
-    float r2 = (r * r);
-    float series = (r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x) ? (HALF_PI - a) : a);
+    bool is_wide = t > 0.41421357;
+    float r = is_wide ? (small - large) / (small + large) : t;
+    float r2 = r * r;
+    float series = r * (1.0 + r2 * (-0.33333334 + r2
+        * (0.2 + r2 * (-0.14285715 + r2
+        * (0.11111111 + r2 * (-0.09090909 + r2
+        * (0.07692308 + r2 * (-0.06666667 + r2 * 0.05882353))))))));
+    float a = is_wide ? series + 0.7853982 : series;
+    return y > x ? HALF_PI - a : a;
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -215,34 +234,34 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = (u.half_sin - 0.0);
-    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
-    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - 0.0;
+    vec2 upper = u.half_cos <= 0.0 ? vec2(1.0, 0.0) : vec2(s, u.half_cos);
+    vec2 turned = (s <= 0.0 && s < u.half_cos) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned_2(Angle u, vec2 t) {
-    float s = (u.half_sin - (u.half_cos * 0.0));
-    float c = (u.half_cos + (u.half_sin * 0.0));
-    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
-    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - u.half_cos * 0.0;
+    float c = u.half_cos + u.half_sin * 0.0;
+    vec2 upper = c <= 0.0 ? vec2(1.0, 0.0) : vec2(s, c);
+    vec2 turned = (s <= 0.0 && s < c) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
 /// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
 float angle_of_point(float y, float x) {
     vec2 p = abs(vec2(x, y));
-    vec2 scaled = ((max(p.x, p.y) > 1.0) ? (0.5 * p) : p);
+    vec2 scaled = max(p.x, p.y) > 1.0 ? 0.5 * p : p;
     float a = atan2_positive(scaled.y, scaled.x);
-    float turned = ((x < 0.0) ? (PI - a) : a);
-    return ((y < 0.0) ? -(turned) : turned);
+    float turned = x < 0.0 ? PI - a : a;
+    return y < 0.0 ? -turned : turned;
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -253,23 +272,23 @@ float footprint_of(float x) {
 
 /// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).
 vec3 any_orthogonal(vec3 n) {
-    float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (sign_ + n.z));
-    return vec3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
+    float sign_ = n.z >= 0.0 ? 1.0 : -1.0;
+    float a = -1.0 / (sign_ + n.z);
+    return vec3(1.0 + sign_ * n.x * n.x * a, sign_ * n.x * n.y * a, -sign_ * n.x);
 }
 
 /// The direction and its axes, made unit; an axis without a direction does nothing, a direction
 /// without one is +z.
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 y = (y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30)));
+    vec3 y = y_axis * inversesqrt(max(dot(y_axis, y_axis), 1e-30));
     return DirectionParts(direction, x_axis, y, vec2(dot(direction, x_axis), dot(direction, y)));
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 vec3 direction_moved(DirectionParts parts, vec2 by) {
-    vec3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
+    vec3 moved = parts.direction + by.x * parts.x_axis + by.y * parts.y_axis;
     vec3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
+    return dot(moved, moved) > 1e-6 ? normalize_moderate_value : parts.direction;
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -277,21 +296,21 @@ vec3 direction_moved(DirectionParts parts, vec2 by) {
 mat3x3 axes_around(vec3 toward, vec3 up) {
     vec3 leaning = cross(up, toward);
     float square = dot(leaning, leaning);
-    vec3 aside = ((abs(toward.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
-    vec3 x = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
+    vec3 aside = abs(toward.x) > 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+    vec3 across = square > 1e-8 ? leaning : cross(aside, toward);
+    vec3 x = normalize_moderate(across - dot(across, toward) * toward, vec3(1.0, 0.0, 0.0));
     return mat3x3(x, cross(toward, x), toward);
 }
 
 /// Radius of a star at `turn`, in turns from its first ray: 1 at its rays, `inner` between them,
 /// along straight lines; `round` from 0 to 1 goes from there to a circle.
 float star_reach(float turn, float rays, float inner, float round_) {
-    float half_sector = (PI / rays);
-    float sector = abs(((turn * rays) - floor(((turn * rays) + 0.5))));
-    vec2 from_ray = sin_cos_quarter(min(((2.0 * sector) * half_sector), HALF_PI));
-    vec2 between = sin_cos_quarter(max(((1.0 - (2.0 * sector)) * half_sector), 0.0));
+    float half_sector = PI / rays;
+    float sector = abs(turn * rays - floor(turn * rays + 0.5));
+    vec2 from_ray = sin_cos_quarter(min(2.0 * sector * half_sector, HALF_PI));
+    vec2 between = sin_cos_quarter(max((1.0 - 2.0 * sector) * half_sector, 0.0));
     float corner = sin_cos_quarter(half_sector).x;
-    float straight = ((inner * corner) / max(((inner * between.x) + from_ray.x), 1e-6));
+    float straight = inner * corner / max(inner * between.x + from_ray.x, 1e-6);
     return mix(straight, 1.0, round_);
 }
 
@@ -311,9 +330,9 @@ AxesAround axes(vec3 direction, vec3 up) {
 /// them with the nodes beside this one, measure the Angle between directions, and the highlight
 /// takes another shape.
 vec3 half_vector(Light light, vec3 view) {
-    vec3 half_ = (light.direction + view);
+    vec3 half_ = light.direction + view;
     vec3 any_orthogonal_value = any_orthogonal(view);
-    return normalize_or(((dot(half_, half_) > 1e-12) ? half_ : any_orthogonal_value), view);
+    return normalize_or(dot(half_, half_) > 1e-12 ? half_ : any_orthogonal_value, view);
 }
 
 /// Split direction
@@ -323,7 +342,7 @@ vec3 half_vector(Light light, vec3 view) {
 vec3 split_direction(vec3 direction, vec3 x_axis, vec3 y_axis, float x, float y) {
     DirectionParts bent = direction_within(direction, x_axis, y_axis);
     vec2 side = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(bent.place, vec2(0.0)));
-    return direction_moved(bent, (-(vec2(x, y)) * side));
+    return direction_moved(bent, -vec2(x, y) * side);
 }
 
 /// Square direction
@@ -332,48 +351,52 @@ vec3 split_direction(vec3 direction, vec3 x_axis, vec3 y_axis, float x, float y)
 vec3 square_direction(vec3 direction, vec3 x_axis, vec3 y_axis, float amount, float sharpness) {
     DirectionParts bent = direction_within(direction, x_axis, y_axis);
     float square = dot(bent.place, bent.place);
-    float apart = (abs(bent.place.x) - abs(bent.place.y));
-    float aside = min(((apart * apart) / max(square, 1e-20)), 1.0);
-    float exp2_stable_value = exp2_stable(((sharpness * LOG2_E) * log1p_negative(aside)));
-    float corner = (((square > 1e-20) && (aside < 1.0)) ? exp2_stable_value : 0.0);
-    return direction_moved(bent, ((-(amount) * corner) * bent.place));
+    float apart = abs(bent.place.x) - abs(bent.place.y);
+    float aside = min(apart * apart / max(square, 1e-20), 1.0);
+    float exp2_stable_value = exp2_stable(sharpness * LOG2_E * log1p_negative(aside));
+    float corner = (square > 1e-20 && aside < 1.0) ? exp2_stable_value : 0.0;
+    return direction_moved(bent, -amount * corner * bent.place);
 }
 
 /// Star
 ///
 /// The angle between two directions, measured so that a Profile draws a star, a flower or a polygon
 /// instead of a disk: in between its rays the angle counts for more.
-Angle star_angle(vec3 direction, vec3 middle, vec3 x_axis, vec3 y_axis, int rays, float inner, float round_, float turn) {
+Angle star_angle(vec3 direction, vec3 middle, vec3 x_axis, vec3 y_axis, int rays, float inner,
+    float round_, float turn) {
     DirectionParts bent = direction_within(direction, x_axis, y_axis);
-    Angle u = Angle((0.5 * length((bent.direction - middle))), (0.5 * length((bent.direction + middle))));
-    float around = ((angle_of_point(bent.place.y, bent.place.x) - turn) / 6.2831855);
+    Angle u = Angle(0.5 * length(bent.direction - middle), 0.5 * length(bent.direction + middle));
+    float around = (angle_of_point(bent.place.y, bent.place.x) - turn) / 6.2831855;
     float reach = star_reach(around, 4.0, inner, round_);
-    return angle_of(((2.0 * atan2_positive(u.half_sin, u.half_cos)) / reach));
+    return angle_of(2.0 * atan2_positive(u.half_sin, u.half_cos) / reach);
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), vec4(0.0), vec4(1.0));
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt((w * w));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (0.0 - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
     Angle warped = angle_turned(angle, vec2(0.0, 1.0));
     float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
+    return profile_ramp_quick(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
     Angle warped = angle_turned_2(angle, vec2(0.0, 1.0));
     float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
+    return profile_ramp_quick(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// Rim light
@@ -382,36 +405,48 @@ float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
 /// background.
 float rim(Light light, vec3 normal, vec3 view, float width, float softness, float follow) {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float edge = max((width * softness), min(footprint_of(facing), 1.0));
-    vec3 aside = (normal - view);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - width)) : (width - facing));
-    float within = ((further / edge) + 0.0);
+    float edge = max(width * softness, min(footprint_of(facing), 1.0));
+    vec3 aside = normal - view;
+    float further = facing > 0.5 ? 0.5 * dot(aside, aside) - (1.0 - width) : width - facing;
+    float within = further / edge + 0.0;
     float inside = clamp(within, 0.0, 1.0);
-    vec3 across = (light.direction - (dot(light.direction, view) * view));
-    float side = dot((normal - (dot(normal, view) * view)), (across * inversesqrt(max(dot(across, across), 1e-30))));
-    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), follow));
+    vec3 across = light.direction - dot(light.direction, view) * view;
+    float side = dot(normal - dot(normal, view) * view, across
+        * inversesqrt(max(dot(across, across), 1e-30)));
+    return inside * mix(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    Angle turned_from_the_key = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
+    // Parametrization
+    Angle turned_from_the_key = Angle(0.5 * length(surface.normal - u_look.key.direction), 0.5
+        * length(surface.normal + u_look.key.direction));
     float shadow_side = profile_balanced(turned_from_the_key, 0.0, shadow_side_shape);
-    float in_the_dark = (1.0 - shadow_side);
-    vec4 shadow = min(vec4((vec3(0.83, 0.19, 0.18) * mix(vec3(1.0), vec3(0.52, 0.25, 0.46), in_the_dark)), 1.0), vec4(1.0));
+    float in_the_dark = 1.0 - shadow_side;
+    // Blend
+    vec4 shadow = min(vec4(vec3(0.83, 0.19, 0.18)
+        * mix(vec3(1.0), vec3(0.52, 0.25, 0.46), in_the_dark), 1.0), vec4(1.0));
     vec3 half_ = half_vector(u_look.key, surface.view);
     AxesAround upright = axes(half_, vec3(0.0, 1.0, 0.0));
     vec3 four_panes = split_direction(surface.normal, upright.x_axis, upright.y_axis, 0.15, 0.15);
     vec3 square_it = square_direction(four_panes, upright.x_axis, upright.y_axis, 0.3, 4.0);
-    Angle window_angle = Angle((0.5 * length((square_it - half_))), (0.5 * length((square_it + half_))));
+    // Angle between directions
+    Angle window_angle = Angle(0.5 * length(square_it - half_), 0.5 * length(square_it + half_));
     float window = profile_balanced_2(window_angle, 0.0, window_shape);
     vec4 window_s_light = blend_alpha(shadow, vec4(1.0, 0.97, 0.9, 1.0), window, 0.95, true);
     vec3 spark_half = half_vector(u_look.spark, surface.view);
     AxesAround upright_2 = axes(spark_half, vec3(0.0, 1.0, 0.0));
-    Angle four_rays = star_angle(surface.normal, spark_half, upright_2.x_axis, upright_2.y_axis, 4, 0.28, 0.0, 0.3);
+    Angle four_rays = star_angle(surface.normal, spark_half, upright_2.x_axis, upright_2.y_axis, 4,
+        0.28, 0.0, 0.3);
     float spark = profile_balanced_2(four_rays, 0.0, spark_shape);
-    vec4 spark_s_light = clamp(vec4((window_s_light.xyz + (spark * (vec3(1.0, 0.83, 0.42) - window_s_light.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    // Blend
+    vec4 spark_s_light = clamp(vec4(window_s_light.xyz + spark
+        * (vec3(1.0, 0.83, 0.42) - window_s_light.xyz), 1.0), vec4(0.0), vec4(1.0));
     float rim_2 = rim(u_look.back, surface.normal, surface.view, 0.38, 0.15, 1.0);
-    vec4 rim_s_light = clamp(vec4((spark_s_light.xyz + (0.75 * ((spark_s_light.xyz + (rim_2 * vec3(0.55, 0.72, 1.0))) - spark_s_light.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    // Blend
+    vec4 rim_s_light = clamp(vec4(spark_s_light.xyz + 0.75
+        * (spark_s_light.xyz + rim_2 * vec3(0.55, 0.72, 1.0) - spark_s_light.xyz), 1.0), vec4(0.0),
+        vec4(1.0));
     return rim_s_light;
 }
 
@@ -419,9 +454,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))));
+    vec3 normal = is_front ? facing : -facing;
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position));
     out_color = shade(surface);
-    return;
 }
-

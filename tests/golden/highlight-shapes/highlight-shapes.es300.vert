@@ -13,12 +13,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -37,21 +39,26 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
 const float LN_2 = 0.6931472;
 const float LOG2_E = 1.442695;
-const ProfileShape shadow_side_shape = ProfileShape(0.7484994, 0.66313547, 0.0, 1.0, 1.45, 0.0, 0.0, 1u);
-const ProfileShape window_shape = ProfileShape(0.99804753, 0.062459316, 0.0, 1.0, 0.125, 0.0, 0.0, 1u);
+const ProfileShape shadow_side_shape = ProfileShape(0.7484994, 0.66313547, 0.0, 1.0, 1.45, 0.0, 0.0,
+    1u);
+const ProfileShape window_shape = ProfileShape(0.99804753, 0.062459316, 0.0, 1.0, 0.125, 0.0, 0.0,
+    1u);
 const ProfileShape spark_shape = ProfileShape(0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u);
 
 layout(std140) uniform ViewBlock { View u_view; };
@@ -65,11 +72,10 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_position = _tmp_return.position;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, world.xyz,
+        u_object.world_from_normal * vertex.normal);
+    gl_Position = varyings.clip;
+    v_position = varyings.position;
+    v_normal = varyings.normal;
 }
-

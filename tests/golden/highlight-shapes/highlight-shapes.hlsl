@@ -142,7 +142,7 @@ struct FragmentInput_fs_main {
 /// never happens.
 bool is_finite(float x)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
+    return (asuint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -151,16 +151,16 @@ bool is_finite(float x)
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) & (largest < 1e30)))) {
+    if (!((largest > 1e-30) & (largest < 1e30))) {
         return otherwise;
     }
-    float3 scaled = (v * (1.0 / largest));
+    float3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 int naga_f2i32(float value) {
@@ -173,9 +173,11 @@ float exp2_stable(float x)
 {
     float clamped = max(x, -126.0);
     float whole = round(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
+    float f = clamped - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -184,34 +186,34 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (asint(bits - 1060439283u) >> 23u);
+    float mantissa = asfloat(bits - (asuint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// ln(x) for normal x > 0.
 float log_stable(float x)
 {
-    return (LN_2 * log2_stable(x));
+    return LN_2 * log2_stable(x);
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y)
 {
-    float z = (y / (2.0 - y));
-    float z2 = (z * z);
-    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
+    float z = y / (2.0 - y);
+    float z2 = z * z;
+    return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
 }
 
 /// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
 float log1p_negative(float y)
 {
-    if ((y < 0.25)) {
+    if (y < 0.25) {
         return log1p_negative_small(y);
     }
-    return log_stable(max((1.0 - y), 1.1754944e-38));
+    return log_stable(max(1.0 - y, 1.1754944e-38));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
@@ -221,12 +223,15 @@ float2 sin_cos_quarter(float x)
     // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
     // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
     // whose cut-off is pi is 0 there, in f64 too.
-    float h = (0.5 * x);
-    float h2 = (h * h);
-    float s = (h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (2.7557319e-6 + (h2 * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-2.4801588e-5 + (h2 * (2.755732e-7 + (h2 * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+    float h = 0.5 * x;
+    float h2 = h * h;
+    float s = h * (1.0 + h2 * (-0.16666667 + h2
+        * (0.008333334 + h2 * (-0.0001984127 + h2 * (2.7557319e-6 + h2 * -2.5052108e-8)))));
+    float one_minus_c = h2 * (0.5 + h2
+        * (-0.041666668 + h2 * (0.0013888889 + h2
+        * (-2.4801588e-5 + h2 * (2.755732e-7 + h2 * -2.0876756e-9)))));
+    float c = 1.0 - one_minus_c;
+    return float2(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -234,14 +239,14 @@ float2 sin_cos_quarter(float x)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -254,10 +259,9 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// The angle of `radians`, clamped to [0, pi]; 0 where it is not finite.
 Angle angle_of(float radians_)
 {
-    float half_angle = (0.5 * min(radians_, PI));
+    float half_angle = 0.5 * min(radians_, PI);
     const float2 sc = sin_cos_quarter(half_angle);
-    const Angle angle_2 = ConstructAngle(max(sc.x, 0.0), max(sc.y, 0.0));
-    return angle_2;
+    return ConstructAngle(max(sc.x, 0.0), max(sc.y, 0.0));
 }
 
 /// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
@@ -265,17 +269,20 @@ float atan2_positive(float y, float x)
 {
     float small = min(y, x);
     float large = max(y, x);
-    if ((large <= 0.0)) {
+    if (large <= 0.0) {
         return 0.0;
     }
-    float t = (small / large);
+    float t = small / large;
     // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    bool is_wide = (t > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t);
-    float r2 = (r * r);
-    float series = (r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x) ? (HALF_PI - a) : a);
+    bool is_wide = t > 0.41421357;
+    float r = is_wide ? (small - large) / (small + large) : t;
+    float r2 = r * r;
+    float series = r * (1.0 + r2 * (-0.33333334 + r2
+        * (0.2 + r2 * (-0.14285715 + r2
+        * (0.11111111 + r2 * (-0.09090909 + r2
+        * (0.07692308 + r2 * (-0.06666667 + r2 * 0.05882353))))))));
+    float a = is_wide ? series + 0.7853982 : series;
+    return y > x ? HALF_PI - a : a;
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -285,39 +292,37 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = (u.half_sin - 0.0);
-    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
-    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
-    return angle_3;
+    float s = u.half_sin - 0.0;
+    float2 upper = u.half_cos <= 0.0 ? float2(1.0, 0.0) : float2(s, u.half_cos);
+    float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned_2(Angle u, float2 t)
 {
-    float s = (u.half_sin - (u.half_cos * 0.0));
-    float c = (u.half_cos + (u.half_sin * 0.0));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_4 = ConstructAngle(turned.x, turned.y);
-    return angle_4;
+    float s = u.half_sin - u.half_cos * 0.0;
+    float c = u.half_cos + u.half_sin * 0.0;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
 float angle_of_point(float y, float x)
 {
     float2 p = abs(float2(x, y));
-    float2 scaled = ((max(p.x, p.y) > 1.0) ? (0.5 * p) : p);
+    float2 scaled = max(p.x, p.y) > 1.0 ? 0.5 * p : p;
     const float a = atan2_positive(scaled.y, scaled.x);
-    float turned = ((x < 0.0) ? (PI - a) : a);
-    return ((y < 0.0) ? -(turned) : turned);
+    float turned = x < 0.0 ? PI - a : a;
+    return y < 0.0 ? -turned : turned;
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -330,9 +335,9 @@ float footprint_of(float x)
 /// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).
 float3 any_orthogonal(float3 n)
 {
-    float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (sign_ + n.z));
-    return float3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
+    float sign_ = n.z >= 0.0 ? 1.0 : -1.0;
+    float a = -1.0 / (sign_ + n.z);
+    return float3(1.0 + sign_ * n.x * n.x * a, sign_ * n.x * n.y * a, -sign_ * n.x);
 }
 
 DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
@@ -348,17 +353,17 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 /// without one is +z.
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    float3 y = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
-    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y, float2(dot(direction, x_axis), dot(direction, y)));
-    return directionparts;
+    float3 y = y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30));
+    return ConstructDirectionParts(direction, x_axis, y,
+        float2(dot(direction, x_axis), dot(direction, y)));
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 float3 direction_moved(DirectionParts parts, float2 by)
 {
-    float3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
+    float3 moved = parts.direction + by.x * parts.x_axis + by.y * parts.y_axis;
     const float3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
+    return dot(moved, moved) > 1e-6 ? normalize_moderate_value : parts.direction;
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -367,9 +372,10 @@ float3x3 axes_around(float3 toward, float3 up)
 {
     float3 leaning = cross(up, toward);
     float square = dot(leaning, leaning);
-    float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
-    const float3 x = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    float3 aside = abs(toward.x) > 0.7 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0);
+    float3 across = square > 1e-8 ? leaning : cross(aside, toward);
+    const float3 x = normalize_moderate(across - dot(across, toward) * toward,
+        float3(1.0, 0.0, 0.0));
     return float3x3(x, cross(toward, x), toward);
 }
 
@@ -377,12 +383,12 @@ float3x3 axes_around(float3 toward, float3 up)
 /// along straight lines; `round` from 0 to 1 goes from there to a circle.
 float star_reach(float turn, float rays, float inner, float round_)
 {
-    float half_sector = (PI / rays);
-    float sector = abs(((turn * rays) - floor(((turn * rays) + 0.5))));
-    const float2 from_ray = sin_cos_quarter(min(((2.0 * sector) * half_sector), HALF_PI));
-    const float2 between = sin_cos_quarter(max(((1.0 - (2.0 * sector)) * half_sector), 0.0));
+    float half_sector = PI / rays;
+    float sector = abs(turn * rays - floor(turn * rays + 0.5));
+    const float2 from_ray = sin_cos_quarter(min(2.0 * sector * half_sector, HALF_PI));
+    const float2 between = sin_cos_quarter(max((1.0 - 2.0 * sector) * half_sector, 0.0));
     float corner = sin_cos_quarter(half_sector).x;
-    float straight = ((inner * corner) / max(((inner * between.x) + from_ray.x), 1e-6));
+    float straight = inner * corner / max(inner * between.x + from_ray.x, 1e-6);
     return lerp(straight, 1.0, round_);
 }
 
@@ -401,8 +407,7 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
 AxesAround axes(float3 direction, float3 up)
 {
     const float3x3 axes_2 = axes_around(direction, up);
-    const AxesAround axesaround = ConstructAxesAround(axes_2[0], axes_2[1]);
-    return axesaround;
+    return ConstructAxesAround(axes_2[0], axes_2[1]);
 }
 
 /// Half-vector
@@ -412,9 +417,9 @@ AxesAround axes(float3 direction, float3 up)
 /// takes another shape.
 float3 half_vector(Light light, float3 view)
 {
-    float3 half_ = (light.direction + view);
+    float3 half_ = light.direction + view;
     const float3 any_orthogonal_value = any_orthogonal(view);
-    return normalize_or(((dot(half_, half_) > 1e-12) ? half_ : any_orthogonal_value), view);
+    return normalize_or(dot(half_, half_) > 1e-12 ? half_ : any_orthogonal_value, view);
 }
 
 /// Split direction
@@ -424,65 +429,70 @@ float3 half_vector(Light light, float3 view)
 float3 split_direction(float3 direction, float3 x_axis, float3 y_axis, float x, float y)
 {
     const DirectionParts bent = direction_within(direction, x_axis, y_axis);
-    float2 side = ((bent.place >= (0.0).xx) ? (1.0).xx : (-1.0).xx);
-    return direction_moved(bent, (-(float2(x, y)) * side));
+    float2 side = bent.place >= (0.0).xx ? (1.0).xx : (-1.0).xx;
+    return direction_moved(bent, -float2(x, y) * side);
 }
 
 /// Square direction
 ///
 /// Gives a highlight corners: from round to a square whose sides lie along the axes.
-float3 square_direction(float3 direction, float3 x_axis, float3 y_axis, float amount, float sharpness)
+float3 square_direction(float3 direction, float3 x_axis, float3 y_axis, float amount,
+    float sharpness)
 {
     const DirectionParts bent = direction_within(direction, x_axis, y_axis);
     float square = dot(bent.place, bent.place);
-    float apart = (abs(bent.place.x) - abs(bent.place.y));
-    float aside = min(((apart * apart) / max(square, 1e-20)), 1.0);
-    const float exp2_stable_value = exp2_stable(((sharpness * LOG2_E) * log1p_negative(aside)));
-    float corner = (((square > 1e-20) & (aside < 1.0)) ? exp2_stable_value : 0.0);
-    return direction_moved(bent, ((-(amount) * corner) * bent.place));
+    float apart = abs(bent.place.x) - abs(bent.place.y);
+    float aside = min(apart * apart / max(square, 1e-20), 1.0);
+    const float exp2_stable_value = exp2_stable(sharpness * LOG2_E * log1p_negative(aside));
+    float corner = ((square > 1e-20) & (aside < 1.0)) ? exp2_stable_value : 0.0;
+    return direction_moved(bent, -amount * corner * bent.place);
 }
 
 /// Star
 ///
 /// The angle between two directions, measured so that a Profile draws a star, a flower or a polygon
 /// instead of a disk: in between its rays the angle counts for more.
-Angle star_angle(float3 direction, float3 middle, float3 x_axis, float3 y_axis, int rays, float inner, float round_, float turn)
+Angle star_angle(float3 direction, float3 middle, float3 x_axis, float3 y_axis, int rays,
+    float inner, float round_, float turn)
 {
     const DirectionParts bent = direction_within(direction, x_axis, y_axis);
-    Angle u = ConstructAngle((0.5 * length((bent.direction - middle))), (0.5 * length((bent.direction + middle))));
-    float around = ((angle_of_point(bent.place.y, bent.place.x) - turn) / 6.2831855);
+    Angle u = ConstructAngle(0.5 * length(bent.direction - middle), 0.5
+        * length(bent.direction + middle));
+    float around = (angle_of_point(bent.place.y, bent.place.x) - turn) / 6.2831855;
     const float reach = star_reach(around, 4.0, inner, round_);
-    const Angle angle_5 = angle_of(((2.0 * atan2_positive(u.half_sin, u.half_cos)) / reach));
-    return angle_5;
+    return angle_of(2.0 * atan2_positive(u.half_sin, u.half_cos) / reach);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt((w * w));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((0.0 - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (0.0 - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
     const Angle warped = angle_turned(angle, float2(0.0, 1.0));
     const float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
+    return profile_ramp_quick(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
     const Angle warped = angle_turned_2(angle, float2(0.0, 1.0));
     const float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick(((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset)), angle_footprint_value, shape);
+    return profile_ramp_quick(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// Rim light
@@ -492,37 +502,52 @@ float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 float rim(Light light, float3 normal, float3 view, float width, float softness, float follow)
 {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float edge = max((width * softness), min(footprint_of(facing), 1.0));
-    float3 aside = (normal - view);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - (1.0 - width)) : (width - facing));
-    float within = ((further / edge) + 0.0);
+    float edge = max(width * softness, min(footprint_of(facing), 1.0));
+    float3 aside = normal - view;
+    float further = facing > 0.5 ? 0.5 * dot(aside, aside) - (1.0 - width) : width - facing;
+    float within = further / edge + 0.0;
     float inside = clamp(within, 0.0, 1.0);
-    float3 across = (light.direction - (dot(light.direction, view) * view));
-    float side = dot((normal - (dot(normal, view) * view)), (across * rsqrt(max(dot(across, across), 1e-30))));
-    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow));
+    float3 across = light.direction - dot(light.direction, view) * view;
+    float side = dot(normal - dot(normal, view) * view, across
+        * rsqrt(max(dot(across, across), 1e-30)));
+    return inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
+    // Parametrization
+    Angle turned_from_the_key = ConstructAngle(0.5 * length(surface.normal - look.key.direction),
+        0.5 * length(surface.normal + look.key.direction));
     const float shadow_side = profile_balanced(turned_from_the_key, 0.0, shadow_side_shape);
-    float in_the_dark = (1.0 - shadow_side);
-    float4 shadow = min(float4((float3(0.83, 0.19, 0.18) * lerp((1.0).xxx, float3(0.52, 0.25, 0.46), in_the_dark)), 1.0), (1.0).xxxx);
+    float in_the_dark = 1.0 - shadow_side;
+    // Blend
+    float4 shadow = min(float4(float3(0.83, 0.19, 0.18)
+        * lerp((1.0).xxx, float3(0.52, 0.25, 0.46), in_the_dark), 1.0), (1.0).xxxx);
     const float3 half_ = half_vector(look.key, surface.view);
     const AxesAround upright = axes(half_, float3(0.0, 1.0, 0.0));
-    const float3 four_panes = split_direction(surface.normal, upright.x_axis, upright.y_axis, 0.15, 0.15);
+    const float3 four_panes = split_direction(surface.normal, upright.x_axis, upright.y_axis, 0.15,
+        0.15);
     const float3 square_it = square_direction(four_panes, upright.x_axis, upright.y_axis, 0.3, 4.0);
-    Angle window_angle = ConstructAngle((0.5 * length((square_it - half_))), (0.5 * length((square_it + half_))));
+    // Angle between directions
+    Angle window_angle = ConstructAngle(0.5 * length(square_it - half_), 0.5
+        * length(square_it + half_));
     const float window = profile_balanced_2(window_angle, 0.0, window_shape);
-    const float4 window_s_light = blend_alpha(shadow, float4(1.0, 0.97, 0.9, 1.0), window, 0.95, true);
+    const float4 window_s_light = blend_alpha(shadow, float4(1.0, 0.97, 0.9, 1.0), window, 0.95,
+        true);
     const float3 spark_half = half_vector(look.spark, surface.view);
     const AxesAround upright_2 = axes(spark_half, float3(0.0, 1.0, 0.0));
-    const Angle four_rays = star_angle(surface.normal, spark_half, upright_2.x_axis, upright_2.y_axis, int(4), 0.28, 0.0, 0.3);
+    const Angle four_rays = star_angle(surface.normal, spark_half, upright_2.x_axis,
+        upright_2.y_axis, int(4), 0.28, 0.0, 0.3);
     const float spark = profile_balanced_2(four_rays, 0.0, spark_shape);
-    float4 spark_s_light = clamp(float4((window_s_light.xyz + (spark * (float3(1.0, 0.83, 0.42) - window_s_light.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    // Blend
+    float4 spark_s_light = clamp(float4(window_s_light.xyz + spark
+        * (float3(1.0, 0.83, 0.42) - window_s_light.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
     const float rim_2 = rim(look.back, surface.normal, surface.view, 0.38, 0.15, 1.0);
-    float4 rim_s_light = clamp(float4((spark_s_light.xyz + (0.75 * ((spark_s_light.xyz + (rim_2 * float3(0.55, 0.72, 1.0))) - spark_s_light.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    // Blend
+    float4 rim_s_light = clamp(float4(spark_s_light.xyz + 0.75
+        * (spark_s_light.xyz + rim_2 * float3(0.55, 0.72, 1.0) - spark_s_light.xyz), 1.0),
+        (0.0).xxxx, (1.0).xxxx);
     return rim_s_light;
 }
 
@@ -537,7 +562,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -551,10 +577,11 @@ Surface ConstructSurface(float3 arg0, float3 arg1) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))));
+    float3 normal = is_front ? facing : -facing;
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position));
     return shade(surface);
 }

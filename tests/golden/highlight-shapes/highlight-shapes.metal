@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,17 +36,20 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light back;
     Light spark;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -55,6 +60,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// A direction with the two axes along which it is bent.
 struct DirectionParts {
     /// Unit.
@@ -65,12 +71,14 @@ struct DirectionParts {
     metal::float2 place;
     char _pad4[8];
 };
+
 struct AxesAround {
     /// Unit, to the right as seen against the direction.
     metal::float3 x_axis;
     /// Unit, upright.
     metal::float3 y_axis;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -89,22 +97,28 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
+
 constant float PI = 3.1415927;
 constant float HALF_PI = 1.5707964;
 constant float LN_2 = 0.6931472;
 constant float LOG2_E = 1.442695;
-constant ProfileShape shadow_side_shape = ProfileShape {0.7484994, 0.66313547, 0.0, 1.0, 1.45, 0.0, 0.0, 1u};
-constant ProfileShape window_shape = ProfileShape {0.99804753, 0.062459316, 0.0, 1.0, 0.125, 0.0, 0.0, 1u};
-constant ProfileShape spark_shape = ProfileShape {0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u};
+constant ProfileShape shadow_side_shape = ProfileShape {0.7484994, 0.66313547, 0.0, 1.0, 1.45, 0.0,
+    0.0, 1u};
+constant ProfileShape window_shape = ProfileShape {0.99804753, 0.062459316, 0.0, 1.0, 0.125, 0.0,
+    0.0, 1u};
+constant ProfileShape spark_shape = ProfileShape {0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0,
+    1u};
 
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
@@ -122,13 +136,14 @@ metal::float3 normalize_or(
     metal::float3 otherwise
 ) {
     float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
-    if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
+    if (!((largest > 0.000000000000000000000000000001)
+        & (largest < 1000000000000000000000000000000.0))) {
         return otherwise;
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
@@ -146,8 +161,11 @@ float exp2_stable(
     float clamped = metal::max(x, -126.0);
     float whole = metal::rint(clamped);
     float f = clamped - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole))
+        + as_type<uint>(126))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -161,7 +179,8 @@ float log2_stable(
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
-    return static_cast<float>(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379)))))));
+    return static_cast<float>(exponent) + z
+        * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// ln(x) for normal x > 0.
@@ -177,7 +196,7 @@ float log1p_negative_small(
 ) {
     float z = y / (2.0 - y);
     float z2 = z * z;
-    return (-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111))))))));
+    return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
 }
 
 /// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
@@ -200,10 +219,13 @@ metal::float2 sin_cos_quarter(
     // whose cut-off is pi is 0 there, in f64 too.
     float h = 0.5 * x;
     float h2 = h * h;
-    float s = h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (0.0000027557319 + (h2 * -0.000000025052108))))))))));
-    float one_minus_c = h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-0.000024801588 + (h2 * (0.0000002755732 + (h2 * -0.0000000020876756))))))))));
+    float s = h * (1.0 + h2 * (-0.16666667 + h2
+        * (0.008333334 + h2 * (-0.0001984127 + h2 * (0.0000027557319 + h2 * -0.000000025052108)))));
+    float one_minus_c = h2 * (0.5 + h2
+        * (-0.041666668 + h2 * (0.0013888889 + h2
+        * (-0.000024801588 + h2 * (0.0000002755732 + h2 * -0.0000000020876756)))));
     float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    return metal::float2(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -213,7 +235,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -246,11 +269,14 @@ float atan2_positive(
     float t = small / large;
     // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
     bool is_wide = t > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t;
+    float r = is_wide ? (small - large) / (small + large) : t;
     float r2 = r * r;
-    float series = r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353))))))))))))))));
-    float a = is_wide ? (series + 0.7853982) : series;
-    return (y > x) ? (HALF_PI - a) : a;
+    float series = r * (1.0 + r2 * (-0.33333334 + r2
+        * (0.2 + r2 * (-0.14285715 + r2
+        * (0.11111111 + r2 * (-0.09090909 + r2
+        * (0.07692308 + r2 * (-0.06666667 + r2 * 0.05882353))))))));
+    float a = is_wide ? series + 0.7853982 : series;
+    return y > x ? HALF_PI - a : a;
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -271,7 +297,8 @@ Angle angle_turned(
     metal::float2 t
 ) {
     float s = u.half_sin - 0.0;
-    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 upper = u.half_cos
+        <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
     metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
@@ -281,9 +308,9 @@ Angle angle_turned_2(
     Angle u,
     metal::float2 t
 ) {
-    float s = u.half_sin - (u.half_cos * 0.0);
-    float c = u.half_cos + (u.half_sin * 0.0);
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    float s = u.half_sin - u.half_cos * 0.0;
+    float c = u.half_cos + u.half_sin * 0.0;
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
@@ -294,10 +321,10 @@ float angle_of_point(
     float x
 ) {
     metal::float2 p = metal::abs(metal::float2(x, y));
-    metal::float2 scaled = (metal::max(p.x, p.y) > 1.0) ? (0.5 * p) : p;
+    metal::float2 scaled = metal::max(p.x, p.y) > 1.0 ? 0.5 * p : p;
     float a = atan2_positive(scaled.y, scaled.x);
-    float turned = (x < 0.0) ? (PI - a) : a;
-    return (y < 0.0) ? -(turned) : turned;
+    float turned = x < 0.0 ? PI - a : a;
+    return y < 0.0 ? -turned : turned;
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -312,9 +339,9 @@ float footprint_of(
 metal::float3 any_orthogonal(
     metal::float3 n
 ) {
-    float sign = (n.z >= 0.0) ? 1.0 : -1.0;
+    float sign = n.z >= 0.0 ? 1.0 : -1.0;
     float a = -1.0 / (sign + n.z);
-    return metal::float3(1.0 + (((sign * n.x) * n.x) * a), ((sign * n.x) * n.y) * a, -(sign) * n.x);
+    return metal::float3(1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x);
 }
 
 /// The direction and its axes, made unit; an axis without a direction does nothing, a direction
@@ -324,8 +351,10 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 y = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis), 0.000000000000000000000000000001));
-    return DirectionParts {direction, x_axis, y, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y))};
+    metal::float3 y = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis),
+        0.000000000000000000000000000001));
+    return DirectionParts {direction, x_axis, y,
+        metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y))};
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
@@ -333,9 +362,9 @@ metal::float3 direction_moved(
     DirectionParts parts,
     metal::float2 by
 ) {
-    metal::float3 moved = (parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis);
+    metal::float3 moved = parts.direction + by.x * parts.x_axis + by.y * parts.y_axis;
     metal::float3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
-    return (metal::dot(moved, moved) > 0.000001) ? normalize_moderate_value : parts.direction;
+    return metal::dot(moved, moved) > 0.000001 ? normalize_moderate_value : parts.direction;
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -346,9 +375,11 @@ metal::float3x3 axes_around(
 ) {
     metal::float3 leaning = metal::cross(up, toward);
     float square = metal::dot(leaning, leaning);
-    metal::float3 aside = (metal::abs(toward.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square > 0.00000001) ? leaning : metal::cross(aside, toward);
-    metal::float3 x = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
+    metal::float3 aside = metal::abs(toward.x)
+        > 0.7 ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
+    metal::float3 across = square > 0.00000001 ? leaning : metal::cross(aside, toward);
+    metal::float3 x = normalize_moderate(across - metal::dot(across, toward) * toward,
+        metal::float3(1.0, 0.0, 0.0));
     return metal::float3x3(x, metal::cross(toward, x), toward);
 }
 
@@ -361,11 +392,11 @@ float star_reach(
     float round
 ) {
     float half_sector = PI / rays;
-    float sector = metal::abs((turn * rays) - metal::floor((turn * rays) + 0.5));
-    metal::float2 from_ray = sin_cos_quarter(metal::min((2.0 * sector) * half_sector, HALF_PI));
-    metal::float2 between = sin_cos_quarter(metal::max((1.0 - (2.0 * sector)) * half_sector, 0.0));
+    float sector = metal::abs(turn * rays - metal::floor(turn * rays + 0.5));
+    metal::float2 from_ray = sin_cos_quarter(metal::min(2.0 * sector * half_sector, HALF_PI));
+    metal::float2 between = sin_cos_quarter(metal::max((1.0 - 2.0 * sector) * half_sector, 0.0));
     float corner = sin_cos_quarter(half_sector).x;
-    float straight = (inner * corner) / metal::max((inner * between.x) + from_ray.x, 0.000001);
+    float straight = inner * corner / metal::max(inner * between.x + from_ray.x, 0.000001);
     return metal::mix(straight, 1.0, round);
 }
 
@@ -393,7 +424,8 @@ metal::float3 half_vector(
 ) {
     metal::float3 half_ = light.direction + view;
     metal::float3 any_orthogonal_value = any_orthogonal(view);
-    return normalize_or((metal::dot(half_, half_) > 0.000000000001) ? half_ : any_orthogonal_value, view);
+    return normalize_or(metal::dot(half_, half_) > 0.000000000001 ? half_ : any_orthogonal_value,
+        view);
 }
 
 /// Split direction
@@ -408,8 +440,9 @@ metal::float3 split_direction(
     float y
 ) {
     DirectionParts bent = direction_within(direction, x_axis, y_axis);
-    metal::float2 side = metal::select(metal::float2(-1.0), metal::float2(1.0), bent.place >= metal::float2(0.0));
-    return direction_moved(bent, -(metal::float2(x, y)) * side);
+    metal::float2 side = metal::select(metal::float2(-1.0), metal::float2(1.0), bent.place
+        >= metal::float2(0.0));
+    return direction_moved(bent, -metal::float2(x, y) * side);
 }
 
 /// Square direction
@@ -425,10 +458,10 @@ metal::float3 square_direction(
     DirectionParts bent = direction_within(direction, x_axis, y_axis);
     float square = metal::dot(bent.place, bent.place);
     float apart = metal::abs(bent.place.x) - metal::abs(bent.place.y);
-    float aside = metal::min((apart * apart) / metal::max(square, 0.00000000000000000001), 1.0);
-    float exp2_stable_value = exp2_stable((sharpness * LOG2_E) * log1p_negative(aside));
+    float aside = metal::min(apart * apart / metal::max(square, 0.00000000000000000001), 1.0);
+    float exp2_stable_value = exp2_stable(sharpness * LOG2_E * log1p_negative(aside));
     float corner = ((square > 0.00000000000000000001) & (aside < 1.0)) ? exp2_stable_value : 0.0;
-    return direction_moved(bent, (-(amount) * corner) * bent.place);
+    return direction_moved(bent, -amount * corner * bent.place);
 }
 
 /// Star
@@ -446,10 +479,11 @@ Angle star_angle(
     float turn
 ) {
     DirectionParts bent = direction_within(direction, x_axis, y_axis);
-    Angle u = Angle {0.5 * metal::length(bent.direction - middle), 0.5 * metal::length(bent.direction + middle)};
+    Angle u = Angle {0.5 * metal::length(bent.direction - middle), 0.5
+        * metal::length(bent.direction + middle)};
     float around = (angle_of_point(bent.place.y, bent.place.x) - turn) / 6.2831855;
     float reach = star_reach(around, 4.0, inner, round);
-    return angle_of((2.0 * atan2_positive(u.half_sin, u.half_cos)) / reach);
+    return angle_of(2.0 * atan2_positive(u.half_sin, u.half_cos) / reach);
 }
 
 Composite blend_alpha(
@@ -459,7 +493,9 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -470,9 +506,9 @@ float profile_ramp_quick(
     ProfileShape shape
 ) {
     float width = metal::sqrt(w * w);
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((0.0 - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (0.0 - from_offset) / metal::max(width, 0.000001), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 float profile_balanced(
@@ -482,7 +518,8 @@ float profile_balanced(
 ) {
     Angle warped = angle_turned(angle, metal::float2(0.0, 1.0));
     float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset), angle_footprint_value, shape);
+    return profile_ramp_quick(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 float profile_balanced_2(
@@ -492,7 +529,8 @@ float profile_balanced_2(
 ) {
     Angle warped = angle_turned_2(angle, metal::float2(0.0, 1.0));
     float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset), angle_footprint_value, shape);
+    return profile_ramp_quick(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// Rim light
@@ -510,11 +548,12 @@ float rim(
     float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
     float edge = metal::max(width * softness, metal::min(footprint_of(facing), 1.0));
     metal::float3 aside = normal - view;
-    float further = (facing > 0.5) ? ((0.5 * metal::dot(aside, aside)) - (1.0 - width)) : (width - facing);
-    float within = (further / edge) + 0.0;
+    float further = facing > 0.5 ? 0.5 * metal::dot(aside, aside) - (1.0 - width) : width - facing;
+    float within = further / edge + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
-    metal::float3 across = light.direction - (metal::dot(light.direction, view) * view);
-    float side = metal::dot(normal - (metal::dot(normal, view) * view), across * metal::rsqrt(metal::max(metal::dot(across, across), 0.000000000000000000000000000001)));
+    metal::float3 across = light.direction - metal::dot(light.direction, view) * view;
+    float side = metal::dot(normal - metal::dot(normal, view) * view, across
+        * metal::rsqrt(metal::max(metal::dot(across, across), 0.000000000000000000000000000001)));
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), follow);
 }
 
@@ -523,24 +562,41 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    Angle turned_from_the_key = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
+    // Parametrization
+    Angle turned_from_the_key = Angle {0.5 * metal::length(surface.normal - look.key.direction),
+        0.5 * metal::length(surface.normal + look.key.direction)};
     float shadow_side = profile_balanced(turned_from_the_key, 0.0, shadow_side_shape);
     float in_the_dark = 1.0 - shadow_side;
-    metal::float4 shadow = metal::min(metal::float4(metal::float3(0.83, 0.19, 0.18) * metal::mix(metal::float3(1.0), metal::float3(0.52, 0.25, 0.46), in_the_dark), 1.0), metal::float4(1.0));
+    // Blend
+    metal::float4 shadow = metal::min(metal::float4(metal::float3(0.83, 0.19, 0.18)
+        * metal::mix(metal::float3(1.0), metal::float3(0.52, 0.25, 0.46), in_the_dark), 1.0),
+        metal::float4(1.0));
     metal::float3 half_ = half_vector(look.key, surface.view);
     AxesAround upright = axes(half_, metal::float3(0.0, 1.0, 0.0));
-    metal::float3 four_panes = split_direction(surface.normal, upright.x_axis, upright.y_axis, 0.15, 0.15);
-    metal::float3 square_it = square_direction(four_panes, upright.x_axis, upright.y_axis, 0.3, 4.0);
-    Angle window_angle = Angle {0.5 * metal::length(square_it - half_), 0.5 * metal::length(square_it + half_)};
+    metal::float3 four_panes = split_direction(surface.normal, upright.x_axis, upright.y_axis, 0.15,
+        0.15);
+    metal::float3 square_it = square_direction(four_panes, upright.x_axis, upright.y_axis, 0.3,
+        4.0);
+    // Angle between directions
+    Angle window_angle = Angle {0.5 * metal::length(square_it - half_), 0.5
+        * metal::length(square_it + half_)};
     float window = profile_balanced_2(window_angle, 0.0, window_shape);
-    Composite window_s_light = blend_alpha(shadow, metal::float4(1.0, 0.97, 0.9, 1.0), window, 0.95, true);
+    Composite window_s_light = blend_alpha(shadow, metal::float4(1.0, 0.97, 0.9, 1.0), window, 0.95,
+        true);
     metal::float3 spark_half = half_vector(look.spark, surface.view);
     AxesAround upright_2 = axes(spark_half, metal::float3(0.0, 1.0, 0.0));
-    Angle four_rays = star_angle(surface.normal, spark_half, upright_2.x_axis, upright_2.y_axis, 4, 0.28, 0.0, 0.3);
+    Angle four_rays = star_angle(surface.normal, spark_half, upright_2.x_axis, upright_2.y_axis, 4,
+        0.28, 0.0, 0.3);
     float spark = profile_balanced_2(four_rays, 0.0, spark_shape);
-    metal::float4 spark_s_light = metal::clamp(metal::float4(window_s_light.xyz + (spark * (metal::float3(1.0, 0.83, 0.42) - window_s_light.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    // Blend
+    metal::float4 spark_s_light = metal::clamp(metal::float4(window_s_light.xyz + spark
+        * (metal::float3(1.0, 0.83, 0.42) - window_s_light.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
     float rim_2 = rim(look.back, surface.normal, surface.view, 0.38, 0.15, 1.0);
-    metal::float4 rim_s_light = metal::clamp(metal::float4(spark_s_light.xyz + (0.75 * ((spark_s_light.xyz + (rim_2 * metal::float3(0.55, 0.72, 1.0))) - spark_s_light.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    // Blend
+    metal::float4 rim_s_light = metal::clamp(metal::float4(spark_s_light.xyz + 0.75
+        * (spark_s_light.xyz + rim_2 * metal::float3(0.55, 0.72, 1.0) - spark_s_light.xyz), 1.0),
+        metal::float4(0.0), metal::float4(1.0));
     return rim_s_light;
 }
 
@@ -548,11 +604,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_1 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -560,7 +618,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -569,9 +628,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -581,7 +642,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position))};
+    metal::float3 normal = is_front ? facing : -facing;
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position)};
     return fs_mainOutput { shade(surface, look) };
 }

@@ -422,16 +422,19 @@ const spark_shape = ProfileShape(0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Parametrization
     let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
         * length(surface.normal + look.key.direction));
     let shadow_side = profile_balanced(turned_from_the_key, 0.0, shadow_side_shape);
     let in_the_dark = 1.0 - shadow_side;
+    // Blend
     let shadow = min(vec4f(vec4f(0.83, 0.19, 0.18, 1.0).xyz
         * mix(vec3f(1.0), vec4f(0.52, 0.25, 0.46, 1.0).xyz, in_the_dark), 1.0), vec4f(1.0));
     let half = half_vector(look.key, surface.view);
     let upright = axes(half, vec3f(0.0, 1.0, 0.0));
     let four_panes = split_direction(surface.normal, upright.x_axis, upright.y_axis, 0.15, 0.15);
     let square_it = square_direction(four_panes, upright.x_axis, upright.y_axis, 0.3, 4.0);
+    // Angle between directions
     let window_angle = Angle(0.5 * length(square_it - half), 0.5 * length(square_it + half));
     let window = profile_balanced_2(window_angle, 0.0, window_shape);
     let window_s_light = blend_alpha(shadow, vec4f(1.0, 0.97, 0.9, 1.0), window, 0.95, true);
@@ -440,9 +443,11 @@ fn shade(surface: Surface) -> vec4f {
     let four_rays = star_angle(surface.normal, spark_half, upright_2.x_axis, upright_2.y_axis, 4i,
         0.28, 0.0, 0.3);
     let spark = profile_balanced_2(four_rays, 0.0, spark_shape);
+    // Blend
     let spark_s_light = clamp(vec4f(window_s_light.xyz + spark
         * (vec4f(1.0, 0.83, 0.42, 1.0).xyz - window_s_light.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let rim_2 = rim(look.back, surface.normal, surface.view, 0.38, 0.15, 1.0);
+    // Blend
     let rim_s_light = clamp(vec4f(spark_s_light.xyz + 0.75
         * (spark_s_light.xyz + rim_2 * vec4f(0.55, 0.72, 1.0, 1.0).xyz - spark_s_light.xyz), 1.0),
         vec4f(0.0), vec4f(1.0));

@@ -125,8 +125,15 @@ static const uint NOISE_PERLIN = 1u;
 static const float MOST_ON_SCREEN = 1000000000000000.0;
 /// What is no nearer than this many pixels is not near at all: less is rounding.
 static const float LEAST_NEARNESS = 1e-6;
-static const Ramp three_washes = {{float4(0.4353, 0.5255, 0.6588, 1.0), float4(0.7882, 0.6471, 0.549, 1.0), float4(0.949, 0.851, 0.6941, 1.0), float4(1.0, 0.9647, 0.8784, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.36, 0.54, 0.93), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 4u, 2u};
-static const Ramp ink = {{float4(0.0784, 0.102, 0.2, 1.0), float4(0.3529, 0.1647, 0.1098, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.1, 0.85, 0.0, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 2u, 1u};
+static const Ramp three_washes = {{float4(0.4353, 0.5255, 0.6588, 1.0),
+    float4(0.7882, 0.6471, 0.549, 1.0), float4(0.949, 0.851, 0.6941, 1.0),
+    float4(1.0, 0.9647, 0.8784, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx},
+    {float4(0.0, 0.36, 0.54, 0.93), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 4u, 2u};
+static const Ramp ink = {{float4(0.0784, 0.102, 0.2, 1.0), float4(0.3529, 0.1647, 0.1098, 1.0),
+    (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx},
+    {float4(0.1, 0.85, 0.0, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 2u, 1u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -154,14 +161,14 @@ struct FragmentInput_fs_main {
 float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
-    return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
+    return (asuint(v) & exponent) != exponent ? v : (0.0).xxxx;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -171,7 +178,7 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -180,32 +187,32 @@ float4 bounded_vec4(float4 v)
     uint4 bits = asuint(v);
     uint4 magnitude = (bits & (2147483647u).xxxx);
     float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
-    float4 numbers = ((magnitude == (2139095040u).xxxx) ? largest : (0.0).xxxx);
-    return ((magnitude < (2139095040u).xxxx) ? v : numbers);
+    float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
+    return magnitude < (2139095040u).xxxx ? v : numbers;
 }
 
 /// a / b; 0 where b is 0.
 float divided(float a, float b)
 {
-    if ((abs(b) < SMALLEST_NORMAL)) {
+    if (abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((a / b));
+    return bounded(a / b);
 }
 
 /// [`mixed`], component by component.
 float4 mixed_vec4(float4 a, float4 b, float t)
 {
-    const float4 d = bounded_vec4((b - a));
-    return bounded_vec4(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
+    const float4 d = bounded_vec4(b - a);
+    return bounded_vec4(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high)
 {
-    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -234,37 +241,37 @@ float footprint_of_vec3(float3 v)
 /// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 float step_filtered(float x, float edge, float w)
 {
-    const float d = bounded((x - edge));
-    if ((w < 1e-30)) {
-        return ((d >= 0.0) ? 1.0 : 0.0);
+    const float d = bounded(x - edge);
+    if (w < 1e-30) {
+        return d >= 0.0 ? 1.0 : 0.0;
     }
-    return clamp((0.5 + bounded((d / w))), 0.0, 1.0);
+    return clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
 
 /// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 float step_filtered_2(float x, float edge, float w)
 {
-    float d = (x - edge);
-    return ((w < 1e-30) ? ((d >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d / w)), 0.0, 1.0));
+    float d = x - edge;
+    return w < 1e-30 ? (d >= 0.0 ? 1.0 : 0.0) : clamp(0.5 + d / w, 0.0, 1.0);
 }
 
 /// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
 /// t.
 float4 hermite(float4 a, float4 b, float4 from_a, float4 to_b, float t)
 {
-    float4 d = (b - a);
-    return (a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d))))))));
+    float4 d = b - a;
+    return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
 /// [`ramp_slope`] of one component.
 float harmonic_slope(float before, float span_before, float after, float span_after)
 {
-    if (((before * after) <= 0.0)) {
+    if (before * after <= 0.0) {
         return 0.0;
     }
-    float weight_before = ((2.0 * span_after) + span_before);
-    float weight_after = (span_after + (2.0 * span_before));
-    return divided((weight_before + weight_after), ((weight_before / before) + (weight_after / after)));
+    float weight_before = 2.0 * span_after + span_before;
+    float weight_after = span_after + 2.0 * span_before;
+    return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
 /// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
@@ -273,12 +280,16 @@ float4 ramp_slope(float4 rise_before, float span_before, float4 rise_after, floa
 {
     const float divided_value = divided(rise_after.x, span_after);
     const float divided_value_1 = divided(rise_after.y, span_after);
-    const float harmonic_slope_value = harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value_1, span_after);
+    const float harmonic_slope_value = harmonic_slope(divided(rise_before.y, span_before),
+        span_before, divided_value_1, span_after);
     const float divided_value_2 = divided(rise_after.z, span_after);
-    const float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_2, span_after);
+    const float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before),
+        span_before, divided_value_2, span_after);
     const float divided_value_3 = divided(rise_after.w, span_after);
-    const float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_3, span_after);
-    return float4(harmonic_slope(divided(rise_before.x, span_before), span_before, divided_value, span_after), harmonic_slope_value, harmonic_slope_value_1, harmonic_slope_value_2);
+    const float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before),
+        span_before, divided_value_3, span_after);
+    return float4(harmonic_slope(divided(rise_before.x, span_before), span_before, divided_value,
+        span_after), harmonic_slope_value, harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -293,7 +304,9 @@ uint naga_mod(uint lhs, uint rhs) {
 /// Transparent black for a ramp without stops.
 float4 ramp_at(Ramp ramp, float x, float w)
 {
-    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     float4 color = (float4)0;
     uint i = 1u;
@@ -304,26 +317,28 @@ float4 ramp_at(Ramp ramp, float x, float w)
     float4 to_b = (0.0).xxxx;
 
     uint count = min(ramp.count, 16u);
-    if ((count == 0u)) {
+    if (count == 0u) {
         return (0.0).xxxx;
     }
     colors = ramp.colors;
     places = ramp.places;
-    if ((ramp.interpolation == INTERPOLATION_STEPPED)) {
+    if (ramp.interpolation == INTERPOLATION_STEPPED) {
         color = colors[0];
         bool loop_init = true;
         while(true) {
             if (!loop_init) {
-                i = (i + 1u);
+                i = i + 1u;
             }
             loop_init = false;
-            if ((i < count)) {
+            if (i < count) {
             } else {
                 break;
             }
             {
-                const float step_filtered_value = step_filtered(x, places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)], w);
-                color = (color + ((colors[min(uint(i), 15u)] - colors[min(uint((i - 1u)), 15u)]) * step_filtered_value));
+                const float step_filtered_value = step_filtered(x,
+                    places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)], w);
+                color = color + (colors[min(uint(i), 15u)] - colors[min(uint(i - 1u), 15u)])
+                    * step_filtered_value;
             }
         }
         return bounded_vec4(color);
@@ -331,43 +346,50 @@ float4 ramp_at(Ramp ramp, float x, float w)
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            i_1 = (i_1 + 1u);
+            i_1 = i_1 + 1u;
         }
         loop_init_1 = false;
-        if ((i_1 < count)) {
+        if (i_1 < count) {
         } else {
             break;
         }
         {
-            float places_now = places[min(uint(naga_div(i_1, 4u)), 3u)][min(uint(naga_mod(i_1, 4u)), 3u)];
-            at = ((places_now <= x) ? i_1 : at);
+            float places_now = places[min(uint(naga_div(i_1, 4u)), 3u)][min(uint(naga_mod(i_1, 4u)),
+                3u)];
+            at = places_now <= x ? i_1 : at;
         }
     }
     float place = places[min(uint(naga_div(at, 4u)), 3u)][min(uint(naga_mod(at, 4u)), 3u)];
-    if ((((at + 1u) >= count) | (x <= place))) {
+    if (((at + 1u >= count) | (x <= place))) {
         return bounded_vec4(colors[min(uint(at), 15u)]);
     }
-    uint after = (at + 1u);
-    float span = (places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)] - place);
-    float t = clamp(divided((x - place), span), 0.0, 1.0);
-    if ((ramp.interpolation != INTERPOLATION_SMOOTH)) {
+    uint after = at + 1u;
+    float span = places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)]
+        - place;
+    float t = clamp(divided(x - place, span), 0.0, 1.0);
+    if (ramp.interpolation != INTERPOLATION_SMOOTH) {
         return mixed_vec4(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], t);
     }
-    if ((at > 0u)) {
-        float before = places[min(uint(naga_div((at - 1u), 4u)), 3u)][min(uint(naga_mod((at - 1u), 4u)), 3u)];
-        float4 colors_now = colors[min(uint((at - 1u)), 15u)];
+    if (at > 0u) {
+        float before = places[min(uint(naga_div(at - 1u, 4u)), 3u)][min(uint(naga_mod(at - 1u, 4u)),
+            3u)];
+        float4 colors_now = colors[min(uint(at - 1u), 15u)];
         float4 colors_now_1 = colors[min(uint(after), 15u)];
         float4 colors_now_2 = colors[min(uint(at), 15u)];
-        from_a = ramp_slope((colors[min(uint(at), 15u)] - colors_now), (place - before), (colors_now_1 - colors_now_2), span);
+        from_a = ramp_slope(colors[min(uint(at), 15u)] - colors_now, place - before, colors_now_1
+            - colors_now_2, span);
     }
-    if (((after + 1u) < count)) {
-        float places_now_1 = places[min(uint(naga_div((after + 1u), 4u)), 3u)][min(uint(naga_mod((after + 1u), 4u)), 3u)];
-        float next = (places_now_1 - (place + span));
-        float4 colors_now_3 = colors[min(uint((after + 1u)), 15u)];
+    if (after + 1u < count) {
+        float places_now_1 = places[min(uint(naga_div(after + 1u, 4u)),
+            3u)][min(uint(naga_mod(after + 1u, 4u)), 3u)];
+        float next = places_now_1 - (place + span);
+        float4 colors_now_3 = colors[min(uint(after + 1u), 15u)];
         float4 colors_now_4 = colors[min(uint(after), 15u)];
-        to_b = ramp_slope((colors[min(uint(after), 15u)] - colors[min(uint(at), 15u)]), span, (colors_now_3 - colors_now_4), next);
+        to_b = ramp_slope(colors[min(uint(after), 15u)] - colors[min(uint(at), 15u)], span,
+            colors_now_3 - colors_now_4, next);
     }
-    const float4 hermite_value = hermite(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], (span * from_a), (span * to_b), t);
+    const float4 hermite_value = hermite(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)],
+        span * from_a, span * to_b, t);
     return bounded_vec4(hermite_value);
 }
 
@@ -375,7 +397,9 @@ float4 ramp_at(Ramp ramp, float x, float w)
 /// Transparent black for a ramp without stops.
 float4 ramp_at_2(Ramp ramp, float x, float w)
 {
-    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     float4 color = (float4)0;
     uint i = 1u;
@@ -386,14 +410,16 @@ float4 ramp_at_2(Ramp ramp, float x, float w)
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1u);
+            i = i + 1u;
         }
         loop_init = false;
-        if (!((i < 4u))) {
+        if (!(i < 4u)) {
             break;
         }
-        const float step_filtered_2_value = step_filtered_2(x, places[0][min(uint(naga_mod(i, 4u)), 3u)], w);
-        color = (color + ((colors[min(uint(i), 15u)] - colors[min(uint((i - 1u)), 15u)]) * step_filtered_2_value));
+        const float step_filtered_2_value = step_filtered_2(x,
+            places[0][min(uint(naga_mod(i, 4u)), 3u)], w);
+        color = color + (colors[min(uint(i), 15u)] - colors[min(uint(i - 1u), 15u)])
+            * step_filtered_2_value;
     }
     return color;
 }
@@ -401,23 +427,23 @@ float4 ramp_at_2(Ramp ramp, float x, float w)
 /// Premultiplied RGBA of a straight color.
 float4 premultiplied(float4 color)
 {
-    return float4((color.xyz * color.w), color.w);
+    return float4(color.xyz * color.w, color.w);
 }
 
 /// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
 /// is, so that light added over transparency is not lost.
 float4 straight(float4 composite)
 {
-    if ((composite.w <= 0.0)) {
+    if (composite.w <= 0.0) {
         return composite;
     }
-    return float4((composite.xyz / (composite.w).xxx), composite.w);
+    return float4(composite.xyz / (composite.w).xxx, composite.w);
 }
 
 /// The number of an object in texels, from 1 on.
 float object_number(float object)
 {
-    return ((object - (4096.0 * floor((object / 4096.0)))) + 1.0);
+    return object - 4096.0 * floor(object / 4096.0) + 1.0;
 }
 
 /// Output
@@ -435,21 +461,21 @@ uint3 hash_pcg3d(uint3 seed)
 {
     uint3 v = (uint3)0;
 
-    v = ((seed * 1664525u) + (1013904223u).xxx);
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + (1013904223u).xxx;
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> (16u).xxx));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
 /// The hash of a lattice point.
 uint3 lattice_hash(int3 cell, uint seed)
 {
-    return hash_pcg3d((asuint(cell) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
+    return hash_pcg3d(asuint(cell) + seed * uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 /// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
@@ -457,15 +483,15 @@ uint3 lattice_hash(int3 cell, uint seed)
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
-    float a = ((axis == 0u) ? d.y : d.x);
-    float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 float3 fade_quintic(float3 t)
 {
-    return (((t * t) * t) * ((t * ((t * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    return t * t * t * (t * (t * 6.0 - (15.0).xxx) + (10.0).xxx);
 }
 
 int3 naga_f2i32(float3 value) {
@@ -479,7 +505,7 @@ float perlin_noise(float3 p, uint seed)
     int i = int(0);
 
     float3 corner = floor(p);
-    float3 d = (p - corner);
+    float3 d = p - corner;
     const float3 f = fade_quintic(d);
     int3 cell = naga_f2i32(corner);
     bool loop_init = true;
@@ -488,19 +514,20 @@ float perlin_noise(float3 p, uint seed)
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if ((i < int(8))) {
+        if (i < int(8)) {
         } else {
             break;
         }
         {
             int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
-            float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
-            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)), seed), (d - float3(at)));
-            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot_value));
+            float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
+                + asuint(at)), seed), d - float3(at));
+            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -521,21 +548,22 @@ float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed,
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if (!((i < int(2)))) {
+        if (!(i < int(2))) {
             break;
         }
-        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
-        if ((visible > 0.0)) {
-            float3 place = clamp(((p * frequency) + (float(i) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-            octave = lerp(0.5, perlin_noise(place, (0u + uint(i))), visible);
+        if (visible > 0.0) {
+            float3 place = clamp(p * frequency + float(i) * float3(17.31, 5.17, 11.73),
+                (-4194304.0).xxx, (4194304.0).xxx);
+            octave = lerp(0.5, perlin_noise(place, 0u + uint(i)), visible);
         }
-        sum = (sum + (strength * octave));
-        total = (total + strength);
-        strength = (strength * roughness);
-        frequency = (frequency * 2.0);
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    return min((sum / 1.5), 1.0);
+    return min(sum / 1.5, 1.0);
 }
 
 /// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
@@ -544,29 +572,30 @@ float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed,
 float size_on_screen(float depth, float perspective, float scale)
 {
     // Clip space is 2 high.
-    return min(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
+    return min(0.5 * scale / lerp(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 float reflectance_half_lambert(Light light, float3 normal)
 {
-    float half_ = (0.5 + (0.5 * dot(normal, light.direction)));
-    return min((half_ * half_), 1.0);
+    float half_ = 0.5 + 0.5 * dot(normal, light.direction);
+    return min(half_ * half_, 1.0);
 }
 
 /// The nearness of edges as a fragment's own surface has it. The edges are those of what the middle
 /// of the pixel shows: `middle` is its depth, and its object's number from 1 on. With several
 /// samples a pixel, surfaces that miss the middle are drawn, too. One that lies in front ends in
 /// the pixel, so that its silhouette is there; one that lies behind has no line.
-float4 own_nearness(float4 nearness, float2 middle, float depth, float object, float pixels, float reach)
+float4 own_nearness(float4 nearness, float2 middle, float depth, float object, float pixels,
+    float reach)
 {
     bool local = (bool)0;
     bool local_1 = (bool)0;
 
-    bool is_same_object = (middle.y == object_number(object));
-    float behind = ((depth - middle.x) * pixels);
-    if (!((abs(middle.y) < 0.5))) {
+    bool is_same_object = middle.y == object_number(object);
+    float behind = (depth - middle.x) * pixels;
+    if (!(abs(middle.y) < 0.5)) {
         if (is_same_object) {
-            local_1 = (abs(behind) <= 8.0625);
+            local_1 = abs(behind) <= 8.0625;
         } else {
             local_1 = false;
         }
@@ -577,9 +606,9 @@ float4 own_nearness(float4 nearness, float2 middle, float depth, float object, f
     // Slivers of the same surface are seen on the planes of their own triangles. Bounds are none of
     // the round numbers that depths of things put together by hand have.
     bool is_own = local;
-    bool is_in_front = (behind < (is_same_object ? -8.0625 : -2.0625));
-    float4 other = float4((is_in_front ? reach : 0.0), 0.0, nearness.z, 0.0);
-    return (is_own ? nearness : other);
+    bool is_in_front = behind < (is_same_object ? -8.0625 : -2.0625);
+    float4 other = float4(is_in_front ? reach : 0.0, 0.0, nearness.z, 0.0);
+    return is_own ? nearness : other;
 }
 
 LineWidths ConstructLineWidths(float4 arg0, float arg1) {
@@ -592,23 +621,23 @@ LineWidths ConstructLineWidths(float4 arg0, float arg1) {
 /// Widths of lines of each kind: shares of one width, `ids` that of borders of ids.
 LineWidths line_widths(float width, float4 shares, float ids)
 {
-    float4 widths = (min(width, 10000.0) * shares);
-    const LineWidths linewidths = ConstructLineWidths(((widths > (1e-6).xxxx) ? widths : (0.0).xxxx), 0.0);
-    return linewidths;
+    float4 widths = min(width, 10000.0) * shares;
+    return ConstructLineWidths(widths > (1e-6).xxxx ? widths : (0.0).xxxx, 0.0);
 }
 
 /// Share of a pixel that lines cover which lie on one side of their edges: from the edge, which is
 /// `distance` pixels away, inward.
 float inner_line_covers(float distance_, float width)
 {
-    return clamp(((width + 0.5) - distance_), 0.0, min(width, 1.0));
+    return clamp(width + 0.5 - distance_, 0.0, min(width, 1.0));
 }
 
 /// Share of a pixel that lines cover which lie evenly on both sides of their edges.
 float4 middle_line_covers(float4 distance_, float4 width)
 {
-    float4 half_ = (0.5 * width);
-    return clamp((min((distance_ + (0.5).xxxx), half_) - max((distance_ - (0.5).xxxx), -(half_))), (0.0).xxxx, (1.0).xxxx);
+    float4 half_ = 0.5 * width;
+    return clamp(min(distance_ + (0.5).xxxx, half_) - max(distance_ - (0.5).xxxx, -half_),
+        (0.0).xxxx, (1.0).xxxx);
 }
 
 /// What lines of each kind cover of a pixel, by how much nearer than the reach their edges are, in
@@ -616,31 +645,36 @@ float4 middle_line_covers(float4 distance_, float4 width)
 /// objects and borders of materials or ids.
 float4 lines_cover(float4 nearness, float4 widths, float reach)
 {
-    float4 distance_ = ((reach).xxxx - nearness);
-    float4 covers = float4(inner_line_covers(distance_.x, widths.x), middle_line_covers(distance_, widths).yzw);
-    return ((nearness > (1e-6).xxxx) ? covers : (0.0).xxxx);
+    float4 distance_ = (reach).xxxx - nearness;
+    float4 covers = float4(inner_line_covers(distance_.x, widths.x),
+        middle_line_covers(distance_, widths).yzw);
+    return nearness > (1e-6).xxxx ? covers : (0.0).xxxx;
 }
 
 /// Inner contour
 ///
 /// Lines within the outline that show the form, as a draftsman sets them: where a contour is
 /// about to appear, along the bottom of hollows, or along ridges.
-float inner_contour_suggestive(float width, float limit, float softness, float3 tensor, float3 normal, float3 view, float3x3 camera_from_world, float3 place, float2 viewport)
+float inner_contour_suggestive(float width, float limit, float softness, float3 tensor,
+    float3 normal, float3 view, float3x3 camera_from_world, float3 place, float2 viewport)
 {
     float3 n = mul(normal, camera_from_world);
     float square = dot(n.xy, n.xy);
-    float radial = (((((tensor.x * n.x) * n.x) + (((2.0 * tensor.y) * n.x) * n.y)) + ((tensor.z * n.y) * n.y)) / max(square, 1e-6));
+    float radial = (tensor.x * n.x * n.x + 2.0 * tensor.y * n.x * n.y + tensor.z * n.y * n.y)
+        / max(square, 1e-6);
     float2 change = float2(ddx(radial), ddy(radial));
     float3 v = mul(view, camera_from_world);
     float3 row = ddy(place);
-    float up = (((row - (dot(row, v) * v)).y >= 0.0) ? 1.0 : -1.0);
+    float up = (row - dot(row, v) * v).y >= 0.0 ? 1.0 : -1.0;
     float height = clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * rsqrt(max(square, 1e-6)));
-    float pixels = (((0.5 * width) * height) / 1000.0);
-    float distance_ = (abs(radial) / max(length(change), 1e-6));
-    float x = ((toward_eye * height) * 0.05);
-    float strength = clamp((0.5 + ((x - limit) / length(float2(min(footprint_of(x), 1000000000000000.0), 24.0)))), 0.0, 1.0);
-    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * strength) * smoothstep(0.05, 0.3, dot(normal, view)));
+    float toward_eye = -(change.x * n.x + up * change.y * n.y) * rsqrt(max(square, 1e-6));
+    float pixels = 0.5 * width * height / 1000.0;
+    float distance_ = abs(radial) / max(length(change), 1e-6);
+    float x = toward_eye * height * 0.05;
+    float strength = clamp(0.5 + (x - limit)
+        / length(float2(min(footprint_of(x), 1000000000000000.0), 24.0)), 0.0, 1.0);
+    return clamp(pixels + 0.5 - distance_, 0.0, min(pixels, 1.0)) * strength
+        * smoothstep(0.05, 0.3, dot(normal, view));
 }
 
 Outline ConstructOutline(float arg0, float arg1, float arg2) {
@@ -655,20 +689,19 @@ Outline drawn_outline(LineWidths line_widths, float4 of_edges, float reach)
 {
     float kind = (float)0;
 
-    float4 signed_ = clamp(of_edges, (-(reach)).xxxx, (reach).xxxx);
+    float4 signed_ = clamp(of_edges, (-reach).xxxx, (reach).xxxx);
     float4 nearness = abs(signed_);
-    float4 widths = float4(line_widths.kinds.xyz, ((signed_.w < 0.0) ? 0.0 : line_widths.kinds.w));
+    float4 widths = float4(line_widths.kinds.xyz, signed_.w < 0.0 ? 0.0 : line_widths.kinds.w);
     const float4 covers = lines_cover(nearness, widths, reach);
     float line_ = max(max(covers.x, covers.y), max(covers.z, covers.w));
-    float least = (line_ - 0.0009765625);
-    kind = ((signed_.w < 0.0) ? 5.0 : 4.0);
-    kind = ((covers.z >= least) ? 3.0 : kind);
-    kind = ((covers.y >= least) ? 2.0 : kind);
-    kind = ((covers.x >= least) ? 1.0 : kind);
-    float4 near = ((widths > (0.0).xxxx) ? nearness : (0.0).xxxx);
+    float least = line_ - 0.0009765625;
+    kind = signed_.w < 0.0 ? 5.0 : 4.0;
+    kind = covers.z >= least ? 3.0 : kind;
+    kind = covers.y >= least ? 2.0 : kind;
+    kind = covers.x >= least ? 1.0 : kind;
+    float4 near = widths > (0.0).xxxx ? nearness : (0.0).xxxx;
     float nearest = max(max(near.x, near.y), max(near.z, near.w));
-    const Outline outline = ConstructOutline(line_, ((line_ > 0.0009765625) ? kind : 0.0), (reach - nearest));
-    return outline;
+    return ConstructOutline(line_, line_ > 0.0009765625 ? kind : 0.0, reach - nearest);
 }
 
 /// Outline
@@ -677,20 +710,21 @@ Outline drawn_outline(LineWidths line_widths, float4 of_edges, float reach)
 /// borders of objects, of materials and of ids, each as wide as it is told. A silhouette is drawn
 /// by what lies in front, as wide as it is; where two surfaces meet, each draws its half of the
 /// line. Wire the width to a curvature, a tone or a noise and lines taper.
-Outline outline_height(float width, float silhouettes, float creases, float borders, float material_borders, float id_borders, float4 nearness, float2 middle, float depth, float object, float2 viewport, float magnification)
+Outline outline_height(float width, float silhouettes, float creases, float borders,
+    float material_borders, float id_borders, float4 nearness, float2 middle, float depth,
+    float object, float2 viewport, float magnification)
 {
-    float pixels = (magnification * viewport.y);
-    float reach = min((16.0 * max(round((viewport.y / 800.0)), 1.0)), 31.0);
+    float pixels = magnification * viewport.y;
+    float reach = min(16.0 * max(round(viewport.y / 800.0), 1.0), 31.0);
     const float4 own = own_nearness(nearness, middle, depth, object, pixels, reach);
     float4 shares = float4(silhouettes, creases, borders, material_borders);
-    const LineWidths widths = line_widths((width * (0.001 * viewport.y)), shares, id_borders);
-    const Outline outline_1 = drawn_outline(widths, own, reach);
-    return outline_1;
+    const LineWidths widths = line_widths(width * (0.001 * viewport.y), shares, id_borders);
+    return drawn_outline(widths, own, reach);
 }
 
 float noise_perlin(float3 position, float scale, int octaves, float roughness, int seed)
 {
-    float3 p = (position * scale);
+    float3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
@@ -698,15 +732,21 @@ float noise_perlin(float3 position, float scale, int octaves, float roughness, i
 float4 shade(Surface surface)
 {
     const float light_and_dark = reflectance_half_lambert(look.key, surface.normal);
-    const float4 three_washes_2 = ramp_at_2(three_washes, light_and_dark, footprint_of_2(light_and_dark));
+    const float4 three_washes_2 = ramp_at_2(three_washes, light_and_dark,
+        footprint_of_2(light_and_dark));
     const float4 ink_2 = ramp_at(ink, light_and_dark, footprint_of_2(light_and_dark));
-    float heavy_in_the_shade = lerp(1.6, 8.0, clamp(((light_and_dark - 0.75) / -0.6), 0.0, 1.0));
+    float heavy_in_the_shade = lerp(1.6, 8.0, clamp((light_and_dark - 0.75) / -0.6, 0.0, 1.0));
     const float hand = noise_perlin(surface.position_object, 3.5, int(2), 0.5, int(0));
-    float pressure = lerp(0.7, 1.3, (hand - 0.0));
-    float width = (heavy_in_the_shade * pressure);
-    const Outline pen = outline_height(width, 1.0, 0.6, 1.0, 0.6, 0.0, surface.line_nearness, surface.middle_surface, surface.depth, look.object_id, look.viewport, surface.magnification);
-    const float folds = inner_contour_suggestive(2.2, 24.0, 1.0, surface.curvature_tensor, surface.normal, surface.view, look.camera_from_world, surface.position_camera, look.viewport);
+    float pressure = lerp(0.7, 1.3, hand - 0.0);
+    float width = heavy_in_the_shade * pressure;
+    const Outline pen = outline_height(width, 1.0, 0.6, 1.0, 0.6, 0.0, surface.line_nearness,
+        surface.middle_surface, surface.depth, look.object_id, look.viewport,
+        surface.magnification);
+    const float folds = inner_contour_suggestive(2.2, 24.0, 1.0, surface.curvature_tensor,
+        surface.normal, surface.view, look.camera_from_world, surface.position_camera,
+        look.viewport);
     float all_strokes = max(pen.line_, folds);
+    // Mix colors
     const float4 ink_on_the_washes = mixed_vec4(three_washes_2, bounded_vec4(ink_2), all_strokes);
     float4 output_alpha = float4(ink_on_the_washes.xyz, clamp(ink_on_the_washes.w, 0.0, 1.0));
     const float4 output_2 = output(premultiplied(output_alpha));
@@ -725,12 +765,15 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        vertex.position, mul(vertex.normal, object.world_from_normal));
+    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
+        varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4, float3 arg5, float4 arg6, float2 arg7, float arg8) {
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4,
+    float3 arg5, float4 arg6, float2 arg7, float arg8) {
     Surface ret = (Surface)0;
     ret.normal = arg0;
     ret.view = arg1;
@@ -750,15 +793,22 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_3 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2,
+        fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     float4 texel = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
     float4 texel_1 = line_nearness_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
     float4 texel_2 = facet_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
     float4 texel_3 = facet_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    const float size_on_screen_value = size_on_screen(-(mul(float4(in_.position, 1.0), view.camera_from_world).z), view.eye.w, length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), in_.position_object, mul(float4(in_.position, 1.0), view.camera_from_world).xyz, -(mul(float4(in_.position, 1.0), view.camera_from_world).z), texel.xyz, texel_1, float2(texel_2.z, floor(abs(texel_3.w))), size_on_screen_value);
+    const float size_on_screen_value = size_on_screen(-mul(float4(in_.position, 1.0),
+        view.camera_from_world).z, view.eye.w,
+        length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y)));
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        in_.position_object, mul(float4(in_.position, 1.0), view.camera_from_world).xyz,
+        -mul(float4(in_.position, 1.0), view.camera_from_world).z, texel.xyz, texel_1,
+        float2(texel_2.z, floor(abs(texel_3.w))), size_on_screen_value);
     return finite_vec4(shade(surface));
 }

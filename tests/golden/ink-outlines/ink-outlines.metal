@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,6 +36,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     metal::float3x3 camera_from_world;
@@ -43,6 +46,7 @@ struct Look {
     float object_id;
     char _pad4[12];
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
@@ -56,14 +60,17 @@ struct Surface {
     float magnification;
     char _pad9[4];
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 struct type_7 {
     metal::float4 inner[16];
 };
+
 struct type_8 {
     metal::float4 inner[4];
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -78,6 +85,7 @@ struct Ramp {
     uint interpolation;
     char _pad4[8];
 };
+
 /// Widths of lines of each kind, in pixels.
 struct LineWidths {
     /// Of silhouettes, creases, borders of objects and borders of materials.
@@ -86,6 +94,7 @@ struct LineWidths {
     float ids;
     char _pad2[12];
 };
+
 struct Outline {
     /// From 0 beside lines to 1 on them.
     float line;
@@ -96,16 +105,19 @@ struct Outline {
     /// near.
     float distance;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 position_object;
     metal::float3 normal;
 };
+
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant uint INTERPOLATION_SMOOTH = 1u;
 constant uint INTERPOLATION_STEPPED = 2u;
@@ -114,8 +126,21 @@ constant uint NOISE_PERLIN = 1u;
 constant float MOST_ON_SCREEN = 1000000000000000.0;
 /// What is no nearer than this many pixels is not near at all: less is rounding.
 constant float LEAST_NEARNESS = 0.000001;
-constant Ramp three_washes = Ramp {type_7 {{metal::float4(0.4353, 0.5255, 0.6588, 1.0), metal::float4(0.7882, 0.6471, 0.549, 1.0), metal::float4(0.949, 0.851, 0.6941, 1.0), metal::float4(1.0, 0.9647, 0.8784, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_8 {{metal::float4(0.0, 0.36, 0.54, 0.93), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 4u, 2u};
-constant Ramp ink = Ramp {type_7 {{metal::float4(0.0784, 0.102, 0.2, 1.0), metal::float4(0.3529, 0.1647, 0.1098, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_8 {{metal::float4(0.1, 0.85, 0.0, 0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 2u, 1u};
+constant Ramp three_washes = Ramp {type_7 {{metal::float4(0.4353, 0.5255, 0.6588, 1.0),
+    metal::float4(0.7882, 0.6471, 0.549, 1.0), metal::float4(0.949, 0.851, 0.6941, 1.0),
+    metal::float4(1.0, 0.9647, 0.8784, 1.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0)}},
+    type_8 {{metal::float4(0.0, 0.36, 0.54, 0.93), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0)}}, 4u, 2u};
+constant Ramp ink = Ramp {type_7 {{metal::float4(0.0784, 0.102, 0.2, 1.0),
+    metal::float4(0.3529, 0.1647, 0.1098, 1.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}},
+    type_8 {{metal::float4(0.1, 0.85, 0.0, 0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0)}}, 2u, 1u};
 
 /// v with 0 for each component that is NaN or infinite.
 metal::float4 finite_vec4(
@@ -141,7 +166,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -150,8 +175,10 @@ metal::float4 bounded_vec4(
 ) {
     metal::uint4 bits = as_type<metal::uint4>(v);
     metal::uint4 magnitude = bits & metal::uint4(2147483647u);
-    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
-    metal::float4 numbers = metal::select(metal::float4(0.0), largest, magnitude == metal::uint4(2139095040u));
+    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u))
+        | metal::uint4(2139095039u));
+    metal::float4 numbers = metal::select(metal::float4(0.0), largest,
+        magnitude == metal::uint4(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint4(2139095040u));
 }
 
@@ -173,7 +200,7 @@ metal::float4 mixed_vec4(
     float t
 ) {
     metal::float4 d = bounded_vec4(b - a);
-    return bounded_vec4((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d)));
+    return bounded_vec4(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -184,7 +211,7 @@ float eased(
     float high
 ) {
     float t = metal::clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -221,7 +248,7 @@ float step_filtered(
 ) {
     float d = bounded(x - edge);
     if (w < 0.000000000000000000000000000001) {
-        return (d >= 0.0) ? 1.0 : 0.0;
+        return d >= 0.0 ? 1.0 : 0.0;
     }
     return metal::clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
@@ -233,7 +260,8 @@ float step_filtered_2(
     float w
 ) {
     float d = x - edge;
-    return (w < 0.000000000000000000000000000001) ? ((d >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d / w), 0.0, 1.0);
+    return w < 0.000000000000000000000000000001 ? (d >= 0.0 ? 1.0 : 0.0) : metal::clamp(0.5 + d / w,
+        0.0, 1.0);
 }
 
 /// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
@@ -246,7 +274,7 @@ metal::float4 hermite(
     float t
 ) {
     metal::float4 d = b - a;
-    return a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d)))))));
+    return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
 /// [`ramp_slope`] of one component.
@@ -256,12 +284,12 @@ float harmonic_slope(
     float after,
     float span_after
 ) {
-    if ((before * after) <= 0.0) {
+    if (before * after <= 0.0) {
         return 0.0;
     }
-    float weight_before = (2.0 * span_after) + span_before;
-    float weight_after = span_after + (2.0 * span_before);
-    return divided(weight_before + weight_after, (weight_before / before) + (weight_after / after));
+    float weight_before = 2.0 * span_after + span_before;
+    float weight_after = span_after + 2.0 * span_before;
+    return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
 /// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
@@ -272,13 +300,18 @@ metal::float4 ramp_slope(
     metal::float4 rise_after,
     float span_after
 ) {
-    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after);
+    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before,
+        divided(rise_after.x, span_after), span_after);
     float divided_value = divided(rise_after.y, span_after);
     float divided_value_1 = divided(rise_after.z, span_after);
-    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_1, span_after);
+    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before,
+        divided_value_1, span_after);
     float divided_value_2 = divided(rise_after.w, span_after);
-    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_2, span_after);
-    return metal::float4(harmonic_slope_value, harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after), harmonic_slope_value_1, harmonic_slope_value_2);
+    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before,
+        divided_value_2, span_after);
+    return metal::float4(harmonic_slope_value,
+        harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after),
+        harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -324,8 +357,9 @@ Color ramp_at(
                 break;
             }
             {
-                float step_filtered_value = step_filtered(x, places.inner[naga_div(i, 4u)][naga_mod(i, 4u)], w);
-                color = color + ((colors.inner[i] - colors.inner[i - 1u]) * step_filtered_value);
+                float step_filtered_value = step_filtered(x,
+                    places.inner[naga_div(i, 4u)][naga_mod(i, 4u)], w);
+                color = color + (colors.inner[i] - colors.inner[i - 1u]) * step_filtered_value;
             }
         }
         return bounded_vec4(color);
@@ -342,11 +376,11 @@ Color ramp_at(
         }
         {
             float places_now = places.inner[naga_div(i_1, 4u)][naga_mod(i_1, 4u)];
-            at = (places_now <= x) ? i_1 : at;
+            at = places_now <= x ? i_1 : at;
         }
     }
     float place = places.inner[naga_div(at, 4u)][naga_mod(at, 4u)];
-    if (((at + 1u) >= count) | (x <= place)) {
+    if ((at + 1u >= count) | (x <= place)) {
         return bounded_vec4(colors.inner[at]);
     }
     uint after = at + 1u;
@@ -357,14 +391,18 @@ Color ramp_at(
     }
     if (at > 0u) {
         float before = places.inner[naga_div(at - 1u, 4u)][naga_mod(at - 1u, 4u)];
-        metal::float4 ramp_slope_value = ramp_slope(colors.inner[at] - colors.inner[at - 1u], place - before, colors.inner[after] - colors.inner[at], span);
+        metal::float4 ramp_slope_value = ramp_slope(colors.inner[at] - colors.inner[at - 1u],
+            place - before, colors.inner[after] - colors.inner[at], span);
         from_a = ramp_slope_value;
     }
-    if ((after + 1u) < count) {
-        float next = places.inner[naga_div(after + 1u, 4u)][naga_mod(after + 1u, 4u)] - (place + span);
-        to_b = ramp_slope(colors.inner[after] - colors.inner[at], span, colors.inner[after + 1u] - colors.inner[after], next);
+    if (after + 1u < count) {
+        float next = places.inner[naga_div(after + 1u, 4u)][naga_mod(after + 1u, 4u)]
+            - (place + span);
+        to_b = ramp_slope(colors.inner[after] - colors.inner[at], span, colors.inner[after + 1u]
+            - colors.inner[after], next);
     }
-    return bounded_vec4(hermite(colors.inner[at], colors.inner[after], span * from_a, span * to_b, t));
+    return bounded_vec4(hermite(colors.inner[at], colors.inner[after], span * from_a, span * to_b,
+        t));
 }
 
 /// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
@@ -387,11 +425,11 @@ Color ramp_at_2(
             i = i + 1u;
         }
         loop_init = false;
-        if (!((i < 4u))) {
+        if (!(i < 4u)) {
             break;
         }
         float step_filtered_2_value = step_filtered_2(x, places.inner[0][naga_mod(i, 4u)], w);
-        color = color + ((colors.inner[i] - colors.inner[i - 1u]) * step_filtered_2_value);
+        color = color + (colors.inner[i] - colors.inner[i - 1u]) * step_filtered_2_value;
     }
     return color;
 }
@@ -418,7 +456,7 @@ Color straight(
 float object_number(
     float object
 ) {
-    return (object - (4096.0 * metal::floor(object / 4096.0))) + 1.0;
+    return object - 4096.0 * metal::floor(object / 4096.0) + 1.0;
 }
 
 /// Output
@@ -437,14 +475,14 @@ metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
     metal::uint3 v = {};
-    v = (seed * 1664525u) + metal::uint3(1013904223u);
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v = seed * 1664525u + metal::uint3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = v ^ (v >> metal::uint3(16u));
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -453,7 +491,8 @@ metal::uint3 lattice_hash(
     metal::int3 cell,
     uint seed
 ) {
-    return hash_pcg3d(as_type<metal::uint3>(cell) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+    return hash_pcg3d(as_type<metal::uint3>(cell) + seed
+        * metal::uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 /// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
@@ -463,16 +502,16 @@ float gradient_dot(
     metal::float3 d
 ) {
     uint axis = naga_mod(hash.x >> 8u, 3u);
-    float a = (axis == 0u) ? d.y : d.x;
-    float b = (axis == 2u) ? d.y : d.z;
-    return (((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 metal::float3 fade_quintic(
     metal::float3 t
 ) {
-    return ((t * t) * t) * ((t * ((t * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    return t * t * t * (t * (t * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
@@ -503,12 +542,14 @@ float perlin_noise(
         {
             metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
             metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)), seed);
-            sum = sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at)));
+            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
+                seed);
+            sum = sum + weight.x * weight.y * weight.z
+                * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return metal::clamp(0.5 + (0.48244 * sum), 0.0, 1.0);
+    return metal::clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -534,16 +575,18 @@ float fractal_noise(
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 2))) {
+        if (!(i < 2)) {
             break;
         }
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
-            metal::float3 place = metal::clamp((p * frequency) + (static_cast<float>(i) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            metal::float3 place = metal::clamp(p * frequency + static_cast<float>(i)
+                * metal::float3(17.31, 5.17, 11.73), metal::float3(-4194304.0),
+                metal::float3(4194304.0));
             octave = metal::mix(0.5, perlin_noise(place, 0u + static_cast<uint>(i)), visible);
         }
-        sum = sum + (strength * octave);
+        sum = sum + strength * octave;
         total = total + strength;
         strength = strength * roughness;
         frequency = frequency * 2.0;
@@ -560,14 +603,15 @@ float size_on_screen(
     float scale
 ) {
     // Clip space is 2 high.
-    return metal::min((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective), MOST_ON_SCREEN);
+    return metal::min(0.5 * scale / metal::mix(1.0, metal::max(depth, 0.000001), perspective),
+        MOST_ON_SCREEN);
 }
 
 float reflectance_half_lambert(
     Light light,
     metal::float3 normal
 ) {
-    float half_ = 0.5 + (0.5 * metal::dot(normal, light.direction));
+    float half_ = 0.5 + 0.5 * metal::dot(normal, light.direction);
     return metal::min(half_ * half_, 1.0);
 }
 
@@ -587,7 +631,7 @@ metal::float4 own_nearness(
     bool local_1 = {};
     bool is_same_object = middle.y == object_number(object);
     float behind = (depth - middle.x) * pixels;
-    if (!((metal::abs(middle.y) < 0.5))) {
+    if (!(metal::abs(middle.y) < 0.5)) {
         if (is_same_object) {
             local_1 = metal::abs(behind) <= 8.0625;
         } else {
@@ -612,7 +656,8 @@ LineWidths line_widths(
     float ids
 ) {
     metal::float4 widths = metal::min(width, 10000.0) * shares;
-    return LineWidths {metal::select(metal::float4(0.0), widths, widths > metal::float4(0.000001)), 0.0};
+    return LineWidths {metal::select(metal::float4(0.0), widths, widths > metal::float4(0.000001)),
+        0.0};
 }
 
 /// Share of a pixel that lines cover which lie on one side of their edges: from the edge, which is
@@ -621,7 +666,7 @@ float inner_line_covers(
     float distance,
     float width
 ) {
-    return metal::clamp((width + 0.5) - distance, 0.0, metal::min(width, 1.0));
+    return metal::clamp(width + 0.5 - distance, 0.0, metal::min(width, 1.0));
 }
 
 /// Share of a pixel that lines cover which lie evenly on both sides of their edges.
@@ -630,7 +675,9 @@ metal::float4 middle_line_covers(
     metal::float4 width
 ) {
     metal::float4 half_ = 0.5 * width;
-    return metal::clamp(metal::min(distance + metal::float4(0.5), half_) - metal::max(distance - metal::float4(0.5), -(half_)), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::min(distance + metal::float4(0.5), half_)
+        - metal::max(distance - metal::float4(0.5), -half_), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// What lines of each kind cover of a pixel, by how much nearer than the reach their edges are, in
@@ -642,7 +689,8 @@ metal::float4 lines_cover(
     float reach
 ) {
     metal::float4 distance = metal::float4(reach) - nearness;
-    metal::float4 covers = metal::float4(inner_line_covers(distance.x, widths.x), middle_line_covers(distance, widths).yzw);
+    metal::float4 covers = metal::float4(inner_line_covers(distance.x, widths.x),
+        middle_line_covers(distance, widths).yzw);
     return metal::select(metal::float4(0.0), covers, nearness > metal::float4(0.000001));
 }
 
@@ -663,19 +711,24 @@ float inner_contour_suggestive(
 ) {
     metal::float3 n = camera_from_world * normal;
     float square = metal::dot(n.xy, n.xy);
-    float radial = ((((tensor.x * n.x) * n.x) + (((2.0 * tensor.y) * n.x) * n.y)) + ((tensor.z * n.y) * n.y)) / metal::max(square, 0.000001);
+    float radial = (tensor.x * n.x * n.x + 2.0 * tensor.y * n.x * n.y + tensor.z * n.y * n.y)
+        / metal::max(square, 0.000001);
     metal::float2 change = metal::float2(metal::dfdx(radial), metal::dfdy(radial));
     metal::float3 v = camera_from_world * view;
     metal::float3 row = metal::dfdy(place);
-    float up = ((row - (metal::dot(row, v) * v)).y >= 0.0) ? 1.0 : -1.0;
+    float up = (row - metal::dot(row, v) * v).y >= 0.0 ? 1.0 : -1.0;
     float height = metal::clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square, 0.000001));
-    float pixels = ((0.5 * width) * height) / 1000.0;
+    float toward_eye = -(change.x * n.x + up * change.y * n.y)
+        * metal::rsqrt(metal::max(square, 0.000001));
+    float pixels = 0.5 * width * height / 1000.0;
     float distance = metal::abs(radial) / metal::max(metal::length(change), 0.000001);
-    float x = (toward_eye * height) * 0.05;
+    float x = toward_eye * height * 0.05;
     float footprint_of_value = footprint_of(x);
-    float strength = metal::clamp(0.5 + ((x - limit) / metal::length(metal::float2(metal::min(footprint_of_value, 1000000000000000.0), 24.0))), 0.0, 1.0);
-    return (metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * strength) * metal::smoothstep(0.05, 0.3, metal::dot(normal, view));
+    float strength = metal::clamp(0.5 + (x - limit)
+        / metal::length(metal::float2(metal::min(footprint_of_value, 1000000000000000.0), 24.0)),
+        0.0, 1.0);
+    return metal::clamp(pixels + 0.5 - distance, 0.0, metal::min(pixels, 1.0)) * strength
+        * metal::smoothstep(0.05, 0.3, metal::dot(normal, view));
 }
 
 Outline drawn_outline(
@@ -684,19 +737,20 @@ Outline drawn_outline(
     float reach
 ) {
     float kind = {};
-    metal::float4 signed_ = metal::clamp(of_edges, metal::float4(-(reach)), metal::float4(reach));
+    metal::float4 signed_ = metal::clamp(of_edges, metal::float4(-reach), metal::float4(reach));
     metal::float4 nearness = metal::abs(signed_);
-    metal::float4 widths = metal::float4(line_widths.kinds.xyz, (signed_.w < 0.0) ? 0.0 : line_widths.kinds.w);
+    metal::float4 widths = metal::float4(line_widths.kinds.xyz, signed_.w
+        < 0.0 ? 0.0 : line_widths.kinds.w);
     metal::float4 covers = lines_cover(nearness, widths, reach);
     float line = metal::max(metal::max(covers.x, covers.y), metal::max(covers.z, covers.w));
     float least = line - 0.0009765625;
-    kind = (signed_.w < 0.0) ? 5.0 : 4.0;
-    kind = (covers.z >= least) ? 3.0 : kind;
-    kind = (covers.y >= least) ? 2.0 : kind;
-    kind = (covers.x >= least) ? 1.0 : kind;
+    kind = signed_.w < 0.0 ? 5.0 : 4.0;
+    kind = covers.z >= least ? 3.0 : kind;
+    kind = covers.y >= least ? 2.0 : kind;
+    kind = covers.x >= least ? 1.0 : kind;
     metal::float4 near = metal::select(metal::float4(0.0), nearness, widths > metal::float4(0.0));
     float nearest = metal::max(metal::max(near.x, near.y), metal::max(near.z, near.w));
-    return Outline {line, (line > 0.0009765625) ? kind : 0.0, reach - nearest};
+    return Outline {line, line > 0.0009765625 ? kind : 0.0, reach - nearest};
 }
 
 /// Outline
@@ -746,15 +800,21 @@ metal::float4 shade(
     float light_and_dark = reflectance_half_lambert(look.key, surface.normal);
     Color three_washes_2 = ramp_at_2(three_washes, light_and_dark, footprint_of_2(light_and_dark));
     Color ink_2 = ramp_at(ink, light_and_dark, footprint_of_2(light_and_dark));
-    float heavy_in_the_shade = metal::mix(1.6, 8.0, metal::clamp((light_and_dark - 0.75) / -0.6, 0.0, 1.0));
+    float heavy_in_the_shade = metal::mix(1.6, 8.0,
+        metal::clamp((light_and_dark - 0.75) / -0.6, 0.0, 1.0));
     float hand = noise_perlin(surface.position_object, 3.5, 2, 0.5, 0);
     float pressure = metal::mix(0.7, 1.3, hand - 0.0);
     float width = heavy_in_the_shade * pressure;
-    Outline pen = outline_height(width, 1.0, 0.6, 1.0, 0.6, 0.0, surface.line_nearness, surface.middle_surface, surface.depth, look.object_id, look.viewport, surface.magnification);
-    float folds = inner_contour_suggestive(2.2, 24.0, 1.0, surface.curvature_tensor, surface.normal, surface.view, look.camera_from_world, surface.position_camera, look.viewport);
+    Outline pen = outline_height(width, 1.0, 0.6, 1.0, 0.6, 0.0, surface.line_nearness,
+        surface.middle_surface, surface.depth, look.object_id, look.viewport,
+        surface.magnification);
+    float folds = inner_contour_suggestive(2.2, 24.0, 1.0, surface.curvature_tensor, surface.normal,
+        surface.view, look.camera_from_world, surface.position_camera, look.viewport);
     float all_strokes = metal::max(pen.line, folds);
+    // Mix colors
     metal::float4 ink_on_the_washes = mixed_vec4(three_washes_2, bounded_vec4(ink_2), all_strokes);
-    metal::float4 output_alpha = metal::float4(ink_on_the_washes.xyz, metal::clamp(ink_on_the_washes.w, 0.0, 1.0));
+    metal::float4 output_alpha = metal::float4(ink_on_the_washes.xyz,
+        metal::clamp(ink_on_the_washes.w, 0.0, 1.0));
     Color output_2 = output(premultiplied(output_alpha));
     return output_2;
 }
@@ -763,12 +823,14 @@ struct vs_mainInput {
     metal::float3 position_1 [[attribute(0)]];
     metal::float3 normal_2 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal [[user(loc2), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -776,7 +838,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position_1, varyings.normal_2 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position,
+        object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -790,9 +853,11 @@ struct fs_mainInput {
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal_2 [[user(loc2), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -803,14 +868,21 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> line_nearness_map [[texture(1)]]
 , metal::texture2d<float, metal::access::sample> facet_map [[texture(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object, varyings_1.normal_2 };
+    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object,
+        varyings_1.normal_2 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
     metal::float4 texel_1 = line_nearness_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
     metal::float4 texel_2 = facet_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
     metal::float4 texel_3 = facet_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    float size_on_screen_value = size_on_screen(-((view.camera_from_world * metal::float4(in.position, 1.0)).z), view.eye.w, metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object, (view.camera_from_world * metal::float4(in.position, 1.0)).xyz, -((view.camera_from_world * metal::float4(in.position, 1.0)).z), texel.xyz, texel_1, metal::float2(texel_2.z, metal::floor(metal::abs(texel_3.w))), size_on_screen_value};
+    float size_on_screen_value = size_on_screen(-(view.camera_from_world
+        * metal::float4(in.position, 1.0)).z, view.eye.w,
+        metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y)));
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, (view.camera_from_world * metal::float4(in.position, 1.0)).xyz,
+        -(view.camera_from_world * metal::float4(in.position, 1.0)).z, texel.xyz, texel_1,
+        metal::float2(texel_2.z, metal::floor(metal::abs(texel_3.w))), size_on_screen_value};
     return fs_mainOutput { finite_vec4(shade(surface, look)) };
 }

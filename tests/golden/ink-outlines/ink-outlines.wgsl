@@ -536,6 +536,7 @@ fn shade(surface: Surface) -> vec4f {
     let folds = inner_contour_suggestive(2.2, 24.0, 1.0, surface.curvature_tensor, surface.normal,
         surface.view, look.camera_from_world, surface.position_camera, look.viewport);
     let all_strokes = max(pen.line, folds);
+    // Mix colors
     let ink_on_the_washes = mixed_vec4(three_washes_2, bounded_vec4(ink_2), all_strokes);
     let output_alpha = vec4f(ink_on_the_washes.xyz, clamp(ink_on_the_washes.w, 0.0, 1.0));
     let output_2 = output(premultiplied(output_alpha));

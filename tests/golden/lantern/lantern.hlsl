@@ -68,7 +68,10 @@ struct Varyings {
 };
 
 static const float SMALLEST_NORMAL = 1.1754944e-38;
-static const Ramp glow = {{float4(0.851, 0.4118, 0.1647, 1.0), float4(1.0, 0.7804, 0.3961, 1.0), float4(1.0, 0.9647, 0.8471, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.45, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 3u, 0u};
+static const Ramp glow = {{float4(0.851, 0.4118, 0.1647, 1.0), float4(1.0, 0.7804, 0.3961, 1.0),
+    float4(1.0, 0.9647, 0.8471, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx},
+    {float4(0.0, 0.45, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 3u, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -90,7 +93,7 @@ struct FragmentInput_fs_main {
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -100,16 +103,16 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// a / b; 0 where b is 0.
 float divided(float a, float b)
 {
-    if ((abs(b) < SMALLEST_NORMAL)) {
+    if (abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((a / b));
+    return bounded(a / b);
 }
 
 /// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
@@ -117,8 +120,8 @@ float divided(float a, float b)
 float srgb_of_linear(float light)
 {
     float size = abs(light);
-    float value = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
-    return ((light < 0.0) ? -(value) : value);
+    float value = size <= 0.0031308 ? size * 12.92 : 1.055 * pow(size, 0.41666666) - 0.055;
+    return light < 0.0 ? -value : value;
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -128,30 +131,35 @@ float3 oklab_of_linear(float3 rgb)
     float l = pow(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
     float m = pow(dot(rgb, float3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
     float s = pow(dot(rgb, float3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
-    return float3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
+    return float3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l - 2.4285922 * m
+        + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 float3 linear_of_oklab(float3 lab)
 {
-    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    float3 cubes = float3(((l * l) * l), ((m * m) * m), ((s * s) * s));
-    return float3(dot(cubes, float3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, float3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, float3(-0.0041960864, -0.7034186, 1.7076147)));
+    float l = lab.x + 0.39633778 * lab.y + 0.21580376 * lab.z;
+    float m = lab.x - 0.105561346 * lab.y - 0.06385417 * lab.z;
+    float s = lab.x - 0.08948418 * lab.y - 1.2914855 * lab.z;
+    float3 cubes = float3(l * l * l, m * m * m, s * s * s);
+    return float3(dot(cubes, float3(4.0767417, -3.3077116, 0.23096994)),
+        dot(cubes, float3(-1.268438, 2.6097574, -0.34131938)),
+        dot(cubes, float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 float3 oklab_of_srgb(float3 coded)
 {
-    const float3 oklab_of_linear_value = oklab_of_linear(float3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    const float3 oklab_of_linear_value = oklab_of_linear(float3(pow((coded.x + 0.055) / 1.055, 2.4),
+        pow((coded.y + 0.055) / 1.055, 2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
     return oklab_of_linear_value;
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 float3 oklab_of_srgb_2(float3 coded)
 {
-    return oklab_of_linear(float3(1.0, pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    return oklab_of_linear(float3(1.0, pow((coded.y + 0.055) / 1.055, 2.4),
+        pow((coded.z + 0.055) / 1.055, 2.4)));
 }
 
 /// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
@@ -176,7 +184,9 @@ RampPlace ConstructRampPlace(float4 arg0, float4 arg1, float arg2) {
 /// The place of x on a ramp that is not stepped. Transparent black for a ramp without stops.
 RampPlace ramp_place(Ramp ramp, float x)
 {
-    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     uint i = 1u;
     uint at = 0u;
@@ -186,27 +196,29 @@ RampPlace ramp_place(Ramp ramp, float x)
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1u);
+            i = i + 1u;
         }
         loop_init = false;
-        if (!((i < 3u))) {
+        if (!(i < 3u)) {
             break;
         }
         float places_now = places[0][min(uint(naga_mod(i, 4u)), 3u)];
-        at = ((places_now <= x) ? i : at);
+        at = places_now <= x ? i : at;
     }
-    uint after = min((at + 1u), 2u);
+    uint after = min(at + 1u, 2u);
     float place = places[0][min(uint(naga_mod(at, 4u)), 3u)];
-    float t = clamp(divided((x - place), (places[0][min(uint(naga_mod(after, 4u)), 3u)] - place)), 0.0, 1.0);
-    const RampPlace rampplace = ConstructRampPlace(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], t);
-    return rampplace;
+    float t = clamp(divided(x - place, places[0][min(uint(naga_mod(after, 4u)), 3u)] - place), 0.0,
+        1.0);
+    return ConstructRampPlace(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], t);
 }
 
 float4 ramp_oklab(float value, Ramp ramp)
 {
     const RampPlace place = ramp_place(ramp, value);
-    const float3 srgb_of_oklab_value = srgb_of_oklab(lerp(oklab_of_srgb(place.before.xyz), oklab_of_srgb_2(place.after.xyz), place.t));
-    return ((place.t <= 0.0) ? place.before : ((place.t >= 1.0) ? place.after : float4(srgb_of_oklab_value, 1.0)));
+    const float3 srgb_of_oklab_value = srgb_of_oklab(lerp(oklab_of_srgb(place.before.xyz),
+        oklab_of_srgb_2(place.after.xyz), place.t));
+    return place.t <= 0.0 ? place.before : (place.t
+        >= 1.0 ? place.after : float4(srgb_of_oklab_value, 1.0));
 }
 
 /// The look at one point of the surface.
@@ -227,7 +239,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -241,10 +254,11 @@ Surface ConstructSurface(float3 arg0, float3 arg1) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_1 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))));
+    float3 normal = is_front ? facing : -facing;
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position));
     return shade(surface);
 }

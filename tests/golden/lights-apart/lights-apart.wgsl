@@ -169,7 +169,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -196,54 +196,92 @@ const lamps_moon_tone_shape = ProfileShape(0.9358968, 0.35227424, 66.66917, 2.49
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Lamps moon (Each lamp)
     let lamps_moon_angle = parametrization_diffuse_balanced(look.moon, surface.normal);
     let lamps_moon_tone = profile_balanced(lamps_moon_angle, 0.0, lamps_moon_tone_shape);
     let lamps_moon_lit = look.lamps_moon_strength * vec4f(vec3f(lamps_moon_tone), 1.0);
+
+    // Lamps violet (Each lamp)
     let lamps_violet_angle = parametrization_diffuse_balanced(look.violet, surface.normal);
     let lamps_violet_tone = profile_balanced(lamps_violet_angle, 0.0, lamps_moon_tone_shape);
     let lamps_violet_lit = look.lamps_violet_strength * vec4f(vec3f(lamps_violet_tone), 1.0);
+
+    // Lamps rose (Each lamp)
     let lamps_rose_angle = parametrization_diffuse_balanced(look.rose, surface.normal);
     let lamps_rose_tone = profile_balanced(lamps_rose_angle, 0.0, lamps_moon_tone_shape);
     let lamps_rose_lit = look.lamps_rose_strength * vec4f(vec3f(lamps_rose_tone), 1.0);
+
+    // Lamps amber (Each lamp)
     let lamps_amber_angle = parametrization_diffuse_balanced(look.amber, surface.normal);
     let lamps_amber_tone = profile_balanced(lamps_amber_angle, 0.0, lamps_moon_tone_shape);
     let lamps_amber_lit = look.lamps_amber_strength * vec4f(vec3f(lamps_amber_tone), 1.0);
+
+    // Lamps gold (Each lamp)
     let lamps_gold_angle = parametrization_diffuse_balanced(look.gold, surface.normal);
     let lamps_gold_tone = profile_balanced(lamps_gold_angle, 0.0, lamps_moon_tone_shape);
     let lamps_gold_lit = look.lamps_gold_strength * vec4f(vec3f(lamps_gold_tone), 1.0);
+
+    // Lamps coral (Each lamp)
     let lamps_coral_angle = parametrization_diffuse_balanced(look.coral, surface.normal);
     let lamps_coral_tone = profile_balanced(lamps_coral_angle, 0.0, lamps_moon_tone_shape);
     let lamps_coral_lit = look.lamps_coral_strength * vec4f(vec3f(lamps_coral_tone), 1.0);
+
+    // Lamps magenta (Each lamp)
     let lamps_magenta_angle = parametrization_diffuse_balanced(look.magenta, surface.normal);
     let lamps_magenta_tone = profile_balanced(lamps_magenta_angle, 0.0, lamps_moon_tone_shape);
     let lamps_magenta_lit = look.lamps_magenta_strength * vec4f(vec3f(lamps_magenta_tone), 1.0);
+
+    // Lamps cobalt (Each lamp)
     let lamps_cobalt_angle = parametrization_diffuse_balanced(look.cobalt, surface.normal);
     let lamps_cobalt_tone = profile_balanced(lamps_cobalt_angle, 0.0, lamps_moon_tone_shape);
     let lamps_cobalt_lit = look.lamps_cobalt_strength * vec4f(vec3f(lamps_cobalt_tone), 1.0);
+
+    // Lamps turquoise (Each lamp)
     let lamps_turquoise_angle = parametrization_diffuse_balanced(look.turquoise, surface.normal);
     let lamps_turquoise_tone = profile_balanced(lamps_turquoise_angle, 0.0, lamps_moon_tone_shape);
     let lamps_turquoise_lit = look.lamps_turquoise_strength
         * vec4f(vec3f(lamps_turquoise_tone), 1.0);
+
+    // Lamps azure (Each lamp)
     let lamps_azure_angle = parametrization_diffuse_balanced(look.azure, surface.normal);
     let lamps_azure_tone = profile_balanced(lamps_azure_angle, 0.0, lamps_moon_tone_shape);
     let lamps_azure_lit = look.lamps_azure_strength * vec4f(vec3f(lamps_azure_tone), 1.0);
     let lamps_azure_sum = select(vec4f(0.0, 0.0, 0.0, 1.0), vec4f(0.0 + lamps_azure_lit.xyz, 1.0),
         look.azure_intensity > 0.0);
+
+    // Lamps turquoise
     let lamps_turquoise_sum = sum_of_lights_color(lamps_turquoise_lit, lamps_azure_sum,
         look.turquoise_intensity);
+
+    // Lamps cobalt
     let lamps_cobalt_sum = sum_of_lights_color(lamps_cobalt_lit, lamps_turquoise_sum,
         look.cobalt_intensity);
+
+    // Lamps magenta
     let lamps_magenta_sum = sum_of_lights_color(lamps_magenta_lit, lamps_cobalt_sum,
         look.magenta_intensity);
+
+    // Lamps coral
     let lamps_coral_sum = sum_of_lights_color(lamps_coral_lit, lamps_magenta_sum,
         look.coral_intensity);
+
+    // Lamps gold
     let lamps_gold_sum = sum_of_lights_color(lamps_gold_lit, lamps_coral_sum, look.gold_intensity);
+
+    // Lamps amber
     let lamps_amber_sum = sum_of_lights_color(lamps_amber_lit, lamps_gold_sum,
         look.amber_intensity);
+
+    // Lamps rose
     let lamps_rose_sum = sum_of_lights_color(lamps_rose_lit, lamps_amber_sum, look.rose_intensity);
+
+    // Lamps violet
     let lamps_violet_sum = sum_of_lights_color(lamps_violet_lit, lamps_rose_sum,
         look.violet_intensity);
+
+    // Lamps moon
     let lamps_moon_sum = sum_of_lights_color(lamps_moon_lit, lamps_violet_sum, look.moon_intensity);
+
     let dark = lamps_moon_sum + vec4f(0.07, 0.05, 0.1, 1.0);
     return vec4f(limit_color(dark, 1.0, 0.4).xyz, 1.0);
 }

@@ -14,6 +14,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light moon;
@@ -47,10 +48,12 @@ struct Look {
     vec4 lamps_turquoise_strength;
     vec4 lamps_azure_strength;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -59,6 +62,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -77,11 +81,14 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const ProfileShape lamps_moon_tone_shape = ProfileShape(1.0, 0.0, 1.6002629, 1.8073579, 0.0, 0.71386534, 0.30130044, 0u);
+
+const ProfileShape lamps_moon_tone_shape = ProfileShape(1.0, 0.0, 1.6002629, 1.8073579, 0.0,
+    0.71386534, 0.30130044, 0u);
 
 layout(std140) uniform LookBlock { Look u_look; };
 
@@ -91,7 +98,7 @@ layout(location = 0) out vec4 out_color;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -100,15 +107,15 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = (u.half_sin - 0.0);
-    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
-    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - 0.0;
+    vec2 upper = u.half_cos <= 0.0 ? vec2(1.0, 0.0) : vec2(s, u.half_cos);
+    vec2 turned = (s <= 0.0 && s < u.half_cos) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -122,33 +129,34 @@ float footprint_of(float x) {
 float stairs_integral(float x, float count) {
     float inside = min(x, count);
     float stair = min(floor(inside), 5.0);
-    float beyond = max((x - count), 0.0);
-    return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 5.0));
+    float beyond = max(x - count, 0.0);
+    return stair * (0.5 * (stair - 1.0) + inside - stair) + beyond * 5.0;
 }
 
 /// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
 float stairs_integral_2(float x, float count) {
     float inside = max(x, 0.0);
     float stair = floor(inside);
-    return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + 0.0);
+    return stair * (0.5 * (stair - 1.0) + inside - stair) + 0.0;
 }
 
 /// The stairs floor(x) from 0 to `count` - 1, averaged over a footprint of `w`; x in [0, count],
 /// count at least 2.
 float stairs_filtered(float x, float count, float w) {
-    if ((w <= 1.0)) {
+    if (w <= 1.0) {
         float edge = clamp(roundEven(x), 1.0, 5.0);
-        return ((edge - 1.0) + clamp((0.5 + ((x - edge) / w)), 0.0, 1.0));
+        return edge - 1.0 + clamp(0.5 + (x - edge) / w, 0.0, 1.0);
     }
-    float half_ = (0.5 * w);
-    return ((stairs_integral((x + half_), count) - stairs_integral_2((x - half_), count)) / (2.0 * half_));
+    float half_ = 0.5 * w;
+    return (stairs_integral(x + half_, count) - stairs_integral_2(x - half_, count))
+        / (2.0 * half_);
 }
 
 /// sRGB-coded to linear light (IEC 61966-2-1, the exact curve); a negative number is decoded by its
 /// size.
 float linear_of_srgb(float coded) {
     float size = abs(coded);
-    float value = ((size <= 0.04045) ? (size / 12.92) : pow(((size + 0.055) / 1.055), 2.4));
+    float value = size <= 0.04045 ? size / 12.92 : pow((size + 0.055) / 1.055, 2.4);
     return value;
 }
 
@@ -156,8 +164,8 @@ float linear_of_srgb(float coded) {
 /// size.
 float srgb_of_linear(float light) {
     float size = abs(light);
-    float value = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
-    return ((light < 0.0) ? -(value) : value);
+    float value = size <= 0.0031308 ? size * 12.92 : 1.055 * pow(size, 0.41666666) - 0.055;
+    return light < 0.0 ? -value : value;
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -166,16 +174,19 @@ vec3 oklab_of_linear(vec3 rgb) {
     float l = pow(abs(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
     float m = pow(abs(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
     float s = pow(abs(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
-    return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
+    return vec3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l - 2.4285922 * m
+        + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 vec3 linear_of_oklab(vec3 lab) {
-    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    vec3 cubes = vec3(((l * l) * l), ((m * m) * m), ((s * s) * s));
-    return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
+    float l = lab.x + 0.39633778 * lab.y + 0.21580376 * lab.z;
+    float m = lab.x - 0.105561346 * lab.y - 0.06385417 * lab.z;
+    float s = lab.x - 0.08948418 * lab.y - 1.2914855 * lab.z;
+    vec3 cubes = vec3(l * l * l, m * m * m, s * s * s);
+    return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)),
+        dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)),
+        dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 /// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
@@ -189,15 +200,15 @@ vec3 srgb_of_oklab(vec3 lab) {
 /// Darkens what is too bright, and keeps its hue: channels that are cut one by one turn warm light
 /// yellow and then white. Channels beyond 1e18 count as that.
 vec4 limit_color(vec4 color, float limit, float softness) {
-    float knee = (1.0 - softness);
+    float knee = 1.0 - softness;
     float brightest = max(max(color.x, color.y), color.z);
-    if ((brightest <= knee)) {
+    if (brightest <= knee) {
         return vec4(color.xyz, 2.0);
     }
-    float room = (limit - knee);
-    float above = (brightest - knee);
-    float pressed = (knee + (min(above, room) * (max(above, room) / (above + room))));
-    return vec4((color.xyz * min((pressed / brightest), 1.0)), 2.0);
+    float room = limit - knee;
+    float above = brightest - knee;
+    float pressed = knee + min(above, room) * (max(above, room) / (above + room));
+    return vec4(color.xyz * min(pressed / brightest, 1.0), 2.0);
 }
 
 /// Posterize
@@ -207,36 +218,39 @@ vec4 limit_color(vec4 color, float limit, float softness) {
 /// is the look of early computers.
 vec4 posterize_lightness(vec4 color, int steps, float softness) {
     vec3 coded = clamp(color.xyz, vec3(0.0), vec3(1.0));
-    vec3 lab = oklab_of_linear(vec3(linear_of_srgb(coded.x), linear_of_srgb(coded.y), linear_of_srgb(coded.z)));
-    float stairs_filtered_value = stairs_filtered((6.0 * clamp(lab.x, 0.0, 1.0)), 6.0, length(vec2((6.0 * footprint_of(lab.x)), softness)));
-    float stepped = clamp((stairs_filtered_value / 5.0), 0.0, 1.0);
-    float kept = ((lab.x > 0.0001) ? (stepped / max(lab.x, 0.0001)) : 0.0);
-    return vec4(clamp(srgb_of_oklab(vec3(stepped, (lab.yz * min(kept, 1.0)))), vec3(0.0), vec3(1.0)), 2.0);
+    vec3 lab = oklab_of_linear(vec3(linear_of_srgb(coded.x), linear_of_srgb(coded.y),
+        linear_of_srgb(coded.z)));
+    float stairs_filtered_value = stairs_filtered(6.0 * clamp(lab.x, 0.0, 1.0), 6.0,
+        length(vec2(6.0 * footprint_of(lab.x), softness)));
+    float stepped = clamp(stairs_filtered_value / 5.0, 0.0, 1.0);
+    float kept = lab.x > 0.0001 ? stepped / max(lab.x, 0.0001) : 0.0;
+    return vec4(clamp(srgb_of_oklab(vec3(stepped, lab.yz * min(kept, 1.0))), vec3(0.0), vec3(1.0)),
+        2.0);
 }
 
 Angle parametrization_diffuse_balanced(Light light, vec3 normal) {
-    return Angle((0.5 * length((normal - light.direction))), (0.5 * length((normal + light.direction))));
+    return Angle(0.5 * length(normal - light.direction), 0.5 * length(normal + light.direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2((u.half_sin - 0.0), u.half_cos);
+    vec2 place = vec2(u.half_sin - 0.0, u.half_cos);
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
@@ -245,52 +259,103 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape) {
 }
 
 vec4 sum_of_lights_color(vec4 value, vec4 before_sum, float reach) {
-    return ((reach > 0.0) ? vec4((before_sum.xyz + value.xyz), 1.0) : before_sum);
+    return reach > 0.0 ? vec4(before_sum.xyz + value.xyz, 1.0) : before_sum;
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
+    // Lamps moon (Each lamp)
     Angle lamps_moon_angle = parametrization_diffuse_balanced(u_look.moon, surface.normal);
     float lamps_moon_tone = profile_balanced(lamps_moon_angle, 0.0, lamps_moon_tone_shape);
-    vec4 lamps_moon_lit = (u_look.lamps_moon_strength * vec4(vec3(lamps_moon_tone), 1.0));
+    vec4 lamps_moon_lit = u_look.lamps_moon_strength * vec4(vec3(lamps_moon_tone), 1.0);
+
+    // Lamps violet (Each lamp)
     Angle lamps_violet_angle = parametrization_diffuse_balanced(u_look.violet, surface.normal);
     float lamps_violet_tone = profile_balanced(lamps_violet_angle, 0.0, lamps_moon_tone_shape);
-    vec4 lamps_violet_lit = (u_look.lamps_violet_strength * vec4(vec3(lamps_violet_tone), 1.0));
+    vec4 lamps_violet_lit = u_look.lamps_violet_strength * vec4(vec3(lamps_violet_tone), 1.0);
+
+    // Lamps rose (Each lamp)
     Angle lamps_rose_angle = parametrization_diffuse_balanced(u_look.rose, surface.normal);
     float lamps_rose_tone = profile_balanced(lamps_rose_angle, 0.0, lamps_moon_tone_shape);
-    vec4 lamps_rose_lit = (u_look.lamps_rose_strength * vec4(vec3(lamps_rose_tone), 1.0));
+    vec4 lamps_rose_lit = u_look.lamps_rose_strength * vec4(vec3(lamps_rose_tone), 1.0);
+
+    // Lamps amber (Each lamp)
     Angle lamps_amber_angle = parametrization_diffuse_balanced(u_look.amber, surface.normal);
     float lamps_amber_tone = profile_balanced(lamps_amber_angle, 0.0, lamps_moon_tone_shape);
-    vec4 lamps_amber_lit = (u_look.lamps_amber_strength * vec4(vec3(lamps_amber_tone), 1.0));
+    vec4 lamps_amber_lit = u_look.lamps_amber_strength * vec4(vec3(lamps_amber_tone), 1.0);
+
+    // Lamps gold (Each lamp)
     Angle lamps_gold_angle = parametrization_diffuse_balanced(u_look.gold, surface.normal);
     float lamps_gold_tone = profile_balanced(lamps_gold_angle, 0.0, lamps_moon_tone_shape);
-    vec4 lamps_gold_lit = (u_look.lamps_gold_strength * vec4(vec3(lamps_gold_tone), 1.0));
+    vec4 lamps_gold_lit = u_look.lamps_gold_strength * vec4(vec3(lamps_gold_tone), 1.0);
+
+    // Lamps coral (Each lamp)
     Angle lamps_coral_angle = parametrization_diffuse_balanced(u_look.coral, surface.normal);
     float lamps_coral_tone = profile_balanced(lamps_coral_angle, 0.0, lamps_moon_tone_shape);
-    vec4 lamps_coral_lit = (u_look.lamps_coral_strength * vec4(vec3(lamps_coral_tone), 1.0));
+    vec4 lamps_coral_lit = u_look.lamps_coral_strength * vec4(vec3(lamps_coral_tone), 1.0);
+
+    // Lamps magenta (Each lamp)
     Angle lamps_magenta_angle = parametrization_diffuse_balanced(u_look.magenta, surface.normal);
     float lamps_magenta_tone = profile_balanced(lamps_magenta_angle, 0.0, lamps_moon_tone_shape);
-    vec4 lamps_magenta_lit = (u_look.lamps_magenta_strength * vec4(vec3(lamps_magenta_tone), 1.0));
+    vec4 lamps_magenta_lit = u_look.lamps_magenta_strength * vec4(vec3(lamps_magenta_tone), 1.0);
+
+    // Lamps cobalt (Each lamp)
     Angle lamps_cobalt_angle = parametrization_diffuse_balanced(u_look.cobalt, surface.normal);
     float lamps_cobalt_tone = profile_balanced(lamps_cobalt_angle, 0.0, lamps_moon_tone_shape);
-    vec4 lamps_cobalt_lit = (u_look.lamps_cobalt_strength * vec4(vec3(lamps_cobalt_tone), 1.0));
-    Angle lamps_turquoise_angle = parametrization_diffuse_balanced(u_look.turquoise, surface.normal);
-    float lamps_turquoise_tone = profile_balanced(lamps_turquoise_angle, 0.0, lamps_moon_tone_shape);
-    vec4 lamps_turquoise_lit = (u_look.lamps_turquoise_strength * vec4(vec3(lamps_turquoise_tone), 1.0));
+    vec4 lamps_cobalt_lit = u_look.lamps_cobalt_strength * vec4(vec3(lamps_cobalt_tone), 1.0);
+
+    // Lamps turquoise (Each lamp)
+    Angle lamps_turquoise_angle = parametrization_diffuse_balanced(u_look.turquoise,
+        surface.normal);
+    float lamps_turquoise_tone = profile_balanced(lamps_turquoise_angle, 0.0,
+        lamps_moon_tone_shape);
+    vec4 lamps_turquoise_lit = u_look.lamps_turquoise_strength
+        * vec4(vec3(lamps_turquoise_tone), 1.0);
+
+    // Lamps azure (Each lamp)
     Angle lamps_azure_angle = parametrization_diffuse_balanced(u_look.azure, surface.normal);
     float lamps_azure_tone = profile_balanced(lamps_azure_angle, 0.0, lamps_moon_tone_shape);
-    vec4 lamps_azure_lit = (u_look.lamps_azure_strength * vec4(vec3(lamps_azure_tone), 1.0));
-    vec4 lamps_azure_sum = ((u_look.azure_intensity > 0.0) ? vec4((vec3(0.0) + lamps_azure_lit.xyz), 1.0) : vec4(0.0, 0.0, 0.0, 1.0));
-    vec4 lamps_turquoise_sum = sum_of_lights_color(lamps_turquoise_lit, lamps_azure_sum, u_look.turquoise_intensity);
-    vec4 lamps_cobalt_sum = sum_of_lights_color(lamps_cobalt_lit, lamps_turquoise_sum, u_look.cobalt_intensity);
-    vec4 lamps_magenta_sum = sum_of_lights_color(lamps_magenta_lit, lamps_cobalt_sum, u_look.magenta_intensity);
-    vec4 lamps_coral_sum = sum_of_lights_color(lamps_coral_lit, lamps_magenta_sum, u_look.coral_intensity);
-    vec4 lamps_gold_sum = sum_of_lights_color(lamps_gold_lit, lamps_coral_sum, u_look.gold_intensity);
-    vec4 lamps_amber_sum = sum_of_lights_color(lamps_amber_lit, lamps_gold_sum, u_look.amber_intensity);
-    vec4 lamps_rose_sum = sum_of_lights_color(lamps_rose_lit, lamps_amber_sum, u_look.rose_intensity);
-    vec4 lamps_violet_sum = sum_of_lights_color(lamps_violet_lit, lamps_rose_sum, u_look.violet_intensity);
-    vec4 lamps_moon_sum = sum_of_lights_color(lamps_moon_lit, lamps_violet_sum, u_look.moon_intensity);
-    vec4 dark = ((lamps_moon_sum * vec4(0.44, 0.44, 0.44, 1.0)) + vec4(0.07, 0.05, 0.1, 1.0));
+    vec4 lamps_azure_lit = u_look.lamps_azure_strength * vec4(vec3(lamps_azure_tone), 1.0);
+    vec4 lamps_azure_sum = u_look.azure_intensity
+        > 0.0 ? vec4(vec3(0.0) + lamps_azure_lit.xyz, 1.0) : vec4(0.0, 0.0, 0.0, 1.0);
+
+    // Lamps turquoise
+    vec4 lamps_turquoise_sum = sum_of_lights_color(lamps_turquoise_lit, lamps_azure_sum,
+        u_look.turquoise_intensity);
+
+    // Lamps cobalt
+    vec4 lamps_cobalt_sum = sum_of_lights_color(lamps_cobalt_lit, lamps_turquoise_sum,
+        u_look.cobalt_intensity);
+
+    // Lamps magenta
+    vec4 lamps_magenta_sum = sum_of_lights_color(lamps_magenta_lit, lamps_cobalt_sum,
+        u_look.magenta_intensity);
+
+    // Lamps coral
+    vec4 lamps_coral_sum = sum_of_lights_color(lamps_coral_lit, lamps_magenta_sum,
+        u_look.coral_intensity);
+
+    // Lamps gold
+    vec4 lamps_gold_sum = sum_of_lights_color(lamps_gold_lit, lamps_coral_sum,
+        u_look.gold_intensity);
+
+    // Lamps amber
+    vec4 lamps_amber_sum = sum_of_lights_color(lamps_amber_lit, lamps_gold_sum,
+        u_look.amber_intensity);
+
+    // Lamps rose
+    vec4 lamps_rose_sum = sum_of_lights_color(lamps_rose_lit, lamps_amber_sum,
+        u_look.rose_intensity);
+
+    // Lamps violet
+    vec4 lamps_violet_sum = sum_of_lights_color(lamps_violet_lit, lamps_rose_sum,
+        u_look.violet_intensity);
+
+    // Lamps moon
+    vec4 lamps_moon_sum = sum_of_lights_color(lamps_moon_lit, lamps_violet_sum,
+        u_look.moon_intensity);
+
+    vec4 dark = lamps_moon_sum * vec4(0.44, 0.44, 0.44, 1.0) + vec4(0.07, 0.05, 0.1, 1.0);
     vec4 limit = limit_color(posterize_lightness(dark, 6, 0.04), 1.0, 0.4);
     return vec4(limit.xyz, 1.0);
 }
@@ -299,9 +364,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     Surface surface = Surface(normal);
     out_color = shade(surface);
-    return;
 }
-

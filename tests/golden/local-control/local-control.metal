@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,6 +36,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     metal::float3x3 camera_from_world;
@@ -42,6 +45,7 @@ struct Look {
     Light back;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
@@ -50,6 +54,7 @@ struct Surface {
     metal::float3 position_camera;
     metal::float3 curvature_tensor;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -60,6 +65,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -78,18 +84,22 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 position_object;
     metal::float3 normal;
 };
+
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
-constant ProfileShape soft_tone_shape = ProfileShape {1.0, 0.0, 1.0, 0.9999963, 0.0, 1.5707985, 0.68337417, 0u};
+constant ProfileShape soft_tone_shape = ProfileShape {1.0, 0.0, 1.0, 0.9999963, 0.0, 1.5707985,
+    0.68337417, 0u};
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
@@ -98,7 +108,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -127,7 +138,8 @@ Angle angle_turned(
     metal::float2 t
 ) {
     float s = u.half_sin - 0.0;
-    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 upper = u.half_cos
+        <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
     metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
@@ -140,7 +152,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -151,7 +163,7 @@ float eased(
     float high
 ) {
     float t = metal::clamp(bounded((bounded(x) - low) / (high - low)), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// The length of v, also where its square would over- or underflow.
@@ -188,7 +200,8 @@ float step_filtered(
     float w
 ) {
     float d = x - edge;
-    return (w < 0.000000000000000000000000000001) ? ((d >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d / w), 0.0, 1.0);
+    return w < 0.000000000000000000000000000001 ? (d >= 0.0 ? 1.0 : 0.0) : metal::clamp(0.5 + d / w,
+        0.0, 1.0);
 }
 
 Composite blend_alpha(
@@ -198,7 +211,7 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0);
+    return metal::float4(below.xyz + tone * (color.xyz - below.xyz), 1.0);
 }
 
 Composite blend_alpha_2(
@@ -208,7 +221,9 @@ Composite blend_alpha_2(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// Local light
@@ -225,10 +240,12 @@ Light local_light(
     metal::float3 position
 ) {
     float weight = 1.0 - eased(length_of(position - center), radius * hardness, radius);
-    metal::float3 bent = light.direction + (weight * bend);
+    metal::float3 bent = light.direction + weight * bend;
     metal::float3 normalize_moderate_value = normalize_moderate(bent, light.direction);
-    metal::float3 direction = ((metal::dot(bent, bent) > 0.000001) & (weight > 0.0)) ? normalize_moderate_value : light.direction;
-    return Light {direction, light.own_direction, light.color, metal::min(light.intensity, 1000000000000000000000000000000.0)};
+    metal::float3 direction = ((metal::dot(bent, bent) > 0.000001)
+        & (weight > 0.0)) ? normalize_moderate_value : light.direction;
+    return Light {direction, light.own_direction, light.color,
+        metal::min(light.intensity, 1000000000000000000000000000000.0)};
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -237,7 +254,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -249,14 +266,14 @@ float profile_filtered_quick(
 ) {
     metal::float2 place = metal::float2(u.half_sin - 0.0, u.half_cos);
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -283,11 +300,12 @@ float rim(
     float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
     float edge = metal::max(width * softness, metal::min(footprint_of_2(facing), 1.0));
     metal::float3 aside = normal - view;
-    float further = (facing > 0.5) ? ((0.5 * metal::dot(aside, aside)) - (1.0 - width)) : (width - facing);
-    float within = (further / edge) + 0.0;
+    float further = facing > 0.5 ? 0.5 * metal::dot(aside, aside) - (1.0 - width) : width - facing;
+    float within = further / edge + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
-    metal::float3 across = light.direction - (metal::dot(light.direction, view) * view);
-    float side = metal::dot(normal - (metal::dot(normal, view) * view), across * metal::rsqrt(metal::max(metal::dot(across, across), 0.000000000000000000000000000001)));
+    metal::float3 across = light.direction - metal::dot(light.direction, view) * view;
+    float side = metal::dot(normal - metal::dot(normal, view) * view, across
+        * metal::rsqrt(metal::max(metal::dot(across, across), 0.000000000000000000000000000001)));
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), follow);
 }
 
@@ -308,19 +326,24 @@ float inner_contour_suggestive(
 ) {
     metal::float3 n = camera_from_world * normal;
     float square = metal::dot(n.xy, n.xy);
-    float radial = ((((tensor.x * n.x) * n.x) + (((2.0 * tensor.y) * n.x) * n.y)) + ((tensor.z * n.y) * n.y)) / metal::max(square, 0.000001);
+    float radial = (tensor.x * n.x * n.x + 2.0 * tensor.y * n.x * n.y + tensor.z * n.y * n.y)
+        / metal::max(square, 0.000001);
     metal::float2 change = metal::float2(metal::dfdx(radial), metal::dfdy(radial));
     metal::float3 v = camera_from_world * view;
     metal::float3 row = metal::dfdy(place);
-    float up = ((row - (metal::dot(row, v) * v)).y >= 0.0) ? 1.0 : -1.0;
+    float up = (row - metal::dot(row, v) * v).y >= 0.0 ? 1.0 : -1.0;
     float height = metal::clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square, 0.000001));
+    float toward_eye = -(change.x * n.x + up * change.y * n.y)
+        * metal::rsqrt(metal::max(square, 0.000001));
     float pixels = height / 1000.0;
     float distance = metal::abs(radial) / metal::max(metal::length(change), 0.000001);
-    float x = (toward_eye * height) * 0.05;
+    float x = toward_eye * height * 0.05;
     float footprint_of_value = footprint_of(x);
-    float strength = metal::clamp(0.5 + ((x - limit) / metal::length(metal::float2(metal::min(footprint_of_value, 1000000000000000.0), limit * softness))), 0.0, 1.0);
-    return (metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * strength) * metal::smoothstep(0.05, 0.3, metal::dot(normal, view));
+    float strength = metal::clamp(0.5 + (x - limit)
+        / metal::length(metal::float2(metal::min(footprint_of_value, 1000000000000000.0), limit
+        * softness)), 0.0, 1.0);
+    return metal::clamp(pixels + 0.5 - distance, 0.0, metal::min(pixels, 1.0)) * strength
+        * metal::smoothstep(0.05, 0.3, metal::dot(normal, view));
 }
 
 /// Outer contour
@@ -334,10 +357,10 @@ float outer_contour(
     metal::float2 viewport
 ) {
     float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
-    float pixels = (width * metal::clamp(viewport.y, 1.0, 100000.0)) / 1000.0;
+    float pixels = width * metal::clamp(viewport.y, 1.0, 100000.0) / 1000.0;
     float distance = facing / metal::max(2.0 * footprint_of_2(facing), 0.000001);
     float near = 1.0 - metal::smoothstep(0.45, 0.75, facing);
-    return metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * near;
+    return metal::clamp(pixels + 0.5 - distance, 0.0, metal::min(pixels, 1.0)) * near;
 }
 
 /// The look at one point of the surface.
@@ -345,23 +368,45 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    Light turned_to_the_face = local_light(look.key, metal::float3(0.9, 0.25, 0.5), 1.0, metal::float3(0.12, 0.42, 0.5), 0.5, 0.4, surface.position_object);
-    Light around_the_belly = local_light(turned_to_the_face, metal::float3(0.4, 0.1, 0.35), 1.0, metal::float3(-0.05, -0.35, 0.5), 0.4, 0.2, surface.position_object);
-    Angle turned_from_the_light = Angle {0.5 * metal::length(surface.normal - around_the_belly.direction), 0.5 * metal::length(surface.normal + around_the_belly.direction)};
+    Light turned_to_the_face = local_light(look.key, metal::float3(0.9, 0.25, 0.5), 1.0,
+        metal::float3(0.12, 0.42, 0.5), 0.5, 0.4, surface.position_object);
+    Light around_the_belly = local_light(turned_to_the_face, metal::float3(0.4, 0.1, 0.35), 1.0,
+        metal::float3(-0.05, -0.35, 0.5), 0.4, 0.2, surface.position_object);
+    // Parametrization
+    Angle turned_from_the_light = Angle {0.5
+        * metal::length(surface.normal - around_the_belly.direction), 0.5
+        * metal::length(surface.normal + around_the_belly.direction)};
     float soft_tone = profile_balanced(turned_from_the_light, 0.0, soft_tone_shape);
-    float eased_value = eased(length_of(surface.position_object - metal::float3(0.0, 0.02, 0.45)), 0.03, 0.3);
-    float shadow_under_the_chin = metal::clamp(soft_tone + ((1.0 - eased_value) * -0.45), 0.0, 1.0);
-    float eased_value_1 = eased(length_of(surface.position_object - metal::float3(-0.2, 0.72, 0.4)), 0.085, 0.17);
-    float glint_on_the_brow = metal::clamp(shadow_under_the_chin + ((1.0 - eased_value_1) * 0.5), 0.0, 1.0);
-    float lit = step_filtered(glint_on_the_brow, 0.55, metal::length(metal::float2(footprint_of_2(glint_on_the_brow), 0.0)));
-    Composite light = blend_alpha(metal::float4(0.36, 0.36, 0.6, 1.0), metal::float4(0.96, 0.72, 0.47, 1.0), lit, 1.0, true);
-    float brightest = step_filtered(glint_on_the_brow, 0.97, metal::length(metal::float2(footprint_of_2(glint_on_the_brow), 0.0)));
-    metal::float4 brightest_light = metal::min(metal::float4(light.xyz + (brightest * (metal::float3(1.0, 0.93, 0.76) - light.xyz)), 1.0), metal::float4(1.0));
+    float eased_value = eased(length_of(surface.position_object - metal::float3(0.0, 0.02, 0.45)),
+        0.03, 0.3);
+    // Local tone
+    float shadow_under_the_chin = metal::clamp(soft_tone + (1.0 - eased_value) * -0.45, 0.0, 1.0);
+    float eased_value_1 = eased(length_of(surface.position_object - metal::float3(-0.2, 0.72, 0.4)),
+        0.085, 0.17);
+    // Local tone
+    float glint_on_the_brow = metal::clamp(shadow_under_the_chin + (1.0 - eased_value_1) * 0.5, 0.0,
+        1.0);
+    // Threshold
+    float lit = step_filtered(glint_on_the_brow, 0.55,
+        metal::length(metal::float2(footprint_of_2(glint_on_the_brow), 0.0)));
+    Composite light = blend_alpha(metal::float4(0.36, 0.36, 0.6, 1.0),
+        metal::float4(0.96, 0.72, 0.47, 1.0), lit, 1.0, true);
+    // Threshold
+    float brightest = step_filtered(glint_on_the_brow, 0.97,
+        metal::length(metal::float2(footprint_of_2(glint_on_the_brow), 0.0)));
+    // Blend
+    metal::float4 brightest_light = metal::min(metal::float4(light.xyz + brightest
+        * (metal::float3(1.0, 0.93, 0.76) - light.xyz), 1.0), metal::float4(1.0));
     float rim_2 = rim(look.back, surface.normal, surface.view, 0.3, 0.1, 1.0);
-    Composite rim_s_light = blend_alpha_2(brightest_light, metal::float4(0.72, 0.86, 1.0, 1.0), rim_2, 0.7, true);
-    float folds = inner_contour_suggestive(2.0, 20.0, 0.3, surface.curvature_tensor, surface.normal, surface.view, look.camera_from_world, surface.position_camera, look.viewport);
-    float all_lines = metal::max(outer_contour(3.0, surface.normal, surface.view, look.viewport), folds);
-    Composite lines = blend_alpha_2(rim_s_light, metal::float4(0.17, 0.13, 0.28, 1.0), all_lines, 0.85, true);
+    Composite rim_s_light = blend_alpha_2(brightest_light, metal::float4(0.72, 0.86, 1.0, 1.0),
+        rim_2, 0.7, true);
+    float folds = inner_contour_suggestive(2.0, 20.0, 0.3, surface.curvature_tensor, surface.normal,
+        surface.view, look.camera_from_world, surface.position_camera, look.viewport);
+    // Combine tones
+    float all_lines = metal::max(outer_contour(3.0, surface.normal, surface.view, look.viewport),
+        folds);
+    Composite lines = blend_alpha_2(rim_s_light, metal::float4(0.17, 0.13, 0.28, 1.0), all_lines,
+        0.85, true);
     return lines;
 }
 
@@ -369,12 +414,14 @@ struct vs_mainInput {
     metal::float3 position_1 [[attribute(0)]];
     metal::float3 normal_3 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal [[user(loc2), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -382,7 +429,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position_1, varyings.normal_3 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position,
+        object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -396,9 +444,11 @@ struct fs_mainInput {
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal_3 [[user(loc2), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -407,10 +457,13 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_tensor_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object, varyings_1.normal_3 };
+    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object,
+        varyings_1.normal_3 };
     metal::float3 facing = normalize_seen(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object, (view.camera_from_world * metal::float4(in.position, 1.0)).xyz, texel.xyz};
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, (view.camera_from_world * metal::float4(in.position, 1.0)).xyz,
+        texel.xyz};
     return fs_mainOutput { shade(surface, look) };
 }

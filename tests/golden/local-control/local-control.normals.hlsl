@@ -59,7 +59,7 @@ struct FragmentInput_fs_main {
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -72,7 +72,7 @@ float3 normalize_seen(float3 v)
 /// The slope n.xy / n.z of a normal in camera axes.
 float2 slope_of(float3 normal)
 {
-    return (normal.xy / (max(normal.z, 0.2)).xx);
+    return normal.xy / (max(normal.z, 0.2)).xx;
 }
 
 /// The surface that a pixel shows, in one texel: its slope in xy, its depth in z, and in w the
@@ -81,7 +81,7 @@ float2 slope_of(float3 normal)
 float4 surface_texel(float3 normal, float depth, float number)
 {
     const float2 slope_of_value = slope_of(normal);
-    return float4(slope_of_value, depth, ((normal.z < 0.0) ? -(number) : number));
+    return float4(slope_of_value, depth, normal.z < 0.0 ? -number : number);
 }
 
 /// The normal that the curvature pass sees.
@@ -101,7 +101,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -114,21 +115,22 @@ Surface ConstructSurface(float3 arg0) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     bool local = (bool)0;
 
     const float3 facing = normalize_seen(in_.normal);
-    float3 toward = normalize((view.eye.xyz - (view.eye.w * in_.position)));
-    if (!(is_front)) {
-        local = (dot(facing, toward) < -0.1);
+    float3 toward = normalize(view.eye.xyz - view.eye.w * in_.position);
+    if (!is_front) {
+        local = dot(facing, toward) < -0.1;
     } else {
         local = false;
     }
     bool is_behind = local;
-    float3 normal = (is_behind ? -(facing) : facing);
+    float3 normal = is_behind ? -facing : facing;
     Surface surface = ConstructSurface(normal);
     float3 seen = mul(float4(shade(surface), 0.0), view.camera_from_world).xyz;
-    float depth = -(mul(float4(in_.position, 1.0), view.camera_from_world).z);
-    return surface_texel(seen, depth, (object.id + 1.0));
+    float depth = -mul(float4(in_.position, 1.0), view.camera_from_world).z;
+    return surface_texel(seen, depth, object.id + 1.0);
 }

@@ -272,27 +272,34 @@ fn shade(surface: Surface) -> vec4f {
         vec3f(0.12, 0.42, 0.5), 0.5, 0.4, surface.position_object);
     let around_the_belly = local_light(turned_to_the_face, vec3f(0.4, 0.1, 0.35), 1.0,
         vec3f(-0.05, -0.35, 0.5), 0.4, 0.2, surface.position_object);
+    // Parametrization
     let turned_from_the_light = Angle(0.5 * length(surface.normal - around_the_belly.direction),
         0.5 * length(surface.normal + around_the_belly.direction));
     let soft_tone = profile_balanced(turned_from_the_light, 0.0, soft_tone_shape);
+    // Local tone
     let shadow_under_the_chin = clamp(soft_tone
         + (1.0 - eased(length_of(surface.position_object - vec3f(0.0, 0.02, 0.45)), 0.3 * 0.1,
         0.3)) * -0.45, 0.0, 1.0);
+    // Local tone
     let glint_on_the_brow = clamp(shadow_under_the_chin
         + (1.0 - eased(length_of(surface.position_object - vec3f(-0.2, 0.72, 0.4)), 0.17 * 0.5,
         0.17)) * 0.5, 0.0, 1.0);
+    // Threshold
     let lit = step_filtered(glint_on_the_brow, 0.55,
         length(vec2f(footprint_of_2(glint_on_the_brow), 0.0)));
     let light = blend_alpha(vec4f(0.36, 0.36, 0.6, 1.0), vec4f(0.96, 0.72, 0.47, 1.0), lit, 1.0,
         true);
+    // Threshold
     let brightest = step_filtered(glint_on_the_brow, 0.97,
         length(vec2f(footprint_of_2(glint_on_the_brow), 0.0)));
+    // Blend
     let brightest_light = min(vec4f(light.xyz + brightest
         * (vec4f(1.0, 0.93, 0.76, 1.0).xyz - light.xyz), 1.0), vec4f(1.0));
     let rim_2 = rim(look.back, surface.normal, surface.view, 0.3, 0.1, 1.0);
     let rim_s_light = blend_alpha_2(brightest_light, vec4f(0.72, 0.86, 1.0, 1.0), rim_2, 0.7, true);
     let folds = inner_contour_suggestive(2.0, 20.0, 0.3, surface.curvature_tensor, surface.normal,
         surface.view, look.camera_from_world, surface.position_camera, look.viewport);
+    // Combine tones
     let all_lines = max(outer_contour(3.0, surface.normal, surface.view, look.viewport), folds);
     let lines = blend_alpha_2(rim_s_light, vec4f(0.17, 0.13, 0.28, 1.0), all_lines, 0.85, true);
     return lines;

@@ -157,9 +157,11 @@ fn reflectance_blinn_phong(light: Light, normal: vec3f, view: vec3f, roughness: 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let half_lambert = reflectance_half_lambert(look.key, surface.normal);
+    // Blend
     let body = min(vec4f(vec4f(0.1647, 0.102, 0.0706, 1.0).xyz + half_lambert
         * vec4f(0.851, 0.5412, 0.1686, 1.0).xyz, 1.0), vec4f(1.0));
     let blinn_phong = reflectance_blinn_phong(look.key, surface.normal, surface.view, 0.38);
+    // Blend
     let highlight = clamp(vec4f(body.xyz + 0.3
         * (body.xyz + blinn_phong * vec4f(1.0, 0.9529, 0.8627, 1.0).xyz - body.xyz), 1.0),
         vec4f(0.0), vec4f(1.0));

@@ -9,6 +9,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -20,16 +21,19 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light back;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -38,12 +42,14 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     vec4 color;
     /// The tone under this light.
     float tone;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -62,14 +68,19 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
-const ProfileShape body_tone_shape = ProfileShape(0.86532396, 0.501213, 5.743557, 2.0104687, 1.05, 0.18576889, 0.077249795, 0u);
-const ProfileShape window_tone_shape = ProfileShape(0.9887711, 0.14943813, 50.003334, 8.498813, 0.3, 0.011653547, 0.0057055796, 0u);
-const ProfileShape rim_tone_shape = ProfileShape(0.9305076, 0.36627254, 10.016686, 2.4912605, 0.75, 0.09820393, 0.042312488, 0u);
+
+const ProfileShape body_tone_shape = ProfileShape(0.86532396, 0.501213, 5.743557, 2.0104687, 1.05,
+    0.18576889, 0.077249795, 0u);
+const ProfileShape window_tone_shape = ProfileShape(0.9887711, 0.14943813, 50.003334, 8.498813, 0.3,
+    0.011653547, 0.0057055796, 0u);
+const ProfileShape rim_tone_shape = ProfileShape(0.9305076, 0.36627254, 10.016686, 2.4912605, 0.75,
+    0.09820393, 0.042312488, 0u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
 
@@ -82,7 +93,7 @@ layout(location = 0) out vec4 out_color;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -91,20 +102,20 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = (u.half_sin - 0.0);
-    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
-    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - 0.0;
+    vec2 upper = u.half_cos <= 0.0 ? vec2(1.0, 0.0) : vec2(s, u.half_cos);
+    vec2 turned = (s <= 0.0 && s < u.half_cos) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4(below.xyz + tone * (color.xyz - below.xyz), 1.0), vec4(0.0), vec4(1.0));
 }
 
 /// Light on a layer
@@ -113,46 +124,47 @@ vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
-    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
+    vec3 d = 2.0 * dot(normal, view) * normal - view;
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false || is_narrow)) {
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = w > 0.0 && w >= 3.4641016 * shape.edge_deviation;
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
@@ -162,18 +174,30 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape) {
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    Angle body_angle = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
+    // Body (Light layer)
+    Angle body_angle = Angle(0.5 * length(surface.normal - u_look.key.direction), 0.5
+        * length(surface.normal + u_look.key.direction));
     float body_tone = profile_balanced(body_angle, 0.0, body_tone_shape);
     LitLayer body_lit = light_apply(u_look.key, vec4(0.2471, 0.4863, 0.7686, 1.0), body_tone);
-    vec4 body_blend = blend_alpha(vec4(0.1333, 0.1882, 0.3098, 1.0), body_lit.color, body_lit.tone, 1.0, true);
-    Angle window_angle = parametrization_specular_balanced(u_look.key, surface.normal, surface.view);
+    vec4 body_blend = blend_alpha(vec4(0.1333, 0.1882, 0.3098, 1.0), body_lit.color, body_lit.tone,
+        1.0, true);
+
+    // Window (Light layer)
+    Angle window_angle = parametrization_specular_balanced(u_look.key, surface.normal,
+        surface.view);
     float window_tone = profile_balanced(window_angle, 0.0, window_tone_shape);
     LitLayer window_lit = light_apply(u_look.key, vec4(0.9686, 0.9843, 1.0, 1.0), window_tone);
-    vec4 window_blend = clamp(vec4((body_blend.xyz + (window_lit.tone * (window_lit.color.xyz - body_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    Angle rim_angle = Angle((0.5 * length((surface.normal - u_look.back.direction))), (0.5 * length((surface.normal + u_look.back.direction))));
+    vec4 window_blend = clamp(vec4(body_blend.xyz + window_lit.tone
+        * (window_lit.color.xyz - body_blend.xyz), 1.0), vec4(0.0), vec4(1.0));
+
+    // Rim (Light layer)
+    Angle rim_angle = Angle(0.5 * length(surface.normal - u_look.back.direction), 0.5
+        * length(surface.normal + u_look.back.direction));
     float rim_tone = profile_balanced(rim_angle, 0.0, rim_tone_shape);
     LitLayer rim_lit = light_apply(u_look.back, vec4(0.2314, 0.3725, 0.5255, 1.0), rim_tone);
-    vec4 rim_blend = clamp(vec4((window_blend.xyz + (rim_lit.tone * rim_lit.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 rim_blend = clamp(vec4(window_blend.xyz + rim_lit.tone * rim_lit.color.xyz, 1.0),
+        vec4(0.0), vec4(1.0));
+
     return rim_blend;
 }
 
@@ -181,9 +205,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))));
+    vec3 normal = is_front ? facing : -facing;
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position));
     out_color = shade(surface);
-    return;
 }
-

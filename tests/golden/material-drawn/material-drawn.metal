@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,16 +36,19 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light back;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -54,6 +59,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -61,6 +67,7 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -79,18 +86,24 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
-constant ProfileShape body_tone_shape = ProfileShape {0.86532396, 0.501213, 5.743557, 2.0104687, 1.05, 0.18576889, 0.077249795, 0u};
-constant ProfileShape window_tone_shape = ProfileShape {0.9887711, 0.14943813, 50.003334, 8.498813, 0.3, 0.011653547, 0.0057055796, 0u};
-constant ProfileShape rim_tone_shape = ProfileShape {0.9305076, 0.36627254, 10.016686, 2.4912605, 0.75, 0.09820393, 0.042312488, 0u};
+
+constant ProfileShape body_tone_shape = ProfileShape {0.86532396, 0.501213, 5.743557, 2.0104687,
+    1.05, 0.18576889, 0.077249795, 0u};
+constant ProfileShape window_tone_shape = ProfileShape {0.9887711, 0.14943813, 50.003334, 8.498813,
+    0.3, 0.011653547, 0.0057055796, 0u};
+constant ProfileShape rim_tone_shape = ProfileShape {0.9305076, 0.36627254, 10.016686, 2.4912605,
+    0.75, 0.09820393, 0.042312488, 0u};
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
@@ -118,7 +131,8 @@ Angle angle_turned(
     metal::float2 t
 ) {
     float s = u.half_sin - 0.0;
-    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 upper = u.half_cos
+        <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
     metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
@@ -130,7 +144,8 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + tone * (color.xyz - below.xyz), 1.0),
+        metal::float4(0.0), metal::float4(1.0));
 }
 
 /// Light on a layer
@@ -142,8 +157,9 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_specular_balanced(
@@ -151,8 +167,9 @@ Angle parametrization_specular_balanced(
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
+    metal::float3 d = 2.0 * metal::dot(normal, view) * normal - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5
+        * metal::length(d + light.direction)};
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -161,7 +178,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -171,10 +188,10 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -184,20 +201,22 @@ float profile_filtered_quick(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -214,18 +233,31 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    Angle body_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
+    // Body (Light layer)
+    Angle body_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5
+        * metal::length(surface.normal + look.key.direction)};
     float body_tone = profile_balanced(body_angle, 0.0, body_tone_shape);
-    LitLayer body_lit = light_apply(look.key, metal::float4(0.2471, 0.4863, 0.7686, 1.0), body_tone);
-    Composite body_blend = blend_alpha(metal::float4(0.1333, 0.1882, 0.3098, 1.0), body_lit.color, body_lit.tone, 1.0, true);
+    LitLayer body_lit = light_apply(look.key, metal::float4(0.2471, 0.4863, 0.7686, 1.0),
+        body_tone);
+    Composite body_blend = blend_alpha(metal::float4(0.1333, 0.1882, 0.3098, 1.0), body_lit.color,
+        body_lit.tone, 1.0, true);
+
+    // Window (Light layer)
     Angle window_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     float window_tone = profile_balanced(window_angle, 0.0, window_tone_shape);
-    LitLayer window_lit = light_apply(look.key, metal::float4(0.9686, 0.9843, 1.0, 1.0), window_tone);
-    metal::float4 window_blend = metal::clamp(metal::float4(body_blend.xyz + (window_lit.tone * (window_lit.color.xyz - body_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Angle rim_angle = Angle {0.5 * metal::length(surface.normal - look.back.direction), 0.5 * metal::length(surface.normal + look.back.direction)};
+    LitLayer window_lit = light_apply(look.key, metal::float4(0.9686, 0.9843, 1.0, 1.0),
+        window_tone);
+    metal::float4 window_blend = metal::clamp(metal::float4(body_blend.xyz + window_lit.tone
+        * (window_lit.color.xyz - body_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+
+    // Rim (Light layer)
+    Angle rim_angle = Angle {0.5 * metal::length(surface.normal - look.back.direction), 0.5
+        * metal::length(surface.normal + look.back.direction)};
     float rim_tone = profile_balanced(rim_angle, 0.0, rim_tone_shape);
     LitLayer rim_lit = light_apply(look.back, metal::float4(0.2314, 0.3725, 0.5255, 1.0), rim_tone);
-    metal::float4 rim_blend = metal::clamp(metal::float4(window_blend.xyz + (rim_lit.tone * rim_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 rim_blend = metal::clamp(metal::float4(window_blend.xyz + rim_lit.tone
+        * rim_lit.color.xyz, 1.0), metal::float4(0.0), metal::float4(1.0));
+
     return rim_blend;
 }
 
@@ -233,11 +265,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_1 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -245,7 +279,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -254,9 +289,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -266,7 +303,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position))};
+    metal::float3 normal = is_front ? facing : -facing;
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position)};
     return fs_mainOutput { shade(surface, look) };
 }

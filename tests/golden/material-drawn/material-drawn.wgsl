@@ -150,7 +150,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -175,23 +175,29 @@ const rim_tone_shape = ProfileShape(0.9305076, 0.36627254, 10.016686, 2.4912605,
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Body (Light layer)
     let body_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
         * length(surface.normal + look.key.direction));
     let body_tone = profile_balanced(body_angle, 0.0, body_tone_shape);
     let body_lit = light_apply(look.key, vec4f(0.2471, 0.4863, 0.7686, 1.0), body_tone);
     let body_blend = blend_alpha(vec4f(0.1333, 0.1882, 0.3098, 1.0), body_lit.color, body_lit.tone,
         1.0, true);
+
+    // Window (Light layer)
     let window_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let window_tone = profile_balanced(window_angle, 0.0, window_tone_shape);
     let window_lit = light_apply(look.key, vec4f(0.9686, 0.9843, 1.0, 1.0), window_tone);
     let window_blend = clamp(vec4f(body_blend.xyz + window_lit.tone
         * (window_lit.color.xyz - body_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+
+    // Rim (Light layer)
     let rim_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
         * length(surface.normal + look.back.direction));
     let rim_tone = profile_balanced(rim_angle, 0.0, rim_tone_shape);
     let rim_lit = light_apply(look.back, vec4f(0.2314, 0.3725, 0.5255, 1.0), rim_tone);
     let rim_blend = clamp(vec4f(window_blend.xyz + rim_lit.tone * rim_lit.color.xyz, 1.0),
         vec4f(0.0), vec4f(1.0));
+
     return rim_blend;
 }
 

@@ -108,9 +108,11 @@ float exp2_stable(float x)
 {
     float clamped = max(x, -126.0);
     float whole = round(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
+    float f = clamped - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -119,28 +121,28 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (asint(bits - 1060439283u) >> 23u);
+    float mantissa = asfloat(bits - (asuint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y)
 {
-    float z = (y / (2.0 - y));
-    float z2 = (z * z);
-    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
+    float z = y / (2.0 - y);
+    float z2 = z * z;
+    return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
 }
 
 /// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
 float log1p_negative(float y)
 {
-    if ((y < 0.25)) {
+    if (y < 0.25) {
         return log1p_negative_small(y);
     }
-    return (LN_2 * log2_stable((1.0 - y)));
+    return LN_2 * log2_stable(1.0 - y);
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -148,14 +150,14 @@ float log1p_negative(float y)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
@@ -172,14 +174,15 @@ float footprint_of_vec3(float3 v)
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (1.0).xxx)) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + opacity * (below.xyz + tone * (1.0).xxx - below.xyz), 1.0),
+        (0.0).xxxx, (1.0).xxxx);
 }
 
 /// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
 float3 half_of(float3 light, float3 normal, float3 view)
 {
-    float3 half_ = (light + view);
-    return normalize_moderate(((dot(half_, half_) > 1e-12) ? half_ : normal), normal);
+    float3 half_ = light + view;
+    return normalize_moderate(dot(half_, half_) > 1e-12 ? half_ : normal, normal);
 }
 
 /// The square of the sine between two unit vectors.
@@ -206,35 +209,34 @@ Reflection reflection_of(float3 light, float3 normal, float3 view)
     float n_h = clamp(dot(normal, half_), 0.0, 1.0);
     float v_h = clamp(dot(view, half_), 0.0, 1.0);
     const float sine_squared_value = sine_squared(normal, half_);
-    const Reflection reflection = ConstructReflection(dot(normal, light), dot(normal, view), n_h, v_h, sine_squared_value);
-    return reflection;
+    return ConstructReflection(dot(normal, light), dot(normal, view), n_h, v_h, sine_squared_value);
 }
 
 /// A cosine to a power, 0 where it is negative; by the square of its sine where that has more
 /// digits.
 float cosine_power(float cosine, float sine2, float exponent)
 {
-    if ((cosine < 0.7)) {
+    if (cosine < 0.7) {
         return 0.0;
     }
-    return exp2_stable((((0.5 * exponent) * LOG2_E) * log1p_negative(min(sine2, 0.6))));
+    return exp2_stable(0.5 * exponent * LOG2_E * log1p_negative(min(sine2, 0.6)));
 }
 
 /// Fresnel's reflectance by Schlick's approximation (1994), for a cosine.
 float schlick(float at_normal, float cosine)
 {
-    float m = (1.0 - cosine);
-    float m2 = (m * m);
-    return (at_normal + ((1.0 - at_normal) * ((m2 * m2) * m)));
+    float m = 1.0 - cosine;
+    float m2 = m * m;
+    return at_normal + (1.0 - at_normal) * (m2 * m2 * m);
 }
 
 /// Share of one wavelength that a thin film reflects: 0 where the waves from both its faces cancel,
 /// 1 where they add up. `path` is the difference of both ways, in the wavelength's unit.
 float interference(float path, float wavelength)
 {
-    float x = ((PI * path) / wavelength);
+    float x = PI * path / wavelength;
     float2 half_ = float2(sin(x), cos(x));
-    return (half_.x * half_.x);
+    return half_.x * half_.x;
 }
 
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
@@ -243,21 +245,21 @@ uint3 hash_pcg3d(uint3 seed)
 {
     uint3 v = (uint3)0;
 
-    v = ((seed * 1664525u) + (1013904223u).xxx);
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + (1013904223u).xxx;
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> (16u).xxx));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
 /// The hash of a lattice point.
 uint3 lattice_hash(int3 cell, uint seed)
 {
-    return hash_pcg3d((asuint(cell) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
+    return hash_pcg3d(asuint(cell) + seed * uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 uint naga_mod(uint lhs, uint rhs) {
@@ -269,15 +271,15 @@ uint naga_mod(uint lhs, uint rhs) {
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
-    float a = ((axis == 0u) ? d.y : d.x);
-    float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 float3 fade_quintic(float3 t)
 {
-    return (((t * t) * t) * ((t * ((t * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    return t * t * t * (t * (t * 6.0 - (15.0).xxx) + (10.0).xxx);
 }
 
 int3 naga_f2i32(float3 value) {
@@ -291,7 +293,7 @@ float perlin_noise(float3 p, uint seed)
     int i = int(0);
 
     float3 corner = floor(p);
-    float3 d = (p - corner);
+    float3 d = p - corner;
     const float3 f = fade_quintic(d);
     int3 cell = naga_f2i32(corner);
     bool loop_init = true;
@@ -300,19 +302,20 @@ float perlin_noise(float3 p, uint seed)
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if ((i < int(8))) {
+        if (i < int(8)) {
         } else {
             break;
         }
         {
             int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
-            float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
-            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)), seed), (d - float3(at)));
-            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot_value));
+            float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
+                + asuint(at)), seed), d - float3(at));
+            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -333,30 +336,31 @@ float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed,
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if (!((i < int(2)))) {
+        if (!(i < int(2))) {
             break;
         }
-        float visible = (1.0 - smoothstep(0.5, 1.0, (w * frequency)));
+        float visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
         octave = 0.5;
-        if ((visible > 0.0)) {
-            float3 place = clamp(((p * frequency) + (float(i) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-            octave = lerp(0.5, perlin_noise(place, (0u + uint(i))), visible);
+        if (visible > 0.0) {
+            float3 place = clamp(p * frequency + float(i) * float3(17.31, 5.17, 11.73),
+                (-4194304.0).xxx, (4194304.0).xxx);
+            octave = lerp(0.5, perlin_noise(place, 0u + uint(i)), visible);
         }
-        sum = (sum + (strength * octave));
-        total = (total + strength);
-        strength = (strength * roughness);
-        frequency = (frequency * 2.0);
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    return min((sum / 1.5), 1.0);
+    return min(sum / 1.5, 1.0);
 }
 
 float reflectance_blinn_phong(Light light, float3 normal, float3 view, float roughness)
 {
     const Reflection r = reflection_of(light.direction, normal, view);
-    float width = (roughness * roughness);
-    float e = ((2.0 / (width * width)) - 2.0);
+    float width = roughness * roughness;
+    float e = 2.0 / (width * width) - 2.0;
     const float shine = cosine_power(r.n_h, r.sine2_, e);
-    return (((0.125 * (e + 8.0)) * shine) * max(r.n_l, 0.0));
+    return 0.125 * (e + 8.0) * shine * max(r.n_l, 0.0);
 }
 
 /// Thin film
@@ -366,14 +370,15 @@ float reflectance_blinn_phong(Light light, float3 normal, float3 view, float rou
 float4 thin_film(float thickness, float index, float3 normal, float3 view)
 {
     float cosine = clamp(dot(normal, view), 0.0, 1.0);
-    float inside = sqrt((((index - 1.0) * (index + 1.0)) + (cosine * cosine)));
-    float path = ((2.0 * thickness) * inside);
-    return float4(interference(path, 650.0), interference(path, 532.0), interference(path, 450.0), 1.0);
+    float inside = sqrt((index - 1.0) * (index + 1.0) + cosine * cosine);
+    float path = 2.0 * thickness * inside;
+    return float4(interference(path, 650.0), interference(path, 532.0), interference(path, 450.0),
+        1.0);
 }
 
 float noise_perlin(float3 position, float scale, int octaves, float roughness, int seed)
 {
-    float3 p = (position * scale);
+    float3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
@@ -381,10 +386,12 @@ float noise_perlin(float3 position, float scale, int octaves, float roughness, i
 float4 shade(Surface surface)
 {
     const float swirl = noise_perlin(surface.position_object, 1.3, int(2), 0.5, int(0));
-    float thickness = lerp(180.0, 420.0, (swirl - 0.0));
+    float thickness = lerp(180.0, 420.0, swirl - 0.0);
     const float4 film = thin_film(thickness, 1.33, surface.normal, surface.view);
+    // Fresnel
     const float glow = schlick(0.45, clamp(dot(surface.normal, surface.view), 0.0, 1.0));
-    float4 film_2 = min(float4((float3(0.0784, 0.0863, 0.1216) + (glow * film.xyz)), 1.0), (1.0).xxxx);
+    // Blend
+    float4 film_2 = min(float4(float3(0.0784, 0.0863, 0.1216) + glow * film.xyz, 1.0), (1.0).xxxx);
     const float highlight = reflectance_blinn_phong(look.key, surface.normal, surface.view, 0.22);
     const float4 highlight_on_top = blend_add(film_2, (1.0).xxxx, highlight, 0.2, true);
     return highlight_on_top;
@@ -402,8 +409,10 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        vertex.position, mul(vertex.normal, object.world_from_normal));
+    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
+        varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
@@ -417,10 +426,12 @@ Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_5 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2,
+        fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_5 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), in_.position_object);
+    float3 normal = is_front ? facing : -facing;
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        in_.position_object);
     return shade(surface);
 }

@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,16 +36,19 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
     metal::float3 position_object;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// Cosines between normal (n), light (l), view (v) and half-vector (h), of which all models are
@@ -57,16 +62,19 @@ struct Reflection {
     /// cosine has no digits left to tell how far it is.
     float sine2_;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 position_object;
     metal::float3 normal;
 };
+
 constant float PI = 3.1415927;
 constant float LN_2 = 0.6931472;
 constant float LOG2_E = 1.442695;
@@ -84,8 +92,11 @@ float exp2_stable(
     float clamped = metal::max(x, -126.0);
     float whole = metal::rint(clamped);
     float f = clamped - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole))
+        + as_type<uint>(126))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -99,7 +110,8 @@ float log2_stable(
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
-    return static_cast<float>(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379)))))));
+    return static_cast<float>(exponent) + z
+        * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
@@ -108,7 +120,7 @@ float log1p_negative_small(
 ) {
     float z = y / (2.0 - y);
     float z2 = z * z;
-    return (-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111))))))));
+    return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
 }
 
 /// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
@@ -128,7 +140,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -159,7 +172,9 @@ Composite blend_add(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * metal::float3(1.0))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + opacity
+        * (below.xyz + tone * metal::float3(1.0) - below.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
@@ -169,7 +184,7 @@ metal::float3 half_of(
     metal::float3 view
 ) {
     metal::float3 half_ = light + view;
-    return normalize_moderate((metal::dot(half_, half_) > 0.000000000001) ? half_ : normal, normal);
+    return normalize_moderate(metal::dot(half_, half_) > 0.000000000001 ? half_ : normal, normal);
 }
 
 /// The square of the sine between two unit vectors.
@@ -190,7 +205,8 @@ Reflection reflection_of(
     metal::float3 half_ = half_of(light, normal, view);
     float n_h = metal::clamp(metal::dot(normal, half_), 0.0, 1.0);
     float v_h = metal::clamp(metal::dot(view, half_), 0.0, 1.0);
-    return Reflection {metal::dot(normal, light), metal::dot(normal, view), n_h, v_h, sine_squared(normal, half_)};
+    return Reflection {metal::dot(normal, light), metal::dot(normal, view), n_h, v_h,
+        sine_squared(normal, half_)};
 }
 
 /// A cosine to a power, 0 where it is negative; by the square of its sine where that has more
@@ -203,7 +219,7 @@ float cosine_power(
     if (cosine < 0.7) {
         return 0.0;
     }
-    return exp2_stable(((0.5 * exponent) * LOG2_E) * log1p_negative(metal::min(sine2, 0.6)));
+    return exp2_stable(0.5 * exponent * LOG2_E * log1p_negative(metal::min(sine2, 0.6)));
 }
 
 /// Fresnel's reflectance by Schlick's approximation (1994), for a cosine.
@@ -213,7 +229,7 @@ float schlick(
 ) {
     float m = 1.0 - cosine;
     float m2 = m * m;
-    return at_normal + ((1.0 - at_normal) * ((m2 * m2) * m));
+    return at_normal + (1.0 - at_normal) * (m2 * m2 * m);
 }
 
 /// Share of one wavelength that a thin film reflects: 0 where the waves from both its faces cancel,
@@ -222,7 +238,7 @@ float interference(
     float path,
     float wavelength
 ) {
-    float x = (PI * path) / wavelength;
+    float x = PI * path / wavelength;
     metal::float2 half_ = metal::float2(metal::sin(x), metal::cos(x));
     return half_.x * half_.x;
 }
@@ -233,14 +249,14 @@ metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
     metal::uint3 v = {};
-    v = (seed * 1664525u) + metal::uint3(1013904223u);
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v = seed * 1664525u + metal::uint3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = v ^ (v >> metal::uint3(16u));
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -249,7 +265,8 @@ metal::uint3 lattice_hash(
     metal::int3 cell,
     uint seed
 ) {
-    return hash_pcg3d(as_type<metal::uint3>(cell) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+    return hash_pcg3d(as_type<metal::uint3>(cell) + seed
+        * metal::uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 uint naga_mod(uint lhs, uint rhs) {
@@ -263,16 +280,16 @@ float gradient_dot(
     metal::float3 d
 ) {
     uint axis = naga_mod(hash.x >> 8u, 3u);
-    float a = (axis == 0u) ? d.y : d.x;
-    float b = (axis == 2u) ? d.y : d.z;
-    return (((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 metal::float3 fade_quintic(
     metal::float3 t
 ) {
-    return ((t * t) * t) * ((t * ((t * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    return t * t * t * (t * (t * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
@@ -303,12 +320,14 @@ float perlin_noise(
         {
             metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
             metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)), seed);
-            sum = sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at)));
+            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
+                seed);
+            sum = sum + weight.x * weight.y * weight.z
+                * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return metal::clamp(0.5 + (0.48244 * sum), 0.0, 1.0);
+    return metal::clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -334,16 +353,18 @@ float fractal_noise(
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 2))) {
+        if (!(i < 2)) {
             break;
         }
         float visible = 1.0 - metal::smoothstep(0.5, 1.0, w * frequency);
         octave = 0.5;
         if (visible > 0.0) {
-            metal::float3 place = metal::clamp((p * frequency) + (static_cast<float>(i) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            metal::float3 place = metal::clamp(p * frequency + static_cast<float>(i)
+                * metal::float3(17.31, 5.17, 11.73), metal::float3(-4194304.0),
+                metal::float3(4194304.0));
             octave = metal::mix(0.5, perlin_noise(place, 0u + static_cast<uint>(i)), visible);
         }
-        sum = sum + (strength * octave);
+        sum = sum + strength * octave;
         total = total + strength;
         strength = strength * roughness;
         frequency = frequency * 2.0;
@@ -359,9 +380,9 @@ float reflectance_blinn_phong(
 ) {
     Reflection r = reflection_of(light.direction, normal, view);
     float width = roughness * roughness;
-    float e = (2.0 / (width * width)) - 2.0;
+    float e = 2.0 / (width * width) - 2.0;
     float shine = cosine_power(r.n_h, r.sine2_, e);
-    return ((0.125 * (e + 8.0)) * shine) * metal::max(r.n_l, 0.0);
+    return 0.125 * (e + 8.0) * shine * metal::max(r.n_l, 0.0);
 }
 
 /// Thin film
@@ -375,9 +396,10 @@ Color thin_film(
     metal::float3 view
 ) {
     float cosine = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
-    float inside = metal::sqrt(((index - 1.0) * (index + 1.0)) + (cosine * cosine));
-    float path = (2.0 * thickness) * inside;
-    return metal::float4(interference(path, 650.0), interference(path, 532.0), interference(path, 450.0), 1.0);
+    float inside = metal::sqrt((index - 1.0) * (index + 1.0) + cosine * cosine);
+    float path = 2.0 * thickness * inside;
+    return metal::float4(interference(path, 650.0), interference(path, 532.0),
+        interference(path, 450.0), 1.0);
 }
 
 float noise_perlin(
@@ -399,8 +421,11 @@ metal::float4 shade(
     float swirl = noise_perlin(surface.position_object, 1.3, 2, 0.5, 0);
     float thickness = metal::mix(180.0, 420.0, swirl - 0.0);
     Color film = thin_film(thickness, 1.33, surface.normal, surface.view);
+    // Fresnel
     float glow = schlick(0.45, metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0));
-    metal::float4 film_2 = metal::min(metal::float4(metal::float3(0.0784, 0.0863, 0.1216) + (glow * film.xyz), 1.0), metal::float4(1.0));
+    // Blend
+    metal::float4 film_2 = metal::min(metal::float4(metal::float3(0.0784, 0.0863, 0.1216) + glow
+        * film.xyz, 1.0), metal::float4(1.0));
     float highlight = reflectance_blinn_phong(look.key, surface.normal, surface.view, 0.22);
     Composite highlight_on_top = blend_add(film_2, metal::float4(1.0), highlight, 0.2, true);
     return highlight_on_top;
@@ -410,12 +435,14 @@ struct vs_mainInput {
     metal::float3 position_1 [[attribute(0)]];
     metal::float3 normal_4 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal [[user(loc2), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -423,7 +450,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position_1, varyings.normal_4 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position,
+        object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -433,9 +461,11 @@ struct fs_mainInput {
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal_4 [[user(loc2), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -443,9 +473,11 @@ fragment fs_mainOutput fs_main(
 , constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object, varyings_1.normal_4 };
+    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object,
+        varyings_1.normal_4 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object};
+    metal::float3 normal = is_front ? facing : -facing;
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object};
     return fs_mainOutput { shade(surface, look) };
 }

@@ -293,7 +293,9 @@ fn shade(surface: Surface) -> vec4f {
     let swirl = noise_perlin(surface.position_object, 1.3, 2i, 0.5, 0i);
     let thickness = mix(180.0, 420.0, swirl - 0.0);
     let film = thin_film(thickness, 1.33, surface.normal, surface.view);
+    // Fresnel
     let glow = schlick(0.45, clamp(dot(surface.normal, surface.view), 0.0, 1.0));
+    // Blend
     let film_2 = min(vec4f(vec4f(0.0784, 0.0863, 0.1216, 1.0).xyz + glow * film.xyz, 1.0),
         vec4f(1.0));
     let highlight = reflectance_blinn_phong(look.key, surface.normal, surface.view, 0.22);

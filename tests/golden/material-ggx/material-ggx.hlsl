@@ -93,21 +93,21 @@ struct FragmentInput_fs_main {
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
 float3 half_of(float3 light, float3 normal, float3 view)
 {
-    float3 half_ = (light + view);
-    return normalize_moderate(((dot(half_, half_) > 1e-12) ? half_ : normal), normal);
+    float3 half_ = light + view;
+    return normalize_moderate(dot(half_, half_) > 1e-12 ? half_ : normal, normal);
 }
 
 /// The square of the sine between two unit vectors.
@@ -134,16 +134,15 @@ Reflection reflection_of(float3 light, float3 normal, float3 view)
     float n_h = clamp(dot(normal, half_), 0.0, 1.0);
     float v_h = clamp(dot(view, half_), 0.0, 1.0);
     const float sine_squared_value = sine_squared(normal, half_);
-    const Reflection reflection = ConstructReflection(dot(normal, light), dot(normal, view), n_h, v_h, sine_squared_value);
-    return reflection;
+    return ConstructReflection(dot(normal, light), dot(normal, view), n_h, v_h, sine_squared_value);
 }
 
 /// Fresnel's reflectance by Schlick's approximation (1994), for a cosine.
 float schlick(float at_normal, float cosine)
 {
-    float m = (1.0 - cosine);
-    float m2 = (m * m);
-    return (at_normal + ((1.0 - at_normal) * ((m2 * m2) * m)));
+    float m = 1.0 - cosine;
+    float m2 = m * m;
+    return at_normal + (1.0 - at_normal) * (m2 * m2 * m);
 }
 
 /// Cook and Torrance's model with the GGX distribution and Smith's height-correlated shadowing
@@ -153,22 +152,30 @@ float ggx(Reflection r, float width, float at_normal)
     if (((r.n_l <= 0.0) | (r.n_v <= 0.0))) {
         return 0.0;
     }
-    float a2 = (width * width);
-    float bottom = max((r.sine2_ + ((a2 * r.n_h) * r.n_h)), 1e-12);
-    float distribution = (a2 / (bottom * bottom));
-    float toward_light = (r.n_v * sqrt((((r.n_l * r.n_l) * (1.0 - a2)) + a2)));
-    float toward_eye = (r.n_l * sqrt((((r.n_v * r.n_v) * (1.0 - a2)) + a2)));
-    float visibility = (0.5 / max((toward_light + toward_eye), 1e-9));
-    return min((((distribution * visibility) * schlick(at_normal, r.v_h)) * r.n_l), 1000000.0);
+    float a2 = width * width;
+    float bottom = max(r.sine2_ + a2 * r.n_h * r.n_h, 1e-12);
+    float distribution = a2 / (bottom * bottom);
+    float toward_light = r.n_v * sqrt(r.n_l * r.n_l * (1.0 - a2) + a2);
+    float toward_eye = r.n_l * sqrt(r.n_v * r.n_v * (1.0 - a2) + a2);
+    float visibility = 0.5 / max(toward_light + toward_eye, 1e-9);
+    return min(distribution * visibility * schlick(at_normal, r.v_h) * r.n_l, 1000000.0);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
+    // Reflectance
     float lambert = max(dot(surface.normal, look.key.direction), 0.0);
-    float4 body = float4((float3(0.0784, 0.0863, 0.1098) + (lambert * float3(0.2353, 0.2667, 0.3137))), 1.0);
-    const float ggx_2 = ggx(reflection_of(look.key.direction, surface.normal, surface.view), 0.1764, 0.85);
-    float4 highlight = clamp(float4((body.xyz + (0.5 * ((body.xyz + (ggx_2 * float3(0.9098, 0.9333, 0.9647))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    // Blend
+    float4 body = float4(float3(0.0784, 0.0863, 0.1098) + lambert * float3(0.2353, 0.2667, 0.3137),
+        1.0);
+    // Reflectance
+    const float ggx_2 = ggx(reflection_of(look.key.direction, surface.normal, surface.view), 0.1764,
+        0.85);
+    // Blend
+    float4 highlight = clamp(float4(body.xyz + 0.5
+        * (body.xyz + ggx_2 * float3(0.9098, 0.9333, 0.9647) - body.xyz), 1.0), (0.0).xxxx,
+        (1.0).xxxx);
     return highlight;
 }
 
@@ -183,7 +190,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -197,10 +205,11 @@ Surface ConstructSurface(float3 arg0, float3 arg1) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))));
+    float3 normal = is_front ? facing : -facing;
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position));
     return shade(surface);
 }

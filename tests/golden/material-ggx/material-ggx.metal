@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,15 +36,18 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
 };
+
 /// Cosines between normal (n), light (l), view (v) and half-vector (h), of which all models are
 /// made; every cosine is at least a little above 0 where it divides.
 struct Reflection {
@@ -54,10 +59,12 @@ struct Reflection {
     /// cosine has no digits left to tell how far it is.
     float sine2_;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
@@ -71,7 +78,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -89,7 +97,7 @@ metal::float3 half_of(
     metal::float3 view
 ) {
     metal::float3 half_ = light + view;
-    return normalize_moderate((metal::dot(half_, half_) > 0.000000000001) ? half_ : normal, normal);
+    return normalize_moderate(metal::dot(half_, half_) > 0.000000000001 ? half_ : normal, normal);
 }
 
 /// The square of the sine between two unit vectors.
@@ -110,7 +118,8 @@ Reflection reflection_of(
     metal::float3 half_ = half_of(light, normal, view);
     float n_h = metal::clamp(metal::dot(normal, half_), 0.0, 1.0);
     float v_h = metal::clamp(metal::dot(view, half_), 0.0, 1.0);
-    return Reflection {metal::dot(normal, light), metal::dot(normal, view), n_h, v_h, sine_squared(normal, half_)};
+    return Reflection {metal::dot(normal, light), metal::dot(normal, view), n_h, v_h,
+        sine_squared(normal, half_)};
 }
 
 /// Fresnel's reflectance by Schlick's approximation (1994), for a cosine.
@@ -120,7 +129,7 @@ float schlick(
 ) {
     float m = 1.0 - cosine;
     float m2 = m * m;
-    return at_normal + ((1.0 - at_normal) * ((m2 * m2) * m));
+    return at_normal + (1.0 - at_normal) * (m2 * m2 * m);
 }
 
 /// Cook and Torrance's model with the GGX distribution and Smith's height-correlated shadowing
@@ -134,12 +143,12 @@ float ggx(
         return 0.0;
     }
     float a2 = width * width;
-    float bottom = metal::max(r.sine2_ + ((a2 * r.n_h) * r.n_h), 0.000000000001);
+    float bottom = metal::max(r.sine2_ + a2 * r.n_h * r.n_h, 0.000000000001);
     float distribution = a2 / (bottom * bottom);
-    float toward_light = r.n_v * metal::sqrt(((r.n_l * r.n_l) * (1.0 - a2)) + a2);
-    float toward_eye = r.n_l * metal::sqrt(((r.n_v * r.n_v) * (1.0 - a2)) + a2);
+    float toward_light = r.n_v * metal::sqrt(r.n_l * r.n_l * (1.0 - a2) + a2);
+    float toward_eye = r.n_l * metal::sqrt(r.n_v * r.n_v * (1.0 - a2) + a2);
     float visibility = 0.5 / metal::max(toward_light + toward_eye, 0.000000001);
-    return metal::min(((distribution * visibility) * schlick(at_normal, r.v_h)) * r.n_l, 1000000.0);
+    return metal::min(distribution * visibility * schlick(at_normal, r.v_h) * r.n_l, 1000000.0);
 }
 
 /// The look at one point of the surface.
@@ -147,10 +156,18 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
+    // Reflectance
     float lambert = metal::max(metal::dot(surface.normal, look.key.direction), 0.0);
-    metal::float4 body = metal::float4(metal::float3(0.0784, 0.0863, 0.1098) + (lambert * metal::float3(0.2353, 0.2667, 0.3137)), 1.0);
-    float ggx_2 = ggx(reflection_of(look.key.direction, surface.normal, surface.view), 0.1764, 0.85);
-    metal::float4 highlight = metal::clamp(metal::float4(body.xyz + (0.5 * ((body.xyz + (ggx_2 * metal::float3(0.9098, 0.9333, 0.9647))) - body.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    // Blend
+    metal::float4 body = metal::float4(metal::float3(0.0784, 0.0863, 0.1098) + lambert
+        * metal::float3(0.2353, 0.2667, 0.3137), 1.0);
+    // Reflectance
+    float ggx_2 = ggx(reflection_of(look.key.direction, surface.normal, surface.view), 0.1764,
+        0.85);
+    // Blend
+    metal::float4 highlight = metal::clamp(metal::float4(body.xyz + 0.5
+        * (body.xyz + ggx_2 * metal::float3(0.9098, 0.9333, 0.9647) - body.xyz), 1.0),
+        metal::float4(0.0), metal::float4(1.0));
     return highlight;
 }
 
@@ -158,11 +175,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_2 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -170,7 +189,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -179,9 +199,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_2 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -191,7 +213,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position))};
+    metal::float3 normal = is_front ? facing : -facing;
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position)};
     return fs_mainOutput { shade(surface, look) };
 }

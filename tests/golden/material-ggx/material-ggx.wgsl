@@ -113,11 +113,15 @@ fn ggx(r: Reflection, width: f32, at_normal: f32) -> f32 {
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Reflectance
     let lambert = max(dot(surface.normal, look.key.direction), 0.0);
+    // Blend
     let body = vec4f(vec4f(0.0784, 0.0863, 0.1098, 1.0).xyz + lambert
         * vec4f(0.2353, 0.2667, 0.3137, 1.0).xyz, 1.0);
+    // Reflectance
     let ggx_2 = ggx(reflection_of(look.key.direction, surface.normal, surface.view), 0.42 * 0.42,
         0.85);
+    // Blend
     let highlight = clamp(vec4f(body.xyz + 0.5
         * (body.xyz + ggx_2 * vec4f(0.9098, 0.9333, 0.9647, 1.0).xyz - body.xyz), 1.0), vec4f(0.0),
         vec4f(1.0));

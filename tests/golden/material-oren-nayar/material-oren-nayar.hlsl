@@ -80,7 +80,7 @@ struct FragmentInput_fs_main {
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// Oren and Nayar's rough matt surface (1994, their qualitative model), for a deviation of slopes
@@ -89,25 +89,28 @@ float oren_nayar(float3 light, float3 normal, float3 view, float sigma)
 {
     float n_l = dot(normal, light);
     float n_v = dot(normal, view);
-    if ((n_l <= 0.0)) {
+    if (n_l <= 0.0) {
         return 0.0;
     }
-    float s2 = (sigma * sigma);
-    float a = (1.0 - ((0.5 * s2) / (s2 + 0.33)));
-    float b = ((0.45 * s2) / (s2 + 0.09));
+    float s2 = sigma * sigma;
+    float a = 1.0 - 0.5 * s2 / (s2 + 0.33);
+    float b = 0.45 * s2 / (s2 + 0.09);
     // `across` is the cosine of the angle between light and eye around the normal, times the sines
     // of both. The model's sin of the larger angle times tan of the smaller one is both sines over
     // the larger cosine, so that no angle is needed.
-    float across = (dot(light, view) - (n_l * n_v));
+    float across = dot(light, view) - n_l * n_v;
     float larger = max(max(n_l, n_v), 0.001);
-    return (n_l * (a + ((b * max(across, 0.0)) / larger)));
+    return n_l * (a + b * max(across, 0.0) / larger);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
+    // Reflectance
     const float oren_nayar_2 = oren_nayar(look.key.direction, surface.normal, surface.view, 0.9);
-    float4 body = min(float4((float3(0.1725, 0.1647, 0.2) + (oren_nayar_2 * float3(0.851, 0.7961, 0.698))), 1.0), (1.0).xxxx);
+    // Blend
+    float4 body = min(float4(float3(0.1725, 0.1647, 0.2) + oren_nayar_2
+        * float3(0.851, 0.7961, 0.698), 1.0), (1.0).xxxx);
     return body;
 }
 
@@ -122,7 +125,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -136,10 +140,11 @@ Surface ConstructSurface(float3 arg0, float3 arg1) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))));
+    float3 normal = is_front ? facing : -facing;
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position));
     return shade(surface);
 }

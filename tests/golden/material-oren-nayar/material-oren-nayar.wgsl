@@ -71,7 +71,9 @@ fn oren_nayar(light: vec3f, normal: vec3f, view: vec3f, sigma: f32) -> f32 {
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Reflectance
     let oren_nayar_2 = oren_nayar(look.key.direction, surface.normal, surface.view, 0.9);
+    // Blend
     let body = min(vec4f(vec4f(0.1725, 0.1647, 0.2, 1.0).xyz + oren_nayar_2
         * vec4f(0.851, 0.7961, 0.698, 1.0).xyz, 1.0), vec4f(1.0));
     return body;

@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,26 +36,31 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
+
 constant float LN_2 = 0.6931472;
 constant float LOG2_E = 1.442695;
 
@@ -69,8 +76,11 @@ float exp2_stable(
     float clamped = metal::max(x, -126.0);
     float whole = metal::rint(clamped);
     float f = clamped - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole))
+        + as_type<uint>(126))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -84,7 +94,8 @@ float log2_stable(
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
-    return static_cast<float>(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379)))))));
+    return static_cast<float>(exponent) + z
+        * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
@@ -93,7 +104,7 @@ float log1p_negative_small(
 ) {
     float z = y / (2.0 - y);
     float z2 = z * z;
-    return (-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111))))))));
+    return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
 }
 
 /// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
@@ -113,7 +124,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -134,7 +146,9 @@ Composite blend_add(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * metal::float3(1.0))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + opacity
+        * (below.xyz + tone * metal::float3(1.0) - below.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// The square of the sine between two unit vectors.
@@ -156,7 +170,7 @@ float cosine_power(
     if (cosine < 0.7) {
         return metal::pow(metal::max(cosine, 0.0), exponent);
     }
-    return exp2_stable(((0.5 * exponent) * LOG2_E) * log1p_negative(metal::min(sine2, 0.6)));
+    return exp2_stable(0.5 * exponent * LOG2_E * log1p_negative(metal::min(sine2, 0.6)));
 }
 
 float reflectance_phong(
@@ -166,11 +180,13 @@ float reflectance_phong(
     float roughness
 ) {
     float width = roughness * roughness;
-    float e = (2.0 / (width * width)) - 2.0;
+    float e = 2.0 / (width * width) - 2.0;
     float n_l = metal::max(metal::dot(normal, light.direction), 0.0);
-    metal::float3 mirrored = normalize_moderate(((2.0 * metal::dot(normal, view)) * normal) - view, normal);
-    float shine = cosine_power(metal::dot(mirrored, light.direction), sine_squared(mirrored, light.direction), e);
-    return ((0.5 * (e + 2.0)) * shine) * n_l;
+    metal::float3 mirrored = normalize_moderate(2.0 * metal::dot(normal, view) * normal - view,
+        normal);
+    float shine = cosine_power(metal::dot(mirrored, light.direction),
+        sine_squared(mirrored, light.direction), e);
+    return 0.5 * (e + 2.0) * shine * n_l;
 }
 
 /// The look at one point of the surface.
@@ -178,8 +194,11 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
+    // Reflectance
     float lambert = metal::max(metal::dot(surface.normal, look.key.direction), 0.0);
-    metal::float4 body = metal::float4(metal::float3(0.1647, 0.0706, 0.1255) + (lambert * metal::float3(0.7608, 0.2314, 0.2275)), 1.0);
+    // Blend
+    metal::float4 body = metal::float4(metal::float3(0.1647, 0.0706, 0.1255) + lambert
+        * metal::float3(0.7608, 0.2314, 0.2275), 1.0);
     float phong = reflectance_phong(look.key, surface.normal, surface.view, 0.42);
     Composite highlight = blend_add(body, metal::float4(1.0), phong, 0.32, true);
     return highlight;
@@ -189,11 +208,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_1 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -201,7 +222,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -210,9 +232,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -222,7 +246,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position))};
+    metal::float3 normal = is_front ? facing : -facing;
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position)};
     return fs_mainOutput { shade(surface, look) };
 }

@@ -141,7 +141,9 @@ fn reflectance_phong(light: Light, normal: vec3f, view: vec3f, roughness: f32) -
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Reflectance
     let lambert = max(dot(surface.normal, look.key.direction), 0.0);
+    // Blend
     let body = vec4f(vec4f(0.1647, 0.0706, 0.1255, 1.0).xyz + lambert
         * vec4f(0.7608, 0.2314, 0.2275, 1.0).xyz, 1.0);
     let phong = reflectance_phong(look.key, surface.normal, surface.view, 0.42);

@@ -13,23 +13,27 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
     vec4 tangent;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
     vec4 tangent;
 };
+
 layout(std140) uniform ViewBlock { View u_view; };
 
 layout(std140) uniform ObjectBlock { Object u_object; };
@@ -43,12 +47,13 @@ smooth out vec4 v_tangent;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal, a_tangent);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, (u_object.world_from_normal * vertex.normal), vec4((u_object.world_from_object * vec4(vertex.tangent.xyz, 0.0)).xyz, ((determinant(u_object.world_from_normal) < 0.0) ? -(vertex.tangent.w) : vertex.tangent.w)));
-    gl_Position = _tmp_return.clip;
-    v_position = _tmp_return.position;
-    v_normal = _tmp_return.normal;
-    v_tangent = _tmp_return.tangent;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, world.xyz,
+        u_object.world_from_normal * vertex.normal,
+        vec4((u_object.world_from_object * vec4(vertex.tangent.xyz, 0.0)).xyz,
+        determinant(u_object.world_from_normal) < 0.0 ? -vertex.tangent.w : vertex.tangent.w));
+    gl_Position = varyings.clip;
+    v_position = varyings.position;
+    v_normal = varyings.normal;
+    v_tangent = varyings.tangent;
 }
-

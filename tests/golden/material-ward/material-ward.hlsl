@@ -86,7 +86,7 @@ struct FragmentInput_fs_main {
 /// never happens.
 bool is_finite(float x)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
+    return (asuint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -95,16 +95,16 @@ bool is_finite(float x)
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) & (largest < 1e30)))) {
+    if (!((largest > 1e-30) & (largest < 1e30))) {
         return otherwise;
     }
-    float3 scaled = (v * (1.0 / largest));
+    float3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 int naga_f2i32(float value) {
@@ -117,9 +117,11 @@ float exp2_stable(float x)
 {
     float clamped = max(x, -126.0);
     float whole = round(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
+    float f = clamped - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -127,22 +129,22 @@ float exp2_stable(float x)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).
 float3 any_orthogonal(float3 n)
 {
-    float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (sign_ + n.z));
-    return float3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
+    float sign_ = n.z >= 0.0 ? 1.0 : -1.0;
+    float a = -1.0 / (sign_ + n.z);
+    return float3(1.0 + sign_ * n.x * n.x * a, sign_ * n.x * n.y * a, -sign_ * n.x);
 }
 
 /// Unit tangent, bitangent and normal as columns: a mesh's tangent and bitangent stood upright on a
@@ -150,12 +152,14 @@ float3 any_orthogonal(float3 n)
 /// along the normal, another one takes its place.
 float3x3 world_from_tangent(float3 tangent, float3 bitangent, float3 normal)
 {
-    float3 t = (tangent * rsqrt(max(dot(tangent, tangent), 1e-30)));
-    float3 leaning = (t - (dot(t, normal) * normal));
-    bool is_usable = (dot(leaning, leaning) > 1e-8);
+    float3 t = tangent * rsqrt(max(dot(tangent, tangent), 1e-30));
+    float3 leaning = t - dot(t, normal) * normal;
+    bool is_usable = dot(leaning, leaning) > 1e-8;
     const float3 any_orthogonal_value = any_orthogonal(normal);
-    const float3 rough = normalize_or((is_usable ? leaning : any_orthogonal_value), float3(1.0, 0.0, 0.0));
-    const float3 upright = normalize_moderate((rough - (dot(rough, normal) * normal)), float3(1.0, 0.0, 0.0));
+    const float3 rough = normalize_or(is_usable ? leaning : any_orthogonal_value,
+        float3(1.0, 0.0, 0.0));
+    const float3 upright = normalize_moderate(rough - dot(rough, normal) * normal,
+        float3(1.0, 0.0, 0.0));
     float3 b = cross(normal, upright);
     return float3x3(upright, b, normal);
 }
@@ -163,8 +167,8 @@ float3x3 world_from_tangent(float3 tangent, float3 bitangent, float3 normal)
 /// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
 float3 half_of(float3 light, float3 normal, float3 view)
 {
-    float3 half_ = (light + view);
-    return normalize_moderate(((dot(half_, half_) > 1e-12) ? half_ : normal), normal);
+    float3 half_ = light + view;
+    return normalize_moderate(dot(half_, half_) > 1e-12 ? half_ : normal, normal);
 }
 
 /// Ward's anisotropic highlight (1992, in the form of Walter 2005) with a width along each of two
@@ -178,25 +182,33 @@ float ward(float3 light, float3 normal, float3 view, float3 x_axis, float3 y_axi
     }
     const float3 half_ = half_of(light, normal, view);
     float n_h = max(dot(normal, half_), 1e-6);
-    float2 slope = (float2(dot(half_, x_axis), dot(half_, y_axis)) / (widths * n_h));
-    const float lobe = exp2_stable((-1.442695 * min(dot(slope, slope), 200.0)));
-    return ((n_l * lobe) / (widths.y * sqrt(max((n_l * n_v), 1e-6))));
+    float2 slope = float2(dot(half_, x_axis), dot(half_, y_axis)) / (widths * n_h);
+    const float lobe = exp2_stable(-1.442695 * min(dot(slope, slope), 200.0));
+    return n_l * lobe / (widths.y * sqrt(max(n_l * n_v, 1e-6)));
 }
 
-float reflectance_ward(Light light, float3 normal, float3 view, float3 tangent, float roughness, float across)
+float reflectance_ward(Light light, float3 normal, float3 view, float3 tangent, float roughness,
+    float across)
 {
     const float3x3 frame = world_from_tangent(tangent, (0.0).xxx, normal);
-    float2 widths = float2(0.25, (across * across));
+    float2 widths = float2(0.25, across * across);
     return ward(light.direction, frame[2], view, frame[0], frame[1], widths);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
+    // Reflectance
     float lambert = max(dot(surface.normal, look.key.direction), 0.0);
-    float4 body = float4((float3(0.098, 0.1059, 0.1333) + (lambert * float3(0.3529, 0.3961, 0.4392))), 1.0);
-    const float ward_2 = reflectance_ward(look.key, surface.normal, surface.view, surface.tangent, 0.5, 0.2);
-    float4 highlight = clamp(float4((body.xyz + (0.55 * ((body.xyz + (ward_2 * float3(0.9569, 0.9412, 0.902))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    // Blend
+    float4 body = float4(float3(0.098, 0.1059, 0.1333) + lambert * float3(0.3529, 0.3961, 0.4392),
+        1.0);
+    const float ward_2 = reflectance_ward(look.key, surface.normal, surface.view, surface.tangent,
+        0.5, 0.2);
+    // Blend
+    float4 highlight = clamp(float4(body.xyz + 0.55
+        * (body.xyz + ward_2 * float3(0.9569, 0.9412, 0.902) - body.xyz), 1.0), (0.0).xxxx,
+        (1.0).xxxx);
     return highlight;
 }
 
@@ -212,8 +224,12 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float4 arg3) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal), float4(mul(float4(vertex.tangent.xyz, 0.0), object.world_from_object).xyz, ((determinant(object.world_from_normal) < 0.0) ? -(vertex.tangent.w) : vertex.tangent.w)));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.tangent, varyings.clip_ };
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal),
+        float4(mul(float4(vertex.tangent.xyz, 0.0), object.world_from_object).xyz,
+        determinant(object.world_from_normal) < 0.0 ? -vertex.tangent.w : vertex.tangent.w));
+    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.tangent,
+        varyings.clip_ };
     return varyings_1;
 }
 
@@ -227,11 +243,14 @@ Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_5, fragmentinput_fs_main.tangent_3 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_5, fragmentinput_fs_main.tangent_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    const float3 normalize_moderate_value = normalize_moderate((in_.tangent.xyz - (normal * dot(normal, in_.tangent.xyz))), (0.0).xxx);
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), normalize_moderate_value);
+    float3 normal = is_front ? facing : -facing;
+    const float3 normalize_moderate_value = normalize_moderate(in_.tangent.xyz - normal
+        * dot(normal, in_.tangent.xyz), (0.0).xxx);
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        normalize_moderate_value);
     return shade(surface);
 }

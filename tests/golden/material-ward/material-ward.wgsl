@@ -145,11 +145,14 @@ fn reflectance_ward(light: Light, normal: vec3f, view: vec3f, tangent: vec3f, ro
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Reflectance
     let lambert = max(dot(surface.normal, look.key.direction), 0.0);
+    // Blend
     let body = vec4f(vec4f(0.098, 0.1059, 0.1333, 1.0).xyz + lambert
         * vec4f(0.3529, 0.3961, 0.4392, 1.0).xyz, 1.0);
     let ward_2 = reflectance_ward(look.key, surface.normal, surface.view, surface.tangent, 0.5,
         0.2);
+    // Blend
     let highlight = clamp(vec4f(body.xyz + 0.55
         * (body.xyz + ward_2 * vec4f(0.9569, 0.9412, 0.902, 1.0).xyz - body.xyz), 1.0), vec4f(0.0),
         vec4f(1.0));

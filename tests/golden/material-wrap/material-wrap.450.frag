@@ -9,6 +9,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -20,15 +21,18 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
 };
+
 /// Cosines between normal (n), light (l), view (v) and half-vector (h), of which all models are
 /// made; every cosine is at least a little above 0 where it divides.
 struct Reflection {
@@ -40,11 +44,13 @@ struct Reflection {
     /// cosine has no digits left to tell how far it is.
     float sine2_;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float LN_2 = 0.6931472;
 const float LOG2_E = 1.442695;
 
@@ -61,9 +67,11 @@ layout(location = 0) out vec4 out_color;
 float exp2_stable(float x) {
     float clamped = max(x, -126.0);
     float whole = roundEven(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+    float f = clamped - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -71,45 +79,45 @@ float exp2_stable(float x) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (int(bits - 1060439283u) >> 23u);
+    float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y) {
-    float z = (y / (2.0 - y));
-    float z2 = (z * z);
-    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
+    float z = y / (2.0 - y);
+    float z2 = z * z;
+    return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
 }
 
 /// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
 float log1p_negative(float y) {
-    if ((y < 0.25)) {
+    if (y < 0.25) {
         return log1p_negative_small(y);
     }
-    return (LN_2 * log2_stable((1.0 - y)));
+    return LN_2 * log2_stable(1.0 - y);
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
 vec3 half_of(vec3 light, vec3 normal, vec3 view) {
-    vec3 half_ = (light + view);
-    return normalize_moderate(((dot(half_, half_) > 1e-12) ? half_ : normal), normal);
+    vec3 half_ = light + view;
+    return normalize_moderate(dot(half_, half_) > 1e-12 ? half_ : normal, normal);
 }
 
 /// The square of the sine between two unit vectors.
@@ -129,26 +137,31 @@ Reflection reflection_of(vec3 light, vec3 normal, vec3 view) {
 /// A cosine to a power, 0 where it is negative; by the square of its sine where that has more
 /// digits.
 float cosine_power(float cosine, float sine2, float exponent) {
-    if ((cosine < 0.7)) {
+    if (cosine < 0.7) {
         return pow(cosine, exponent);
     }
-    return exp2_stable((((0.5 * exponent) * LOG2_E) * log1p_negative(min(sine2, 0.6))));
+    return exp2_stable(0.5 * exponent * LOG2_E * log1p_negative(min(sine2, 0.6)));
 }
 
 float reflectance_blinn_phong(Light light, vec3 normal, vec3 view, float roughness) {
     Reflection r = reflection_of(light.direction, normal, view);
-    float width = (roughness * roughness);
-    float e = ((2.0 / (width * width)) - 2.0);
+    float width = roughness * roughness;
+    float e = 2.0 / (width * width) - 2.0;
     float shine = cosine_power(r.n_h, r.sine2_, e);
-    return (((0.125 * (e + 8.0)) * shine) * max(r.n_l, 0.0));
+    return 0.125 * (e + 8.0) * shine * max(r.n_l, 0.0);
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    float wrap = max(((dot(surface.normal, u_look.key.direction) + 0.7) / 1.7), 0.0);
-    vec4 body = min(vec4((vec3(0.2902, 0.1137, 0.1333) + (wrap * vec3(0.851, 0.4706, 0.3725))), 1.0), vec4(1.0));
+    // Reflectance
+    float wrap = max((dot(surface.normal, u_look.key.direction) + 0.7) / 1.7, 0.0);
+    // Blend
+    vec4 body = min(vec4(vec3(0.2902, 0.1137, 0.1333) + wrap * vec3(0.851, 0.4706, 0.3725), 1.0),
+        vec4(1.0));
     float blinn_phong = reflectance_blinn_phong(u_look.key, surface.normal, surface.view, 0.6);
-    vec4 highlight = clamp(vec4((body.xyz + (0.25 * ((body.xyz + (blinn_phong * vec3(1.0, 0.8902, 0.8))) - body.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    // Blend
+    vec4 highlight = clamp(vec4(body.xyz + 0.25
+        * (body.xyz + blinn_phong * vec3(1.0, 0.8902, 0.8) - body.xyz), 1.0), vec4(0.0), vec4(1.0));
     return highlight;
 }
 
@@ -156,9 +169,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))));
+    vec3 normal = is_front ? facing : -facing;
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position));
     out_color = shade(surface);
-    return;
 }
-

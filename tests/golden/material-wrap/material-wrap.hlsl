@@ -101,9 +101,11 @@ float exp2_stable(float x)
 {
     float clamped = max(x, -126.0);
     float whole = round(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
+    float f = clamped - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -112,28 +114,28 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (asint(bits - 1060439283u) >> 23u);
+    float mantissa = asfloat(bits - (asuint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y)
 {
-    float z = (y / (2.0 - y));
-    float z2 = (z * z);
-    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
+    float z = y / (2.0 - y);
+    float z2 = z * z;
+    return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
 }
 
 /// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
 float log1p_negative(float y)
 {
-    if ((y < 0.25)) {
+    if (y < 0.25) {
         return log1p_negative_small(y);
     }
-    return (LN_2 * log2_stable((1.0 - y)));
+    return LN_2 * log2_stable(1.0 - y);
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -141,21 +143,21 @@ float log1p_negative(float y)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
 float3 half_of(float3 light, float3 normal, float3 view)
 {
-    float3 half_ = (light + view);
-    return normalize_moderate(((dot(half_, half_) > 1e-12) ? half_ : normal), normal);
+    float3 half_ = light + view;
+    return normalize_moderate(dot(half_, half_) > 1e-12 ? half_ : normal, normal);
 }
 
 /// The square of the sine between two unit vectors.
@@ -182,36 +184,41 @@ Reflection reflection_of(float3 light, float3 normal, float3 view)
     float n_h = clamp(dot(normal, half_), 0.0, 1.0);
     float v_h = clamp(dot(view, half_), 0.0, 1.0);
     const float sine_squared_value = sine_squared(normal, half_);
-    const Reflection reflection = ConstructReflection(dot(normal, light), dot(normal, view), n_h, v_h, sine_squared_value);
-    return reflection;
+    return ConstructReflection(dot(normal, light), dot(normal, view), n_h, v_h, sine_squared_value);
 }
 
 /// A cosine to a power, 0 where it is negative; by the square of its sine where that has more
 /// digits.
 float cosine_power(float cosine, float sine2, float exponent)
 {
-    if ((cosine < 0.7)) {
+    if (cosine < 0.7) {
         return pow(cosine, exponent);
     }
-    return exp2_stable((((0.5 * exponent) * LOG2_E) * log1p_negative(min(sine2, 0.6))));
+    return exp2_stable(0.5 * exponent * LOG2_E * log1p_negative(min(sine2, 0.6)));
 }
 
 float reflectance_blinn_phong(Light light, float3 normal, float3 view, float roughness)
 {
     const Reflection r = reflection_of(light.direction, normal, view);
-    float width = (roughness * roughness);
-    float e = ((2.0 / (width * width)) - 2.0);
+    float width = roughness * roughness;
+    float e = 2.0 / (width * width) - 2.0;
     const float shine = cosine_power(r.n_h, r.sine2_, e);
-    return (((0.125 * (e + 8.0)) * shine) * max(r.n_l, 0.0));
+    return 0.125 * (e + 8.0) * shine * max(r.n_l, 0.0);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float wrap = max(((dot(surface.normal, look.key.direction) + 0.7) / 1.7), 0.0);
-    float4 body = min(float4((float3(0.2902, 0.1137, 0.1333) + (wrap * float3(0.851, 0.4706, 0.3725))), 1.0), (1.0).xxxx);
+    // Reflectance
+    float wrap = max((dot(surface.normal, look.key.direction) + 0.7) / 1.7, 0.0);
+    // Blend
+    float4 body = min(float4(float3(0.2902, 0.1137, 0.1333) + wrap * float3(0.851, 0.4706, 0.3725),
+        1.0), (1.0).xxxx);
     const float blinn_phong = reflectance_blinn_phong(look.key, surface.normal, surface.view, 0.6);
-    float4 highlight = clamp(float4((body.xyz + (0.25 * ((body.xyz + (blinn_phong * float3(1.0, 0.8902, 0.8))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    // Blend
+    float4 highlight = clamp(float4(body.xyz + 0.25
+        * (body.xyz + blinn_phong * float3(1.0, 0.8902, 0.8) - body.xyz), 1.0), (0.0).xxxx,
+        (1.0).xxxx);
     return highlight;
 }
 
@@ -226,7 +233,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -240,10 +248,11 @@ Surface ConstructSurface(float3 arg0, float3 arg1) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_4 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_4 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))));
+    float3 normal = is_front ? facing : -facing;
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position));
     return shade(surface);
 }

@@ -151,10 +151,13 @@ fn reflectance_blinn_phong(light: Light, normal: vec3f, view: vec3f, roughness: 
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Reflectance
     let wrap = max((dot(surface.normal, look.key.direction) + 0.7) / (1.0 + 0.7), 0.0);
+    // Blend
     let body = min(vec4f(vec4f(0.2902, 0.1137, 0.1333, 1.0).xyz + wrap
         * vec4f(0.851, 0.4706, 0.3725, 1.0).xyz, 1.0), vec4f(1.0));
     let blinn_phong = reflectance_blinn_phong(look.key, surface.normal, surface.view, 0.6);
+    // Blend
     let highlight = clamp(vec4f(body.xyz + 0.25
         * (body.xyz + blinn_phong * vec4f(1.0, 0.8902, 0.8, 1.0).xyz - body.xyz), 1.0), vec4f(0.0),
         vec4f(1.0));

@@ -14,12 +14,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -33,16 +35,24 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 normal;
 };
+
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const Ramp hollow_flat_ridge = Ramp(vec4[16](vec4(0.0588, 0.1294, 0.2706, 1.0), vec4(0.1843, 0.3725, 0.5412, 1.0), vec4(0.7255, 0.7647, 0.7059, 1.0), vec4(0.9255, 0.8902, 0.7961, 1.0), vec4(0.8902, 0.749, 0.502, 1.0), vec4(0.7804, 0.4627, 0.1843, 1.0), vec4(1.0, 0.9529, 0.8627, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.25, 0.44, 0.5), vec4(0.6, 0.8, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 0u);
+const Ramp hollow_flat_ridge = Ramp(vec4[16](vec4(0.0588, 0.1294, 0.2706, 1.0),
+    vec4(0.1843, 0.3725, 0.5412, 1.0), vec4(0.7255, 0.7647, 0.7059, 1.0),
+    vec4(0.9255, 0.8902, 0.7961, 1.0), vec4(0.8902, 0.749, 0.502, 1.0),
+    vec4(0.7804, 0.4627, 0.1843, 1.0), vec4(1.0, 0.9529, 0.8627, 1.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)),
+    vec4[4](vec4(0.0, 0.25, 0.44, 0.5), vec4(0.6, 0.8, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -54,10 +64,9 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, u_object.world_from_normal
+        * vertex.normal);
+    gl_Position = varyings.clip;
+    v_normal = varyings.normal;
 }
-

@@ -84,7 +84,12 @@ struct Varyings {
 };
 
 static const float SMALLEST_NORMAL = 1.1754944e-38;
-static const Ramp hollow_flat_ridge = {{float4(0.0588, 0.1294, 0.2706, 1.0), float4(0.1843, 0.3725, 0.5412, 1.0), float4(0.7255, 0.7647, 0.7059, 1.0), float4(0.9255, 0.8902, 0.7961, 1.0), float4(0.8902, 0.749, 0.502, 1.0), float4(0.7804, 0.4627, 0.1843, 1.0), float4(1.0, 0.9529, 0.8627, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.25, 0.44, 0.5), float4(0.6, 0.8, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx}, 7u, 0u};
+static const Ramp hollow_flat_ridge = {{float4(0.0588, 0.1294, 0.2706, 1.0),
+    float4(0.1843, 0.3725, 0.5412, 1.0), float4(0.7255, 0.7647, 0.7059, 1.0),
+    float4(0.9255, 0.8902, 0.7961, 1.0), float4(0.8902, 0.749, 0.502, 1.0),
+    float4(0.7804, 0.4627, 0.1843, 1.0), float4(1.0, 0.9529, 0.8627, 1.0), (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx},
+    {float4(0.0, 0.25, 0.44, 0.5), float4(0.6, 0.8, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx}, 7u, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -107,7 +112,7 @@ struct FragmentInput_fs_main {
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -124,16 +129,16 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// a / b; 0 where b is 0.
 float divided(float a, float b)
 {
-    if ((abs(b) < SMALLEST_NORMAL)) {
+    if (abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((a / b));
+    return bounded(a / b);
 }
 
 /// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
@@ -141,8 +146,8 @@ float divided(float a, float b)
 float srgb_of_linear(float light)
 {
     float size = abs(light);
-    float value = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
-    return ((light < 0.0) ? -(value) : value);
+    float value = size <= 0.0031308 ? size * 12.92 : 1.055 * pow(size, 0.41666666) - 0.055;
+    return light < 0.0 ? -value : value;
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -152,23 +157,27 @@ float3 oklab_of_linear(float3 rgb)
     float l = pow(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
     float m = pow(dot(rgb, float3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
     float s = pow(dot(rgb, float3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
-    return float3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
+    return float3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l - 2.4285922 * m
+        + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 float3 linear_of_oklab(float3 lab)
 {
-    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    float3 cubes = float3(((l * l) * l), ((m * m) * m), ((s * s) * s));
-    return float3(dot(cubes, float3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, float3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, float3(-0.0041960864, -0.7034186, 1.7076147)));
+    float l = lab.x + 0.39633778 * lab.y + 0.21580376 * lab.z;
+    float m = lab.x - 0.105561346 * lab.y - 0.06385417 * lab.z;
+    float s = lab.x - 0.08948418 * lab.y - 1.2914855 * lab.z;
+    float3 cubes = float3(l * l * l, m * m * m, s * s * s);
+    return float3(dot(cubes, float3(4.0767417, -3.3077116, 0.23096994)),
+        dot(cubes, float3(-1.268438, 2.6097574, -0.34131938)),
+        dot(cubes, float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 float3 oklab_of_srgb(float3 coded)
 {
-    const float3 oklab_of_linear_value = oklab_of_linear(float3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    const float3 oklab_of_linear_value = oklab_of_linear(float3(pow((coded.x + 0.055) / 1.055, 2.4),
+        pow((coded.y + 0.055) / 1.055, 2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
     return oklab_of_linear_value;
 }
 
@@ -198,7 +207,9 @@ RampPlace ConstructRampPlace(float4 arg0, float4 arg1, float arg2) {
 /// The place of x on a ramp that is not stepped. Transparent black for a ramp without stops.
 RampPlace ramp_place(Ramp ramp, float x)
 {
-    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     uint i = 1u;
     uint at = 0u;
@@ -208,45 +219,51 @@ RampPlace ramp_place(Ramp ramp, float x)
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1u);
+            i = i + 1u;
         }
         loop_init = false;
-        if (!((i < 7u))) {
+        if (!(i < 7u)) {
             break;
         }
         float places_now = places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)];
-        at = ((places_now <= x) ? i : at);
+        at = places_now <= x ? i : at;
     }
-    uint after = min((at + 1u), 6u);
+    uint after = min(at + 1u, 6u);
     float place = places[min(uint(naga_div(at, 4u)), 3u)][min(uint(naga_mod(at, 4u)), 3u)];
-    const float divided_value = divided((x - place), (places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)] - place));
+    const float divided_value = divided(x - place,
+        places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)] - place);
     float t = clamp(divided_value, 0.0, 1.0);
-    const RampPlace rampplace = ConstructRampPlace(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], t);
-    return rampplace;
+    return ConstructRampPlace(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], t);
 }
 
 float4 ramp_oklab(float value, Ramp ramp)
 {
     const RampPlace place = ramp_place(ramp, value);
-    const float3 srgb_of_oklab_value = srgb_of_oklab(lerp(oklab_of_srgb(place.before.xyz), oklab_of_srgb(place.after.xyz), place.t));
-    return ((place.t <= 0.0) ? place.before : ((place.t >= 1.0) ? place.after : float4(srgb_of_oklab_value, 1.0)));
+    const float3 srgb_of_oklab_value = srgb_of_oklab(lerp(oklab_of_srgb(place.before.xyz),
+        oklab_of_srgb(place.after.xyz), place.t));
+    return place.t <= 0.0 ? place.before : (place.t
+        >= 1.0 ? place.after : float4(srgb_of_oklab_value, 1.0));
 }
 
 float reflectance_half_lambert(Light light, float3 normal)
 {
-    float half_ = (0.5 + (0.5 * dot(normal, light.direction)));
-    return min((half_ * half_), 1.0);
+    float half_ = 0.5 + 0.5 * dot(normal, light.direction);
+    return min(half_ * half_, 1.0);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
     float curvature = surface.kappa;
-    float from_hollow_to_ridge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.045), -20.0, 20.0))))))));
+    // Curvature transition
+    float from_hollow_to_ridge = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(curvature * 0.045, -20.0, 20.0))));
     const float4 base = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
     const float half_lambert = reflectance_half_lambert(look.key, surface.normal);
-    float in_the_dark = (1.0 - half_lambert);
-    float4 shade_2 = clamp(float4((base.xyz * lerp((1.0).xxx, float3(0.42, 0.4, 0.55), in_the_dark)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float in_the_dark = 1.0 - half_lambert;
+    // Blend
+    float4 shade_2 = clamp(float4(base.xyz * lerp((1.0).xxx, float3(0.42, 0.4, 0.55), in_the_dark),
+        1.0), (0.0).xxxx, (1.0).xxxx);
     return shade_2;
 }
 
@@ -260,7 +277,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world),
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -281,7 +299,8 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    Surface surface = ConstructSurface(normal, curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0))).x);
+    float3 normal = is_front ? facing : -facing;
+    Surface surface = ConstructSurface(normal,
+        curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0))).x);
     return shade(surface);
 }

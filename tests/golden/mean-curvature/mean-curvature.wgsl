@@ -182,12 +182,14 @@ const hollow_flat_ridge = Ramp(array(vec4f(0.0588, 0.1294, 0.2706, 1.0), vec4f(0
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let curvature = surface.kappa;
+    // Curvature transition
     let from_hollow_to_ridge = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(curvature * 0.045, -20.0, 20.0))));
     let hollow_flat_ridge_2 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
     let base = hollow_flat_ridge_2;
     let half_lambert = reflectance_half_lambert(look.key, surface.normal);
     let in_the_dark = 1.0 - half_lambert;
+    // Blend
     let shade_2 = clamp(vec4f(base.xyz
         * mix(vec3f(1.0), vec4f(0.42, 0.4, 0.55, 1.0).xyz, in_the_dark), 1.0), vec4f(0.0),
         vec4f(1.0));

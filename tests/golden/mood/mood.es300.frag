@@ -13,6 +13,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -24,6 +25,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -42,6 +44,7 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 /// What is known before the fragment.
 struct Look {
     vec4 back_light_color_convex;
@@ -54,11 +57,13 @@ struct Look {
     ProfileShape body_tone_shape;
     vec4 shadow;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -67,17 +72,20 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     vec4 color;
     /// The tone under this light.
     float tone;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float LOG2_E = 1.442695;
 const uint PROFILE_STEP = 1u;
 const uint PROFILE_AMBIENT = 2u;
@@ -99,14 +107,14 @@ vec4 finite_vec4(vec4 v) {
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// log2(1 - y) for y in [0, 1): a series near 0, where 1 - y would round y away, else the
 /// hardware's; -100 at 1.
 float log2_one_minus(float y) {
-    float series = ((-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2)))))))));
-    return ((y < 0.0625) ? series : log2(max((1.0 - y), 7.888609e-31)));
+    float series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.33333334 + y * (0.25 + y * 0.2))));
+    return y < 0.0625 ? series : log2(max(1.0 - y, 7.888609e-31));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -115,32 +123,32 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = (u.half_sin - 0.0);
-    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
-    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - 0.0;
+    vec2 upper = u.half_cos <= 0.0 ? vec2(1.0, 0.0) : vec2(s, u.half_cos);
+    vec2 turned = (s <= 0.0 && s < u.half_cos) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
 /// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
 /// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped) {
-    if ((opacity <= 0.0)) {
+    if (opacity <= 0.0) {
         return below;
     }
-    vec4 mixed = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
+    vec4 mixed = vec4(below.xyz + opacity * (blended - below.xyz), alpha);
     return clamp(mixed, vec4(0.0), vec4(1.0));
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    float a = (opacity * color.w);
-    float alpha = (below.w + ((tone * a) * (1.0 - below.w)));
-    return blend_finish(below, (below.xyz + (tone * (color.xyz - below.xyz))), alpha, a, clamped);
+    float a = opacity * color.w;
+    float alpha = below.w + tone * a * (1.0 - below.w);
+    return blend_finish(below, below.xyz + tone * (color.xyz - below.xyz), alpha, a, clamped);
 }
 
 /// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
@@ -155,64 +163,65 @@ vec2 light_split(float intensity) {
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = light_split(light.intensity);
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), color.w), (tone * split.x));
+    return LitLayer(vec4(color.xyz * light.color * split.y, color.w), tone * split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
-    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
+    vec3 d = 2.0 * dot(normal, view) * normal - view;
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// [`profile_power`] by the hardware's logarithm and exponential, but for a series where the
 /// exponent would amplify their errors.
 float profile_power_quick(float q, float exponent) {
-    float y = min((q * q), 1.0);
-    float power = exp2(max((exponent * log2_one_minus(y)), -126.0));
-    return ((q >= 1.0) ? 0.0 : clamp(power, 0.0, 1.0));
+    float y = min(q * q, 1.0);
+    float power = exp2(max(exponent * log2_one_minus(y), -126.0));
+    return q >= 1.0 ? 0.0 : clamp(power, 0.0, 1.0);
 }
 
 /// Sine and cosine of half the angle from tau to u.
 vec2 profile_place(Angle u, ProfileShape shape) {
-    return vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    return vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float profile_power_quick_value = profile_power_quick((s * shape.scale), shape.exponent);
-    return ((s <= 0.0) ? 1.0 : profile_power_quick_value);
+    float profile_power_quick_value = profile_power_quick(s * shape.scale, shape.exponent);
+    return s <= 0.0 ? 1.0 : profile_power_quick_value;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
     // 2 asin(s) by its series: the ramp is narrow.
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / max(width, 1e-6))), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / max(width, 1e-6), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    if ((shape.kind == PROFILE_AMBIENT)) {
+    if (shape.kind == PROFILE_AMBIENT) {
         return 1.0;
     }
     vec2 place = profile_place(u, shape);
-    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
-    if (((shape.kind == PROFILE_STEP) || is_narrow)) {
+    bool is_narrow = w > 0.0 && w >= 3.4641016 * shape.edge_deviation;
+    if (shape.kind == PROFILE_STEP || is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     // Half of the quadrature's reach is below 0.1.
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
@@ -222,19 +231,36 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape) {
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    Angle body_angle = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
+    // Body (Light layer)
+    Angle body_angle = Angle(0.5 * length(surface.normal - u_look.key.direction), 0.5
+        * length(surface.normal + u_look.key.direction));
     float body_tone = profile_balanced(body_angle, 0.0, u_look.body_tone_shape);
     LitLayer body_lit = light_apply(u_look.key, u_look.body_color_convex, body_tone);
-    vec4 body_blend = blend_finish(u_look.shadow, (u_look.shadow.xyz + (body_lit.tone * (body_lit.color.xyz - u_look.shadow.xyz))), (u_look.shadow.w + ((body_lit.tone * body_lit.color.w) * (1.0 - u_look.shadow.w))), body_lit.color.w, true);
-    Angle highlight_angle = parametrization_specular_balanced(u_look.key, surface.normal, surface.view);
+    vec4 body_blend = blend_finish(u_look.shadow, u_look.shadow.xyz + body_lit.tone
+        * (body_lit.color.xyz - u_look.shadow.xyz), u_look.shadow.w + body_lit.tone
+        * body_lit.color.w * (1.0 - u_look.shadow.w), body_lit.color.w, true);
+
+    // Highlight (Light layer)
+    Angle highlight_angle = parametrization_specular_balanced(u_look.key, surface.normal,
+        surface.view);
     float highlight_tone = profile_balanced(highlight_angle, 0.0, u_look.highlight_tone_shape);
     LitLayer highlight_lit = light_apply(u_look.key, u_look.highlight_color_convex, highlight_tone);
-    vec4 highlight_blend = blend_alpha(body_blend, highlight_lit.color, highlight_lit.tone, 0.7, true);
-    Angle back_light_angle = Angle((0.5 * length((surface.normal - u_look.back.direction))), (0.5 * length((surface.normal + u_look.back.direction))));
+    vec4 highlight_blend = blend_alpha(body_blend, highlight_lit.color, highlight_lit.tone, 0.7,
+        true);
+
+    // Back-light (Light layer)
+    Angle back_light_angle = Angle(0.5 * length(surface.normal - u_look.back.direction), 0.5
+        * length(surface.normal + u_look.back.direction));
     float back_light_tone = profile_balanced(back_light_angle, 0.0, u_look.back_light_tone_shape);
-    LitLayer back_light_lit = light_apply(u_look.back, u_look.back_light_color_convex, back_light_tone);
-    vec4 back_light_blend = blend_finish(highlight_blend, (highlight_blend.xyz + (back_light_lit.tone * back_light_lit.color.xyz)), highlight_blend.w, back_light_lit.color.w, true);
-    vec4 output_ = finite_vec4(((back_light_blend.w <= 0.0) ? back_light_blend : vec4((back_light_blend.xyz / vec3(back_light_blend.w)), back_light_blend.w)));
+    LitLayer back_light_lit = light_apply(u_look.back, u_look.back_light_color_convex,
+        back_light_tone);
+    vec4 back_light_blend = blend_finish(highlight_blend, highlight_blend.xyz
+        + back_light_lit.tone * back_light_lit.color.xyz, highlight_blend.w, back_light_lit.color.w,
+        true);
+
+    vec4 output_ = finite_vec4(back_light_blend.w
+        <= 0.0 ? back_light_blend : vec4(back_light_blend.xyz / vec3(back_light_blend.w),
+        back_light_blend.w));
     return output_;
 }
 
@@ -242,9 +268,7 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))));
+    vec3 normal = is_front ? facing : -facing;
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position));
     out_color = finite_vec4(shade(surface));
-    return;
 }
-

@@ -233,6 +233,7 @@ fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Body (Light layer)
     let body_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
         * length(surface.normal + look.key.direction));
     let body_tone = profile_balanced(body_angle, 0.0, look.body_tone_shape);
@@ -240,17 +241,22 @@ fn shade(surface: Surface) -> vec4f {
     let body_blend = blend_finish(look.shadow, look.shadow.xyz + body_lit.tone
         * (body_lit.color.xyz - look.shadow.xyz), look.shadow.w + body_lit.tone * body_lit.color.w
         * (1.0 - look.shadow.w), body_lit.color.w, true);
+
+    // Highlight (Light layer)
     let highlight_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let highlight_tone = profile_balanced(highlight_angle, 0.0, look.highlight_tone_shape);
     let highlight_lit = light_apply(look.key, look.highlight_color_convex, highlight_tone);
     let highlight_blend = blend_alpha(body_blend, highlight_lit.color, highlight_lit.tone, 0.7,
         true);
+
+    // Back-light (Light layer)
     let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5
         * length(surface.normal + look.back.direction));
     let back_light_tone = profile_balanced(back_light_angle, 0.0, look.back_light_tone_shape);
     let back_light_lit = light_apply(look.back, look.back_light_color_convex, back_light_tone);
     let back_light_blend = blend_finish(highlight_blend, highlight_blend.xyz + back_light_lit.tone
         * back_light_lit.color.xyz, highlight_blend.w, back_light_lit.color.w, true);
+
     let output = finite_vec4(select(vec4f(back_light_blend.xyz / back_light_blend.w,
         back_light_blend.w), back_light_blend, back_light_blend.w <= 0.0));
     return output;

@@ -9,12 +9,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -33,20 +35,25 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float LOG2_E = 1.442695;
 const uint PROFILE_STEP = 1u;
 const uint PROFILE_AMBIENT = 2u;
-const ProfileShape highlight_tone_shape = ProfileShape(0.9950042, 0.099833414, 6.6917324, 4.960133, 0.2, 0.11088749, 0.05215291, 0u);
-const ProfileShape back_light_tone_shape = ProfileShape(0.9553365, 0.29552022, 5.743557, 2.0104687, 0.6, 0.18576889, 0.077249795, 0u);
+const ProfileShape highlight_tone_shape = ProfileShape(0.9950042, 0.099833414, 6.6917324, 4.960133,
+    0.2, 0.11088749, 0.05215291, 0u);
+const ProfileShape back_light_tone_shape = ProfileShape(0.9553365, 0.29552022, 5.743557, 2.0104687,
+    0.6, 0.18576889, 0.077249795, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -59,11 +66,10 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_position = _tmp_return.position;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, world.xyz,
+        u_object.world_from_normal * vertex.normal);
+    gl_Position = varyings.clip;
+    v_position = varyings.position;
+    v_normal = varyings.normal;
 }
-

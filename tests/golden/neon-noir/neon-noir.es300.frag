@@ -14,6 +14,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -25,18 +26,21 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light magenta;
     Light cyan;
     Light street;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     float kappa;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -45,12 +49,14 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     vec4 color;
     /// The tone under this light.
     float tone;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -69,15 +75,21 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
-const ProfileShape the_room_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.4670527, 1.5580629, 0.1, 0.827969, 0.34274614, 0u);
-const ProfileShape magenta_haze_tone_shape = ProfileShape(0.9887711, 0.14943813, 2.0858297, 1.974287, 0.3, 0.5228124, 0.22054322, 0u);
-const ProfileShape magenta_tube_tone_shape = ProfileShape(0.95233357, 0.30505863, 8.353367, 2.4874215, 0.62, 0.117860116, 0.05078552, 0u);
-const ProfileShape wet_magenta_tone_shape = ProfileShape(0.9887711, 0.14943813, 5.0334897, 2.4651666, 0.3, 0.19658314, 0.08474467, 0u);
+
+const ProfileShape the_room_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.4670527, 1.5580629,
+    0.1, 0.827969, 0.34274614, 0u);
+const ProfileShape magenta_haze_tone_shape = ProfileShape(0.9887711, 0.14943813, 2.0858297,
+    1.974287, 0.3, 0.5228124, 0.22054322, 0u);
+const ProfileShape magenta_tube_tone_shape = ProfileShape(0.95233357, 0.30505863, 8.353367,
+    2.4874215, 0.62, 0.117860116, 0.05078552, 0u);
+const ProfileShape wet_magenta_tone_shape = ProfileShape(0.9887711, 0.14943813, 5.0334897,
+    2.4651666, 0.3, 0.19658314, 0.08474467, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -92,15 +104,17 @@ layout(location = 0) out vec4 out_color;
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 vec2 sin_cos_quick(float x) {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return vec2(s, c);
 }
 
@@ -110,18 +124,18 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    vec2 upper = c <= 0.0 ? vec2(1.0, 0.0) : vec2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
+    vec2 turned = (s <= 0.0 && s < c) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -129,14 +143,14 @@ Angle angle_turned(Angle u, vec2 t) {
 ///
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 /// Blend
 ///
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + (tone * color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4(below.xyz + tone * color.xyz, 1.0), vec4(0.0), vec4(1.0));
 }
 
 /// Light on a layer
@@ -145,118 +159,158 @@ vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) 
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_diffuse_balanced(Light light, vec3 normal) {
-    return Angle((0.5 * length((normal - light.direction))), (0.5 * length((normal + light.direction))));
+    return Angle(0.5 * length(normal - light.direction), 0.5 * length(normal + light.direction));
 }
 
 Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
-    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
+    vec3 d = 2.0 * dot(normal, view) * normal - view;
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_2(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false || is_narrow)) {
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = w > 0.0 && w >= 3.4641016 * shape.edge_deviation;
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
-    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
-    Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    float wet_magenta_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
-    vec4 the_room_color = curvature_color(wet_magenta_convexity, vec4(0.0706, 0.0627, 0.1647, 1.0), vec4(0.0196, 0.0157, 0.0627, 1.0));
+    // The room (Light layer)
+    float wet_magenta_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    vec4 the_room_color = curvature_color(wet_magenta_convexity, vec4(0.0706, 0.0627, 0.1647, 1.0),
+        vec4(0.0196, 0.0157, 0.0627, 1.0));
     Angle the_room_angle = parametrization_diffuse_balanced(u_look.street, surface.normal);
-    float the_room_warp = (((2.0 * wet_magenta_convexity) - 1.0) * 0.2);
+    float the_room_warp = (2.0 * wet_magenta_convexity - 1.0) * 0.2;
     float the_room_tone = profile_balanced(the_room_angle, the_room_warp, the_room_tone_shape);
     LitLayer the_room_lit = light_apply(u_look.street, the_room_color, the_room_tone);
-    vec4 the_room_blend = blend_add(vec4(0.0157, 0.0118, 0.0353, 1.0), the_room_lit.color, the_room_lit.tone, 1.0, true);
-    vec4 cyan_haze_color = curvature_color(wet_magenta_convexity, vec4(0.0471, 0.2275, 0.3373, 1.0), vec4(0.0235, 0.0941, 0.1804, 1.0));
+    vec4 the_room_blend = blend_add(vec4(0.0157, 0.0118, 0.0353, 1.0), the_room_lit.color,
+        the_room_lit.tone, 1.0, true);
+
+    // Cyan haze (Light layer)
+    vec4 cyan_haze_color = curvature_color(wet_magenta_convexity, vec4(0.0471, 0.2275, 0.3373, 1.0),
+        vec4(0.0235, 0.0941, 0.1804, 1.0));
     Angle cyan_tube_angle = parametrization_diffuse_balanced(u_look.cyan, surface.normal);
-    float magenta_haze_warp = (((2.0 * wet_magenta_convexity) - 1.0) * 0.15);
-    float cyan_haze_tone = profile_balanced(cyan_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
+    float magenta_haze_warp = (2.0 * wet_magenta_convexity - 1.0) * 0.15;
+    float cyan_haze_tone = profile_balanced(cyan_tube_angle, magenta_haze_warp,
+        magenta_haze_tone_shape);
     LitLayer cyan_haze_lit = light_apply(u_look.cyan, cyan_haze_color, cyan_haze_tone);
-    vec4 cyan_haze_blend = blend_add(the_room_blend, cyan_haze_lit.color, cyan_haze_lit.tone, 1.0, true);
-    vec4 magenta_haze_color = curvature_color(wet_magenta_convexity, vec4(0.2902, 0.0471, 0.2667, 1.0), vec4(0.1098, 0.0235, 0.149, 1.0));
+    vec4 cyan_haze_blend = blend_add(the_room_blend, cyan_haze_lit.color, cyan_haze_lit.tone, 1.0,
+        true);
+
+    // Magenta haze (Light layer)
+    vec4 magenta_haze_color = curvature_color(wet_magenta_convexity,
+        vec4(0.2902, 0.0471, 0.2667, 1.0), vec4(0.1098, 0.0235, 0.149, 1.0));
     Angle magenta_tube_angle = parametrization_diffuse_balanced(u_look.magenta, surface.normal);
-    float magenta_haze_tone = profile_balanced(magenta_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
+    float magenta_haze_tone = profile_balanced(magenta_tube_angle, magenta_haze_warp,
+        magenta_haze_tone_shape);
     LitLayer magenta_haze_lit = light_apply(u_look.magenta, magenta_haze_color, magenta_haze_tone);
-    vec4 magenta_haze_blend = blend_add(cyan_haze_blend, magenta_haze_lit.color, magenta_haze_lit.tone, 1.0, true);
-    float magenta_tube_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.25), -20.0, 20.0))))))));
-    vec4 cyan_tube_color = curvature_color(magenta_tube_convexity, vec4(0.1333, 0.902, 1.0, 1.0), vec4(0.0392, 0.4157, 0.6039, 1.0));
-    float magenta_tube_warp = (((2.0 * magenta_tube_convexity) - 1.0) * 0.25);
-    float cyan_tube_tone = profile_balanced_2(cyan_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
+    vec4 magenta_haze_blend = blend_add(cyan_haze_blend, magenta_haze_lit.color,
+        magenta_haze_lit.tone, 1.0, true);
+
+    // Cyan tube (Light layer)
+    float magenta_tube_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.25, -20.0, 20.0))));
+    vec4 cyan_tube_color = curvature_color(magenta_tube_convexity, vec4(0.1333, 0.902, 1.0, 1.0),
+        vec4(0.0392, 0.4157, 0.6039, 1.0));
+    float magenta_tube_warp = (2.0 * magenta_tube_convexity - 1.0) * 0.25;
+    float cyan_tube_tone = profile_balanced_2(cyan_tube_angle, magenta_tube_warp,
+        magenta_tube_tone_shape);
     LitLayer cyan_tube_lit = light_apply(u_look.cyan, cyan_tube_color, cyan_tube_tone);
-    vec4 cyan_tube_blend = blend_add(magenta_haze_blend, cyan_tube_lit.color, cyan_tube_lit.tone, 1.0, true);
-    vec4 magenta_tube_color = curvature_color(magenta_tube_convexity, vec4(1.0, 0.1725, 0.6588, 1.0), vec4(0.5255, 0.0627, 0.4784, 1.0));
-    float magenta_tube_tone = profile_balanced_2(magenta_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
+    vec4 cyan_tube_blend = blend_add(magenta_haze_blend, cyan_tube_lit.color, cyan_tube_lit.tone,
+        1.0, true);
+
+    // Magenta tube (Light layer)
+    vec4 magenta_tube_color = curvature_color(magenta_tube_convexity,
+        vec4(1.0, 0.1725, 0.6588, 1.0), vec4(0.5255, 0.0627, 0.4784, 1.0));
+    float magenta_tube_tone = profile_balanced_2(magenta_tube_angle, magenta_tube_warp,
+        magenta_tube_tone_shape);
     LitLayer magenta_tube_lit = light_apply(u_look.magenta, magenta_tube_color, magenta_tube_tone);
-    vec4 magenta_tube_blend = blend_add(cyan_tube_blend, magenta_tube_lit.color, magenta_tube_lit.tone, 1.0, true);
-    vec4 wet_cyan_color = curvature_color(wet_magenta_convexity, vec4(0.2275, 0.6588, 0.7843, 1.0), vec4(0.0627, 0.2902, 0.4157, 1.0));
-    Angle wet_cyan_angle = parametrization_specular_balanced(u_look.cyan, surface.normal, surface.view);
-    float wet_magenta_warp = (((2.0 * wet_magenta_convexity) - 1.0) * 0.1);
-    float wet_cyan_tone = profile_balanced_2(wet_cyan_angle, wet_magenta_warp, wet_magenta_tone_shape);
+    vec4 magenta_tube_blend = blend_add(cyan_tube_blend, magenta_tube_lit.color,
+        magenta_tube_lit.tone, 1.0, true);
+
+    // Wet, cyan (Light layer)
+    vec4 wet_cyan_color = curvature_color(wet_magenta_convexity, vec4(0.2275, 0.6588, 0.7843, 1.0),
+        vec4(0.0627, 0.2902, 0.4157, 1.0));
+    Angle wet_cyan_angle = parametrization_specular_balanced(u_look.cyan, surface.normal,
+        surface.view);
+    float wet_magenta_warp = (2.0 * wet_magenta_convexity - 1.0) * 0.1;
+    float wet_cyan_tone = profile_balanced_2(wet_cyan_angle, wet_magenta_warp,
+        wet_magenta_tone_shape);
     LitLayer wet_cyan_lit = light_apply(u_look.cyan, wet_cyan_color, wet_cyan_tone);
-    vec4 wet_cyan_blend = blend_add(magenta_tube_blend, wet_cyan_lit.color, wet_cyan_lit.tone, 1.0, true);
-    vec4 wet_magenta_color = curvature_color(wet_magenta_convexity, vec4(0.7843, 0.2275, 0.6039, 1.0), vec4(0.3529, 0.0627, 0.3765, 1.0));
-    Angle wet_magenta_angle = parametrization_specular_balanced(u_look.magenta, surface.normal, surface.view);
-    float wet_magenta_tone = profile_balanced_2(wet_magenta_angle, wet_magenta_warp, wet_magenta_tone_shape);
+    vec4 wet_cyan_blend = blend_add(magenta_tube_blend, wet_cyan_lit.color, wet_cyan_lit.tone, 1.0,
+        true);
+
+    // Wet, magenta (Light layer)
+    vec4 wet_magenta_color = curvature_color(wet_magenta_convexity,
+        vec4(0.7843, 0.2275, 0.6039, 1.0), vec4(0.3529, 0.0627, 0.3765, 1.0));
+    Angle wet_magenta_angle = parametrization_specular_balanced(u_look.magenta, surface.normal,
+        surface.view);
+    float wet_magenta_tone = profile_balanced_2(wet_magenta_angle, wet_magenta_warp,
+        wet_magenta_tone_shape);
     LitLayer wet_magenta_lit = light_apply(u_look.magenta, wet_magenta_color, wet_magenta_tone);
-    vec4 wet_magenta_blend = blend_add(wet_cyan_blend, wet_magenta_lit.color, wet_magenta_lit.tone, 1.0, true);
+    vec4 wet_magenta_blend = blend_add(wet_cyan_blend, wet_magenta_lit.color, wet_magenta_lit.tone,
+        1.0, true);
+
     return wet_magenta_blend;
 }
 
@@ -264,10 +318,9 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), texel.x);
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position),
+        texel.x);
     out_color = shade(surface);
-    return;
 }
-

@@ -99,10 +99,14 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-static const ProfileShape the_room_tone_shape = {0.99875027, 0.04997917, 1.4670527, 1.5580629, 0.1, 0.827969, 0.34274614, 0u};
-static const ProfileShape magenta_haze_tone_shape = {0.9887711, 0.14943813, 2.0858297, 1.974287, 0.3, 0.5228124, 0.22054322, 0u};
-static const ProfileShape magenta_tube_tone_shape = {0.95233357, 0.30505863, 8.353367, 2.4874215, 0.62, 0.117860116, 0.05078552, 0u};
-static const ProfileShape wet_magenta_tone_shape = {0.9887711, 0.14943813, 5.0334897, 2.4651666, 0.3, 0.19658314, 0.08474467, 0u};
+static const ProfileShape the_room_tone_shape = {0.99875027, 0.04997917, 1.4670527, 1.5580629, 0.1,
+    0.827969, 0.34274614, 0u};
+static const ProfileShape magenta_haze_tone_shape = {0.9887711, 0.14943813, 2.0858297, 1.974287,
+    0.3, 0.5228124, 0.22054322, 0u};
+static const ProfileShape magenta_tube_tone_shape = {0.95233357, 0.30505863, 8.353367, 2.4874215,
+    0.62, 0.117860116, 0.05078552, 0u};
+static const ProfileShape wet_magenta_tone_shape = {0.9887711, 0.14943813, 5.0334897, 2.4651666,
+    0.3, 0.19658314, 0.08474467, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -126,16 +130,18 @@ struct FragmentInput_fs_main {
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return float2(s, c);
 }
 
@@ -146,7 +152,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -160,14 +166,13 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
-    return angle_2;
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// Convex/concave color
@@ -175,7 +180,7 @@ Angle angle_turned(Angle u, float2 t)
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 /// Blend
@@ -183,7 +188,7 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (tone * color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + tone * color.xyz, 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -200,130 +205,171 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_diffuse_balanced(Light light, float3 normal)
 {
-    const Angle angle_3 = ConstructAngle((0.5 * length((normal - light.direction))), (0.5 * length((normal + light.direction))));
-    return angle_3;
+    return ConstructAngle(0.5 * length(normal - light.direction), 0.5
+        * length(normal + light.direction));
 }
 
 Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_4 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
-    return angle_4;
+    float3 d = 2.0 * dot(normal, view) * normal - view;
+    return ConstructAngle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
 float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float wet_magenta_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.2), -20.0, 20.0))))))));
-    const float4 the_room_color = curvature_color(wet_magenta_convexity, float4(0.0706, 0.0627, 0.1647, 1.0), float4(0.0196, 0.0157, 0.0627, 1.0));
+    // The room (Light layer)
+    float wet_magenta_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    const float4 the_room_color = curvature_color(wet_magenta_convexity,
+        float4(0.0706, 0.0627, 0.1647, 1.0), float4(0.0196, 0.0157, 0.0627, 1.0));
     const Angle the_room_angle = parametrization_diffuse_balanced(look.street, surface.normal);
-    float the_room_warp = (((2.0 * wet_magenta_convexity) - 1.0) * 0.2);
-    const float the_room_tone = profile_balanced(the_room_angle, the_room_warp, the_room_tone_shape);
+    float the_room_warp = (2.0 * wet_magenta_convexity - 1.0) * 0.2;
+    const float the_room_tone = profile_balanced(the_room_angle, the_room_warp,
+        the_room_tone_shape);
     const LitLayer the_room_lit = light_apply(look.street, the_room_color, the_room_tone);
-    const float4 the_room_blend = blend_add(float4(0.0157, 0.0118, 0.0353, 1.0), the_room_lit.color, the_room_lit.tone, 1.0, true);
-    const float4 cyan_haze_color = curvature_color(wet_magenta_convexity, float4(0.0471, 0.2275, 0.3373, 1.0), float4(0.0235, 0.0941, 0.1804, 1.0));
+    const float4 the_room_blend = blend_add(float4(0.0157, 0.0118, 0.0353, 1.0), the_room_lit.color,
+        the_room_lit.tone, 1.0, true);
+
+    // Cyan haze (Light layer)
+    const float4 cyan_haze_color = curvature_color(wet_magenta_convexity,
+        float4(0.0471, 0.2275, 0.3373, 1.0), float4(0.0235, 0.0941, 0.1804, 1.0));
     const Angle cyan_tube_angle = parametrization_diffuse_balanced(look.cyan, surface.normal);
-    float magenta_haze_warp = (((2.0 * wet_magenta_convexity) - 1.0) * 0.15);
-    const float cyan_haze_tone = profile_balanced(cyan_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
+    float magenta_haze_warp = (2.0 * wet_magenta_convexity - 1.0) * 0.15;
+    const float cyan_haze_tone = profile_balanced(cyan_tube_angle, magenta_haze_warp,
+        magenta_haze_tone_shape);
     const LitLayer cyan_haze_lit = light_apply(look.cyan, cyan_haze_color, cyan_haze_tone);
-    const float4 cyan_haze_blend = blend_add(the_room_blend, cyan_haze_lit.color, cyan_haze_lit.tone, 1.0, true);
-    const float4 magenta_haze_color = curvature_color(wet_magenta_convexity, float4(0.2902, 0.0471, 0.2667, 1.0), float4(0.1098, 0.0235, 0.149, 1.0));
+    const float4 cyan_haze_blend = blend_add(the_room_blend, cyan_haze_lit.color,
+        cyan_haze_lit.tone, 1.0, true);
+
+    // Magenta haze (Light layer)
+    const float4 magenta_haze_color = curvature_color(wet_magenta_convexity,
+        float4(0.2902, 0.0471, 0.2667, 1.0), float4(0.1098, 0.0235, 0.149, 1.0));
     const Angle magenta_tube_angle = parametrization_diffuse_balanced(look.magenta, surface.normal);
-    const float magenta_haze_tone = profile_balanced(magenta_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
-    const LitLayer magenta_haze_lit = light_apply(look.magenta, magenta_haze_color, magenta_haze_tone);
-    const float4 magenta_haze_blend = blend_add(cyan_haze_blend, magenta_haze_lit.color, magenta_haze_lit.tone, 1.0, true);
-    float magenta_tube_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.25), -20.0, 20.0))))))));
-    const float4 cyan_tube_color = curvature_color(magenta_tube_convexity, float4(0.1333, 0.902, 1.0, 1.0), float4(0.0392, 0.4157, 0.6039, 1.0));
-    float magenta_tube_warp = (((2.0 * magenta_tube_convexity) - 1.0) * 0.25);
-    const float cyan_tube_tone = profile_balanced_2(cyan_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
+    const float magenta_haze_tone = profile_balanced(magenta_tube_angle, magenta_haze_warp,
+        magenta_haze_tone_shape);
+    const LitLayer magenta_haze_lit = light_apply(look.magenta, magenta_haze_color,
+        magenta_haze_tone);
+    const float4 magenta_haze_blend = blend_add(cyan_haze_blend, magenta_haze_lit.color,
+        magenta_haze_lit.tone, 1.0, true);
+
+    // Cyan tube (Light layer)
+    float magenta_tube_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.25, -20.0, 20.0))));
+    const float4 cyan_tube_color = curvature_color(magenta_tube_convexity,
+        float4(0.1333, 0.902, 1.0, 1.0), float4(0.0392, 0.4157, 0.6039, 1.0));
+    float magenta_tube_warp = (2.0 * magenta_tube_convexity - 1.0) * 0.25;
+    const float cyan_tube_tone = profile_balanced_2(cyan_tube_angle, magenta_tube_warp,
+        magenta_tube_tone_shape);
     const LitLayer cyan_tube_lit = light_apply(look.cyan, cyan_tube_color, cyan_tube_tone);
-    const float4 cyan_tube_blend = blend_add(magenta_haze_blend, cyan_tube_lit.color, cyan_tube_lit.tone, 1.0, true);
-    const float4 magenta_tube_color = curvature_color(magenta_tube_convexity, float4(1.0, 0.1725, 0.6588, 1.0), float4(0.5255, 0.0627, 0.4784, 1.0));
-    const float magenta_tube_tone = profile_balanced_2(magenta_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
-    const LitLayer magenta_tube_lit = light_apply(look.magenta, magenta_tube_color, magenta_tube_tone);
-    const float4 magenta_tube_blend = blend_add(cyan_tube_blend, magenta_tube_lit.color, magenta_tube_lit.tone, 1.0, true);
-    const float4 wet_cyan_color = curvature_color(wet_magenta_convexity, float4(0.2275, 0.6588, 0.7843, 1.0), float4(0.0627, 0.2902, 0.4157, 1.0));
-    const Angle wet_cyan_angle = parametrization_specular_balanced(look.cyan, surface.normal, surface.view);
-    float wet_magenta_warp = (((2.0 * wet_magenta_convexity) - 1.0) * 0.1);
-    const float wet_cyan_tone = profile_balanced_2(wet_cyan_angle, wet_magenta_warp, wet_magenta_tone_shape);
+    const float4 cyan_tube_blend = blend_add(magenta_haze_blend, cyan_tube_lit.color,
+        cyan_tube_lit.tone, 1.0, true);
+
+    // Magenta tube (Light layer)
+    const float4 magenta_tube_color = curvature_color(magenta_tube_convexity,
+        float4(1.0, 0.1725, 0.6588, 1.0), float4(0.5255, 0.0627, 0.4784, 1.0));
+    const float magenta_tube_tone = profile_balanced_2(magenta_tube_angle, magenta_tube_warp,
+        magenta_tube_tone_shape);
+    const LitLayer magenta_tube_lit = light_apply(look.magenta, magenta_tube_color,
+        magenta_tube_tone);
+    const float4 magenta_tube_blend = blend_add(cyan_tube_blend, magenta_tube_lit.color,
+        magenta_tube_lit.tone, 1.0, true);
+
+    // Wet, cyan (Light layer)
+    const float4 wet_cyan_color = curvature_color(wet_magenta_convexity,
+        float4(0.2275, 0.6588, 0.7843, 1.0), float4(0.0627, 0.2902, 0.4157, 1.0));
+    const Angle wet_cyan_angle = parametrization_specular_balanced(look.cyan, surface.normal,
+        surface.view);
+    float wet_magenta_warp = (2.0 * wet_magenta_convexity - 1.0) * 0.1;
+    const float wet_cyan_tone = profile_balanced_2(wet_cyan_angle, wet_magenta_warp,
+        wet_magenta_tone_shape);
     const LitLayer wet_cyan_lit = light_apply(look.cyan, wet_cyan_color, wet_cyan_tone);
-    const float4 wet_cyan_blend = blend_add(magenta_tube_blend, wet_cyan_lit.color, wet_cyan_lit.tone, 1.0, true);
-    const float4 wet_magenta_color = curvature_color(wet_magenta_convexity, float4(0.7843, 0.2275, 0.6039, 1.0), float4(0.3529, 0.0627, 0.3765, 1.0));
-    const Angle wet_magenta_angle = parametrization_specular_balanced(look.magenta, surface.normal, surface.view);
-    const float wet_magenta_tone = profile_balanced_2(wet_magenta_angle, wet_magenta_warp, wet_magenta_tone_shape);
+    const float4 wet_cyan_blend = blend_add(magenta_tube_blend, wet_cyan_lit.color,
+        wet_cyan_lit.tone, 1.0, true);
+
+    // Wet, magenta (Light layer)
+    const float4 wet_magenta_color = curvature_color(wet_magenta_convexity,
+        float4(0.7843, 0.2275, 0.6039, 1.0), float4(0.3529, 0.0627, 0.3765, 1.0));
+    const Angle wet_magenta_angle = parametrization_specular_balanced(look.magenta, surface.normal,
+        surface.view);
+    const float wet_magenta_tone = profile_balanced_2(wet_magenta_angle, wet_magenta_warp,
+        wet_magenta_tone_shape);
     const LitLayer wet_magenta_lit = light_apply(look.magenta, wet_magenta_color, wet_magenta_tone);
-    const float4 wet_magenta_blend = blend_add(wet_cyan_blend, wet_magenta_lit.color, wet_magenta_lit.tone, 1.0, true);
+    const float4 wet_magenta_blend = blend_add(wet_cyan_blend, wet_magenta_lit.color,
+        wet_magenta_lit.tone, 1.0, true);
+
     return wet_magenta_blend;
 }
 
@@ -338,7 +384,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -357,11 +404,13 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), texel.x);
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        texel.x);
     return shade(surface);
 }

@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,18 +36,21 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light magenta;
     Light cyan;
     Light street;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::packed_float3 view;
     float kappa;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -56,6 +61,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -63,6 +69,7 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -81,19 +88,26 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
-constant ProfileShape the_room_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.4670527, 1.5580629, 0.1, 0.827969, 0.34274614, 0u};
-constant ProfileShape magenta_haze_tone_shape = ProfileShape {0.9887711, 0.14943813, 2.0858297, 1.974287, 0.3, 0.5228124, 0.22054322, 0u};
-constant ProfileShape magenta_tube_tone_shape = ProfileShape {0.95233357, 0.30505863, 8.353367, 2.4874215, 0.62, 0.117860116, 0.05078552, 0u};
-constant ProfileShape wet_magenta_tone_shape = ProfileShape {0.9887711, 0.14943813, 5.0334897, 2.4651666, 0.3, 0.19658314, 0.08474467, 0u};
+
+constant ProfileShape the_room_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.4670527,
+    1.5580629, 0.1, 0.827969, 0.34274614, 0u};
+constant ProfileShape magenta_haze_tone_shape = ProfileShape {0.9887711, 0.14943813, 2.0858297,
+    1.974287, 0.3, 0.5228124, 0.22054322, 0u};
+constant ProfileShape magenta_tube_tone_shape = ProfileShape {0.95233357, 0.30505863, 8.353367,
+    2.4874215, 0.62, 0.117860116, 0.05078552, 0u};
+constant ProfileShape wet_magenta_tone_shape = ProfileShape {0.9887711, 0.14943813, 5.0334897,
+    2.4651666, 0.3, 0.19658314, 0.08474467, 0u};
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
@@ -109,8 +123,10 @@ metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
-    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 0.0000026347564))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (0.00002477458 - y * 0.00000026297516))));
     return metal::float2(s, c);
 }
 
@@ -131,9 +147,9 @@ Angle angle_turned(
     Angle u,
     metal::float2 t
 ) {
-    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
-    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
@@ -148,7 +164,7 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (convex - concave));
+    return concave + convexity * (convex - concave);
 }
 
 /// Blend
@@ -161,7 +177,8 @@ Composite blend_add(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (tone * color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + tone * color.xyz, 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// Light on a layer
@@ -173,15 +190,17 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_diffuse_balanced(
     Light light,
     metal::float3 normal
 ) {
-    return Angle {0.5 * metal::length(normal - light.direction), 0.5 * metal::length(normal + light.direction)};
+    return Angle {0.5 * metal::length(normal - light.direction), 0.5
+        * metal::length(normal + light.direction)};
 }
 
 Angle parametrization_specular_balanced(
@@ -189,8 +208,9 @@ Angle parametrization_specular_balanced(
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
+    metal::float3 d = 2.0 * metal::dot(normal, view) * normal - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5
+        * metal::length(d + light.direction)};
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -199,7 +219,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -209,10 +229,10 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -222,16 +242,18 @@ float profile_filtered_quick(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -241,20 +263,22 @@ float profile_filtered_quick_2(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -280,45 +304,85 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    float wet_magenta_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))))));
-    Color the_room_color = curvature_color(wet_magenta_convexity, metal::float4(0.0706, 0.0627, 0.1647, 1.0), metal::float4(0.0196, 0.0157, 0.0627, 1.0));
+    // The room (Light layer)
+    float wet_magenta_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + metal::exp2(2.88539
+        * metal::clamp(surface.kappa * 0.2, -20.0, 20.0))));
+    Color the_room_color = curvature_color(wet_magenta_convexity,
+        metal::float4(0.0706, 0.0627, 0.1647, 1.0), metal::float4(0.0196, 0.0157, 0.0627, 1.0));
     Angle the_room_angle = parametrization_diffuse_balanced(look.street, surface.normal);
-    float the_room_warp = ((2.0 * wet_magenta_convexity) - 1.0) * 0.2;
+    float the_room_warp = (2.0 * wet_magenta_convexity - 1.0) * 0.2;
     float the_room_tone = profile_balanced(the_room_angle, the_room_warp, the_room_tone_shape);
     LitLayer the_room_lit = light_apply(look.street, the_room_color, the_room_tone);
-    Composite the_room_blend = blend_add(metal::float4(0.0157, 0.0118, 0.0353, 1.0), the_room_lit.color, the_room_lit.tone, 1.0, true);
-    Color cyan_haze_color = curvature_color(wet_magenta_convexity, metal::float4(0.0471, 0.2275, 0.3373, 1.0), metal::float4(0.0235, 0.0941, 0.1804, 1.0));
+    Composite the_room_blend = blend_add(metal::float4(0.0157, 0.0118, 0.0353, 1.0),
+        the_room_lit.color, the_room_lit.tone, 1.0, true);
+
+    // Cyan haze (Light layer)
+    Color cyan_haze_color = curvature_color(wet_magenta_convexity,
+        metal::float4(0.0471, 0.2275, 0.3373, 1.0), metal::float4(0.0235, 0.0941, 0.1804, 1.0));
     Angle cyan_tube_angle = parametrization_diffuse_balanced(look.cyan, surface.normal);
-    float magenta_haze_warp = ((2.0 * wet_magenta_convexity) - 1.0) * 0.15;
-    float cyan_haze_tone = profile_balanced(cyan_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
+    float magenta_haze_warp = (2.0 * wet_magenta_convexity - 1.0) * 0.15;
+    float cyan_haze_tone = profile_balanced(cyan_tube_angle, magenta_haze_warp,
+        magenta_haze_tone_shape);
     LitLayer cyan_haze_lit = light_apply(look.cyan, cyan_haze_color, cyan_haze_tone);
-    Composite cyan_haze_blend = blend_add(the_room_blend, cyan_haze_lit.color, cyan_haze_lit.tone, 1.0, true);
-    Color magenta_haze_color = curvature_color(wet_magenta_convexity, metal::float4(0.2902, 0.0471, 0.2667, 1.0), metal::float4(0.1098, 0.0235, 0.149, 1.0));
+    Composite cyan_haze_blend = blend_add(the_room_blend, cyan_haze_lit.color, cyan_haze_lit.tone,
+        1.0, true);
+
+    // Magenta haze (Light layer)
+    Color magenta_haze_color = curvature_color(wet_magenta_convexity,
+        metal::float4(0.2902, 0.0471, 0.2667, 1.0), metal::float4(0.1098, 0.0235, 0.149, 1.0));
     Angle magenta_tube_angle = parametrization_diffuse_balanced(look.magenta, surface.normal);
-    float magenta_haze_tone = profile_balanced(magenta_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
+    float magenta_haze_tone = profile_balanced(magenta_tube_angle, magenta_haze_warp,
+        magenta_haze_tone_shape);
     LitLayer magenta_haze_lit = light_apply(look.magenta, magenta_haze_color, magenta_haze_tone);
-    Composite magenta_haze_blend = blend_add(cyan_haze_blend, magenta_haze_lit.color, magenta_haze_lit.tone, 1.0, true);
-    float magenta_tube_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.25, -20.0, 20.0))))));
-    Color cyan_tube_color = curvature_color(magenta_tube_convexity, metal::float4(0.1333, 0.902, 1.0, 1.0), metal::float4(0.0392, 0.4157, 0.6039, 1.0));
-    float magenta_tube_warp = ((2.0 * magenta_tube_convexity) - 1.0) * 0.25;
-    float cyan_tube_tone = profile_balanced_2(cyan_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
+    Composite magenta_haze_blend = blend_add(cyan_haze_blend, magenta_haze_lit.color,
+        magenta_haze_lit.tone, 1.0, true);
+
+    // Cyan tube (Light layer)
+    float magenta_tube_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + metal::exp2(2.88539
+        * metal::clamp(surface.kappa * 0.25, -20.0, 20.0))));
+    Color cyan_tube_color = curvature_color(magenta_tube_convexity,
+        metal::float4(0.1333, 0.902, 1.0, 1.0), metal::float4(0.0392, 0.4157, 0.6039, 1.0));
+    float magenta_tube_warp = (2.0 * magenta_tube_convexity - 1.0) * 0.25;
+    float cyan_tube_tone = profile_balanced_2(cyan_tube_angle, magenta_tube_warp,
+        magenta_tube_tone_shape);
     LitLayer cyan_tube_lit = light_apply(look.cyan, cyan_tube_color, cyan_tube_tone);
-    Composite cyan_tube_blend = blend_add(magenta_haze_blend, cyan_tube_lit.color, cyan_tube_lit.tone, 1.0, true);
-    Color magenta_tube_color = curvature_color(magenta_tube_convexity, metal::float4(1.0, 0.1725, 0.6588, 1.0), metal::float4(0.5255, 0.0627, 0.4784, 1.0));
-    float magenta_tube_tone = profile_balanced_2(magenta_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
+    Composite cyan_tube_blend = blend_add(magenta_haze_blend, cyan_tube_lit.color,
+        cyan_tube_lit.tone, 1.0, true);
+
+    // Magenta tube (Light layer)
+    Color magenta_tube_color = curvature_color(magenta_tube_convexity,
+        metal::float4(1.0, 0.1725, 0.6588, 1.0), metal::float4(0.5255, 0.0627, 0.4784, 1.0));
+    float magenta_tube_tone = profile_balanced_2(magenta_tube_angle, magenta_tube_warp,
+        magenta_tube_tone_shape);
     LitLayer magenta_tube_lit = light_apply(look.magenta, magenta_tube_color, magenta_tube_tone);
-    Composite magenta_tube_blend = blend_add(cyan_tube_blend, magenta_tube_lit.color, magenta_tube_lit.tone, 1.0, true);
-    Color wet_cyan_color = curvature_color(wet_magenta_convexity, metal::float4(0.2275, 0.6588, 0.7843, 1.0), metal::float4(0.0627, 0.2902, 0.4157, 1.0));
-    Angle wet_cyan_angle = parametrization_specular_balanced(look.cyan, surface.normal, surface.view);
-    float wet_magenta_warp = ((2.0 * wet_magenta_convexity) - 1.0) * 0.1;
-    float wet_cyan_tone = profile_balanced_2(wet_cyan_angle, wet_magenta_warp, wet_magenta_tone_shape);
+    Composite magenta_tube_blend = blend_add(cyan_tube_blend, magenta_tube_lit.color,
+        magenta_tube_lit.tone, 1.0, true);
+
+    // Wet, cyan (Light layer)
+    Color wet_cyan_color = curvature_color(wet_magenta_convexity,
+        metal::float4(0.2275, 0.6588, 0.7843, 1.0), metal::float4(0.0627, 0.2902, 0.4157, 1.0));
+    Angle wet_cyan_angle = parametrization_specular_balanced(look.cyan, surface.normal,
+        surface.view);
+    float wet_magenta_warp = (2.0 * wet_magenta_convexity - 1.0) * 0.1;
+    float wet_cyan_tone = profile_balanced_2(wet_cyan_angle, wet_magenta_warp,
+        wet_magenta_tone_shape);
     LitLayer wet_cyan_lit = light_apply(look.cyan, wet_cyan_color, wet_cyan_tone);
-    Composite wet_cyan_blend = blend_add(magenta_tube_blend, wet_cyan_lit.color, wet_cyan_lit.tone, 1.0, true);
-    Color wet_magenta_color = curvature_color(wet_magenta_convexity, metal::float4(0.7843, 0.2275, 0.6039, 1.0), metal::float4(0.3529, 0.0627, 0.3765, 1.0));
-    Angle wet_magenta_angle = parametrization_specular_balanced(look.magenta, surface.normal, surface.view);
-    float wet_magenta_tone = profile_balanced_2(wet_magenta_angle, wet_magenta_warp, wet_magenta_tone_shape);
+    Composite wet_cyan_blend = blend_add(magenta_tube_blend, wet_cyan_lit.color, wet_cyan_lit.tone,
+        1.0, true);
+
+    // Wet, magenta (Light layer)
+    Color wet_magenta_color = curvature_color(wet_magenta_convexity,
+        metal::float4(0.7843, 0.2275, 0.6039, 1.0), metal::float4(0.3529, 0.0627, 0.3765, 1.0));
+    Angle wet_magenta_angle = parametrization_specular_balanced(look.magenta, surface.normal,
+        surface.view);
+    float wet_magenta_tone = profile_balanced_2(wet_magenta_angle, wet_magenta_warp,
+        wet_magenta_tone_shape);
     LitLayer wet_magenta_lit = light_apply(look.magenta, wet_magenta_color, wet_magenta_tone);
-    Composite wet_magenta_blend = blend_add(wet_cyan_blend, wet_magenta_lit.color, wet_magenta_lit.tone, 1.0, true);
+    Composite wet_magenta_blend = blend_add(wet_cyan_blend, wet_magenta_lit.color,
+        wet_magenta_lit.tone, 1.0, true);
+
     return wet_magenta_blend;
 }
 
@@ -326,11 +390,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_2 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -338,7 +404,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -351,9 +418,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_2 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -364,8 +433,9 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.x};
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        texel.x};
     return fs_mainOutput { shade(surface, look) };
 }

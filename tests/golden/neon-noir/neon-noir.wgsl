@@ -196,7 +196,7 @@ fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -227,6 +227,7 @@ const wet_magenta_tone_shape = ProfileShape(0.9887711, 0.14943813, 5.0334897, 2.
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // The room (Light layer)
     let wet_magenta_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.2, -20.0, 20.0))));
     let the_room_color = curvature_color(wet_magenta_convexity, vec4f(0.0706, 0.0627, 0.1647, 1.0),
@@ -237,6 +238,8 @@ fn shade(surface: Surface) -> vec4f {
     let the_room_lit = light_apply(look.street, the_room_color, the_room_tone);
     let the_room_blend = blend_add(vec4f(0.0157, 0.0118, 0.0353, 1.0), the_room_lit.color,
         the_room_lit.tone, 1.0, true);
+
+    // Cyan haze (Light layer)
     let cyan_haze_color = curvature_color(wet_magenta_convexity, vec4f(0.0471, 0.2275, 0.3373, 1.0),
         vec4f(0.0235, 0.0941, 0.1804, 1.0));
     let cyan_tube_angle = parametrization_diffuse_balanced(look.cyan, surface.normal);
@@ -246,6 +249,8 @@ fn shade(surface: Surface) -> vec4f {
     let cyan_haze_lit = light_apply(look.cyan, cyan_haze_color, cyan_haze_tone);
     let cyan_haze_blend = blend_add(the_room_blend, cyan_haze_lit.color, cyan_haze_lit.tone, 1.0,
         true);
+
+    // Magenta haze (Light layer)
     let magenta_haze_color = curvature_color(wet_magenta_convexity,
         vec4f(0.2902, 0.0471, 0.2667, 1.0), vec4f(0.1098, 0.0235, 0.149, 1.0));
     let magenta_tube_angle = parametrization_diffuse_balanced(look.magenta, surface.normal);
@@ -254,6 +259,8 @@ fn shade(surface: Surface) -> vec4f {
     let magenta_haze_lit = light_apply(look.magenta, magenta_haze_color, magenta_haze_tone);
     let magenta_haze_blend = blend_add(cyan_haze_blend, magenta_haze_lit.color,
         magenta_haze_lit.tone, 1.0, true);
+
+    // Cyan tube (Light layer)
     let magenta_tube_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.25, -20.0, 20.0))));
     let cyan_tube_color = curvature_color(magenta_tube_convexity, vec4f(0.1333, 0.902, 1.0, 1.0),
@@ -264,6 +271,8 @@ fn shade(surface: Surface) -> vec4f {
     let cyan_tube_lit = light_apply(look.cyan, cyan_tube_color, cyan_tube_tone);
     let cyan_tube_blend = blend_add(magenta_haze_blend, cyan_tube_lit.color, cyan_tube_lit.tone,
         1.0, true);
+
+    // Magenta tube (Light layer)
     let magenta_tube_color = curvature_color(magenta_tube_convexity,
         vec4f(1.0, 0.1725, 0.6588, 1.0), vec4f(0.5255, 0.0627, 0.4784, 1.0));
     let magenta_tube_tone = profile_balanced_2(magenta_tube_angle, magenta_tube_warp,
@@ -271,6 +280,8 @@ fn shade(surface: Surface) -> vec4f {
     let magenta_tube_lit = light_apply(look.magenta, magenta_tube_color, magenta_tube_tone);
     let magenta_tube_blend = blend_add(cyan_tube_blend, magenta_tube_lit.color,
         magenta_tube_lit.tone, 1.0, true);
+
+    // Wet, cyan (Light layer)
     let wet_cyan_color = curvature_color(wet_magenta_convexity, vec4f(0.2275, 0.6588, 0.7843, 1.0),
         vec4f(0.0627, 0.2902, 0.4157, 1.0));
     let wet_cyan_angle = parametrization_specular_balanced(look.cyan, surface.normal, surface.view);
@@ -280,6 +291,8 @@ fn shade(surface: Surface) -> vec4f {
     let wet_cyan_lit = light_apply(look.cyan, wet_cyan_color, wet_cyan_tone);
     let wet_cyan_blend = blend_add(magenta_tube_blend, wet_cyan_lit.color, wet_cyan_lit.tone, 1.0,
         true);
+
+    // Wet, magenta (Light layer)
     let wet_magenta_color = curvature_color(wet_magenta_convexity,
         vec4f(0.7843, 0.2275, 0.6039, 1.0), vec4f(0.3529, 0.0627, 0.3765, 1.0));
     let wet_magenta_angle = parametrization_specular_balanced(look.magenta, surface.normal,
@@ -289,6 +302,7 @@ fn shade(surface: Surface) -> vec4f {
     let wet_magenta_lit = light_apply(look.magenta, wet_magenta_color, wet_magenta_tone);
     let wet_magenta_blend = blend_add(wet_cyan_blend, wet_magenta_lit.color, wet_magenta_lit.tone,
         1.0, true);
+
     return wet_magenta_blend;
 }
 

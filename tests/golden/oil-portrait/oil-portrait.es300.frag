@@ -16,12 +16,14 @@ struct View {
     /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     vec4 screen;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -33,6 +35,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     vec4 toned_canvas;
@@ -46,6 +49,7 @@ struct Look {
     vec4 half_tones_as_paint_b;
     vec4 umber_as_paint_b;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
@@ -59,6 +63,7 @@ struct Surface {
     float magnification;
     mat3x3 world_from_normal;
 };
+
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
@@ -67,11 +72,13 @@ struct StretchedPlace {
     /// picture height.
     vec3 stretch;
 };
+
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     vec2 place;
     vec3 stretch;
 };
+
 /// Style of brush strokes.
 struct Brush {
     /// Length of a stroke over its width.
@@ -86,6 +93,7 @@ struct Brush {
     /// True if the picture's dark texels are paint; false if its opaque ones are.
     bool is_dark;
 };
+
 /// A stroke as seen at a place.
 struct Brushstroke {
     /// Place in the stroke's picture, v down.
@@ -97,6 +105,7 @@ struct Brushstroke {
     /// Share of the stroke that is there, 0 to 1.
     float share;
 };
+
 struct BrushStrokes {
     /// The picture's own color, opaque; of bristles how light their paint lies, to multiply a
     /// color by; black where no stroke is.
@@ -104,22 +113,61 @@ struct BrushStrokes {
     /// How much of the canvas is covered, from 0 to 1.
     float ink;
 };
+
 struct MarkPlace {
     /// Along the strokes, and across them.
     vec2 place;
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     vec3 stretch;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 position_object;
     vec3 normal;
 };
+
 const float SMALLEST_NORMAL = 1.1754944e-38;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 const float MOST_ON_SCREEN = 1000000000000000.0;
-const uint BLUE_TILE[256] = uint[256](667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u);
+const uint BLUE_TILE[256] = uint[256](667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u,
+    3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u,
+    3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u,
+    679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u,
+    3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u,
+    3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u,
+    2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u,
+    1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u,
+    3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u,
+    4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u,
+    3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u,
+    3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u,
+    568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u,
+    2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u,
+    3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u,
+    3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u,
+    3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u,
+    1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u,
+    131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u,
+    243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u,
+    987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u,
+    3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u,
+    2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u,
+    1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u,
+    73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u,
+    2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u,
+    1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u,
+    1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u,
+    4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u,
+    3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u,
+    1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u,
+    3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u,
+    2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u,
+    2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u,
+    2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u,
+    143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u,
+    398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -148,9 +196,11 @@ vec4 finite_vec4(vec4 v) {
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(float x) {
     float whole = roundEven(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+    float f = x - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -158,16 +208,16 @@ float exp2_stable(float x) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (int(bits - 1060439283u) >> 23u);
+    float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
 vec2 sin_cos_eighth(float x) {
-    float s = (x * 0.9088517);
+    float s = x * 0.9088517;
     return vec2(s, 0.73168886);
 }
 
@@ -175,7 +225,7 @@ vec2 sin_cos_eighth(float x) {
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -190,7 +240,7 @@ float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -213,45 +263,45 @@ vec4 bounded_vec4(vec4 v) {
 
 /// [`mixed`], component by component.
 vec4 mixed_vec4(vec4 a, vec4 b, float t) {
-    vec4 d = bounded_vec4((b - a));
-    return bounded_vec4(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
+    vec4 d = bounded_vec4(b - a);
+    return bounded_vec4(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
 /// 1 from there on.
 float place_between(float x, float low, float high) {
-    float span = (high - low);
-    if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x >= high) ? 1.0 : 0.0);
+    float span = high - low;
+    if (abs(span) < SMALLEST_NORMAL) {
+        return x >= high ? 1.0 : 0.0;
     }
-    return bounded(((x - low) / span));
+    return bounded((x - low) / span);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high) {
     float t = clamp(place_between(x, low, high), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
 vec4 color_mixed(vec4 a, vec3 blended, float factor) {
     vec3 b = bounded_vec3(blended);
-    return vec4(bounded_vec3((b - (0.0 * bounded_vec3((b - a.xyz))))), 1.0);
+    return vec4(bounded_vec3(b - 0.0 * bounded_vec3(b - a.xyz)), 1.0);
 }
 
 /// Premultiplied RGBA of a straight color.
 vec4 premultiplied(vec4 color) {
-    return vec4((color.xyz * color.w), color.w);
+    return vec4(color.xyz * color.w, color.w);
 }
 
 /// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
 /// is, so that light added over transparency is not lost.
 vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
+    if (composite.w <= 0.0) {
         return composite;
     }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
+    return vec4(composite.xyz / vec3(composite.w), composite.w);
 }
 
 /// Mix colors
@@ -265,12 +315,12 @@ vec4 mix_colors_normal(vec4 a, vec4 b, float factor) {
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
 /// itself; upright lies along `up` as far as that goes.
 mat3x3 axes_around(vec3 toward, vec3 up) {
-    vec3 z = (toward * inversesqrt(dot(toward, toward)));
+    vec3 z = toward * inversesqrt(dot(toward, toward));
     vec3 leaning = cross(up, z);
     float square = dot(leaning, leaning);
-    vec3 aside = ((abs(z.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square > 1e-8) ? leaning : cross(aside, z));
-    vec3 x = normalize_moderate((across - (dot(across, z) * z)), vec3(1.0, 0.0, 0.0));
+    vec3 aside = abs(z.x) > 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+    vec3 across = square > 1e-8 ? leaning : cross(aside, z);
+    vec3 x = normalize_moderate(across - dot(across, z) * z, vec3(1.0, 0.0, 0.0));
     return mat3x3(x, cross(z, x), z);
 }
 
@@ -286,25 +336,25 @@ vec4 output_(vec4 color) {
 /// upper bits are the best.
 uvec3 hash_pcg3d(uvec3 seed) {
     uvec3 v = uvec3(0u);
-    v = ((seed * 1664525u) + uvec3(1013904223u));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + uvec3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> uvec3(16u)));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
 /// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 vec3 unit_of_hash(uvec3 hash) {
-    return (vec3((hash >> uvec3(8u))) * 5.9604645e-8);
+    return vec3((hash >> uvec3(8u))) * 5.9604645e-8;
 }
 
 /// The hash of a lattice point.
 uvec3 lattice_hash(ivec3 cell, uint seed) {
-    return hash_pcg3d((uvec3(cell) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
+    return hash_pcg3d(uvec3(cell) + seed * uvec3(2654435769u, 2246822507u, 3266489909u));
 }
 
 /// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
@@ -312,37 +362,38 @@ uvec3 lattice_hash(ivec3 cell, uint seed) {
 /// every depth without perspective.
 float size_on_screen(float depth, float perspective, float scale) {
     // Clip space is 2 high.
-    return min(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
+    return min(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
 /// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
 vec3 anchor_on_screen(vec3 origin, float perspective, float scale) {
-    float size = size_on_screen(-(origin.z), perspective, scale);
-    return clamp(vec3((origin.x * size), (-(origin.y) * size), size), vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    float size = size_on_screen(-origin.z, perspective, scale);
+    return clamp(vec3(origin.x * size, -origin.y * size, size), vec3(-1000000000000000.0),
+        vec3(1000000000000000.0));
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 vec2 place_in_picture(vec2 pixel, vec2 viewport) {
-    vec2 from_middle = (pixel - (0.5 * viewport));
-    return (vec2(from_middle.x, -(from_middle.y)) / vec2(max(viewport.y, 1.0)));
+    vec2 from_middle = pixel - 0.5 * viewport;
+    return vec2(from_middle.x, -from_middle.y) / vec2(max(viewport.y, 1.0));
 }
 
 /// Index of the number of the repeating tile that holds a cell's rank.
 uint blue_index(ivec2 cell) {
     uvec2 at = (uvec2(cell) & uvec2(31u));
-    return ((8u * at.y) + (at.x >> 2u));
+    return 8u * at.y + (at.x >> 2u);
 }
 
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 turn = vec2(0.0, 1.0);
-    vec3 x = bounded_vec3(((turn.y * along) + (turn.x * across)));
-    vec3 y = bounded_vec3(((turn.y * across) - (turn.x * along)));
-    vec2 turned = vec2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
+    vec3 x = bounded_vec3(turn.y * along + turn.x * across);
+    vec3 y = bounded_vec3(turn.y * across - turn.x * along);
+    vec2 turned = vec2(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x * place.x);
     vec3 most = vec3(1000000000000000.0);
-    vec3 stretch = clamp(vec3(dot(x, x), dot(x, y), dot(y, y)), -(most), most);
+    vec3 stretch = clamp(vec3(dot(x, x), dot(x, y), dot(y, y)), -most, most);
     return StretchedPlace(turned, stretch);
 }
 
@@ -350,9 +401,9 @@ StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
 /// by an angle in radians.
 StretchedPlace mark_place_of_2(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 turn = clamp(sin_cos_eighth(0.75), vec2(-1.0), vec2(1.0));
-    vec3 x = ((turn.y * along) + (turn.x * across));
-    vec3 y = ((turn.y * across) - (turn.x * along));
-    vec2 turned = vec2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
+    vec3 x = turn.y * along + turn.x * across;
+    vec3 y = turn.y * across - turn.x * along;
+    vec2 turned = vec2(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x * place.x);
     vec3 stretch = vec3(dot(x, x), dot(x, y), dot(y, y));
     return StretchedPlace(turned, stretch);
 }
@@ -362,74 +413,79 @@ StretchedPlace mark_place_of_2(vec2 place, vec3 along, vec3 across, float angle)
 /// Vectors are unit but for g.
 vec3 gradient_on_picture(vec3 g, vec3 normal, vec3 view) {
     float facing = dot(normal, view);
-    return (g - (normal * (dot(g, view) / ((facing >= 0.0) ? max(facing, 0.125) : min(facing, -0.125)))));
+    return g - normal * (dot(g, view) / (facing >= 0.0 ? max(facing, 0.125) : min(facing, -0.125)));
 }
 
 /// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
-StretchedPlace place_on_surface(vec2 place, vec3 along, vec3 across, vec3 normal, vec3 view, float magnification, float angle) {
-    float height = (1.0 / clamp(magnification, 1e-15, 1000000000000000.0));
-    vec3 x = bounded_vec3((gradient_on_picture(along, normal, view) * height));
-    vec3 y = bounded_vec3((gradient_on_picture(across, normal, view) * height));
+StretchedPlace place_on_surface(vec2 place, vec3 along, vec3 across, vec3 normal, vec3 view,
+    float magnification, float angle) {
+    float height = 1.0 / clamp(magnification, 1e-15, 1000000000000000.0);
+    vec3 x = bounded_vec3(gradient_on_picture(along, normal, view) * height);
+    vec3 y = bounded_vec3(gradient_on_picture(across, normal, view) * height);
     return mark_place_of(place, x, y, angle);
 }
 
 /// A place on a surface for strokes across an axis of the object.
-StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal, vec3 view, float magnification, float angle) {
+StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal,
+    vec3 view, float magnification, float angle) {
     mat3x3 axes = axes_around(axis, vec3(0.0, 1.0, 0.0));
     vec2 place = vec2(dot(position, axes[0]), dot(position, axes[2]));
-    vec3 along = (world_from_normal * axes[0]);
-    vec3 across = (world_from_normal * axes[2]);
+    vec3 along = world_from_normal * axes[0];
+    vec3 across = world_from_normal * axes[2];
     return place_on_surface(place, along, across, normal, view, magnification, angle);
 }
 
 /// The place in spacings, `count` of them to the picture's height where it is not stretched. A
 /// place without a stretch is one in pixels.
 SpacedPlace spaced(vec2 place, vec3 stretch, vec2 viewport, float count) {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
-    vec2 p = clamp((place * scale), vec2(-4194304.0), vec2(4194304.0));
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / max(viewport.y, 1.0) : count;
+    vec2 p = clamp(place * scale, vec2(-4194304.0), vec2(4194304.0));
     vec3 s = clamp(bounded_vec3(stretch), vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return SpacedPlace(p, (is_pixel ? vec3(1.0, 0.0, 1.0) : s));
+    return SpacedPlace(p, is_pixel ? vec3(1.0, 0.0, 1.0) : s);
 }
 
 /// The place in spacings, `count` of them to the picture's height where it is not stretched. A
 /// place without a stretch is one in pixels.
 SpacedPlace spaced_2(vec2 place, vec3 stretch, vec2 viewport, float count) {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
-    vec2 p = clamp((place * scale), vec2(-4194304.0), vec2(4194304.0));
-    return SpacedPlace(p, (is_pixel ? vec3(1.0, 0.0, 1.0) : stretch));
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / max(viewport.y, 1.0) : count;
+    vec2 p = clamp(place * scale, vec2(-4194304.0), vec2(4194304.0));
+    return SpacedPlace(p, is_pixel ? vec3(1.0, 0.0, 1.0) : stretch);
 }
 
 /// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
 /// more than eight times counts as drawn out by eight: where a surface stands edge-on to the
 /// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
 float area_square(vec3 stretch) {
-    float sum = (stretch.x + stretch.z);
-    return max(((stretch.x * stretch.z) - (stretch.y * stretch.y)), ((sum * sum) / 66.0));
+    float sum = stretch.x + stretch.z;
+    return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
 /// A step on the canvas as a step in a stroke's picture.
 vec2 brush_turned(vec2 step_, Brushstroke stroke, Brush style) {
-    vec2 turned = vec2(((stroke.turn.y * step_.x) + (stroke.turn.x * step_.y)), ((stroke.turn.y * step_.y) - (stroke.turn.x * step_.x)));
-    return (turned * vec2((stroke.way / (style.size * style.aspect)), (-1.0 / style.size)));
+    vec2 turned = vec2(stroke.turn.y * step_.x + stroke.turn.x * step_.y, stroke.turn.y * step_.y
+        - stroke.turn.x * step_.x);
+    return turned * vec2(stroke.way / (style.size * style.aspect), -1.0 / style.size);
 }
 
 /// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
 Brushstroke brush_stroke(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
-    uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(2654435769u, 2246822507u, 3266489909u)));
-    vec3 chance = (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8);
-    vec2 offset = (p - ((vec2(cell) + vec2(0.5)) + (style.scatter * (chance.xy - vec2(0.5)))));
-    float x = (0.5 * (chance.z - 0.5));
+    uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, zoom))
+        + uvec3(2654435769u, 2246822507u, 3266489909u));
+    vec3 chance = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
+    vec2 offset = p - (vec2(cell) + vec2(0.5) + style.scatter * (chance.xy - vec2(0.5)));
+    float x = 0.5 * (chance.z - 0.5);
     vec2 turn = vec2(sin(x), cos(x));
-    uvec3 hash_pcg3d_value_1 = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(1013904242u, 198677718u, 2238012522u)));
-    float way = (((vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    uvec3 hash_pcg3d_value_1 = hash_pcg3d(uvec3(ivec3(cell, zoom))
+        + uvec3(1013904242u, 198677718u, 2238012522u));
+    float way = (vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
-    vec2 uv = (vec2(0.5) + brush_turned((offset * vec2(style.aspect, 1.0)), stroke, style));
-    vec2 from_edge = min(uv, (vec2(1.0) - uv));
-    float inside = clamp((64.0 * min(from_edge.x, from_edge.y)), 0.0, 1.0);
-    float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style.scatter)));
-    float share = ((drawn * inside) * (1.0 - smoothstep(0.85, 1.0, far)));
+    vec2 uv = vec2(0.5) + brush_turned(offset * vec2(style.aspect, 1.0), stroke, style);
+    vec2 from_edge = min(uv, vec2(1.0) - uv);
+    float inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
+    float far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
+    float share = drawn * inside * (1.0 - smoothstep(0.85, 1.0, far));
     return Brushstroke(uv, turn, way, share);
 }
 
@@ -437,27 +493,28 @@ Brushstroke brush_stroke(vec2 p, ivec2 cell, int zoom, float drawn, Brush style)
 /// the next bristle.
 vec3 bristle(float row, uint seed) {
     float first = floor(row);
-    float t = (row - first);
+    float t = row - first;
     vec3 a = unit_of_hash(lattice_hash(ivec3(int(first), 0, 0), seed));
-    vec3 b = unit_of_hash(lattice_hash(ivec3((int(first) + 1), 0, 0), seed));
-    return mix(a, b, ((t * t) * (3.0 - (2.0 * t))));
+    vec3 b = unit_of_hash(lattice_hash(ivec3(int(first) + 1, 0, 0), seed));
+    return mix(a, b, t * t * (3.0 - 2.0 * t));
 }
 
 /// A stroke of a stiff brush at the place `uv` in it: lightness of its paint in x, coverage in y.
 /// `width` is a pixel's share of the stroke's width.
 vec2 bristles(vec2 uv, float width, uint seed) {
-    float across = ((2.0 * uv.y) - 1.0);
-    uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(0, 1, 0)) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
-    vec3 own = (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8);
-    float seen = clamp((1.75 - (11.0 * width)), 0.0, 1.0);
-    vec3 chance = mix(vec3(0.5), bristle((11.0 * uv.y), seed), seen);
-    float start = ((0.03 + (0.12 * chance.x)) + ((0.09 * across) * across));
-    float end = ((0.97 - ((0.1 + (0.25 * own.y)) * chance.y)) - ((0.12 * across) * across));
-    float along = (eased(uv.x, start, (start + 0.05)) * (1.0 - eased(uv.x, (end - 0.1), end)));
-    float side = (1.0 - smoothstep(0.78, 0.95, abs(across)));
-    float dry = smoothstep(0.85, 1.25, (uv.x + (0.55 * chance.z)));
-    float shade = (((0.8 + (0.16 * own.z)) + (0.208 * (chance.z - 0.5))) - (0.05 * uv.x));
-    return vec2(clamp(shade, 0.0, 1.0), ((along * side) * (1.0 - (0.9 * dry))));
+    float across = 2.0 * uv.y - 1.0;
+    uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(0, 1, 0)) + seed
+        * uvec3(2654435769u, 2246822507u, 3266489909u));
+    vec3 own = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
+    float seen = clamp(1.75 - 11.0 * width, 0.0, 1.0);
+    vec3 chance = mix(vec3(0.5), bristle(11.0 * uv.y, seed), seen);
+    float start = 0.03 + 0.12 * chance.x + 0.09 * across * across;
+    float end = 0.97 - (0.1 + 0.25 * own.y) * chance.y - 0.12 * across * across;
+    float along = eased(uv.x, start, start + 0.05) * (1.0 - eased(uv.x, end - 0.1, end));
+    float side = 1.0 - smoothstep(0.78, 0.95, abs(across));
+    float dry = smoothstep(0.85, 1.25, uv.x + 0.55 * chance.z);
+    float shade = 0.8 + 0.16 * own.z + 0.208 * (chance.z - 0.5) - 0.05 * uv.x;
+    return vec2(clamp(shade, 0.0, 1.0), along * side * (1.0 - 0.9 * dry));
 }
 
 /// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
@@ -468,52 +525,55 @@ vec2 bristles_laid(SpacedPlace at, float ink, Brush style) {
     uint tile[256] = BLUE_TILE;
     vec2 dx = dFdx(at.place);
     vec2 dy = dFdy(at.place);
-    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     float zoom = floor(level);
-    float f = (level - zoom);
-    float coarse_cells = exp2_stable((-2.0 * f));
-    float fine = ((1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells));
+    float f = level - zoom;
+    float coarse_cells = exp2_stable(-2.0 * f);
+    float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            octave = (octave + 1);
+            octave = octave + 1;
         }
         loop_init = false;
-        if (!((octave < 2))) {
+        if (!(octave < 2)) {
             break;
         }
-        float amount = (ink * ((octave == 1) ? fine : (1.0 - f)));
-        float scale = uintBitsToFloat((uint(((int(zoom) + octave) + 127)) << 23u));
-        vec2 p = (clamp((at.place * scale), vec2(-4194304.0), vec2(4194304.0)) / vec2(style.aspect, 1.0));
+        float amount = ink * (octave == 1 ? fine : 1.0 - f);
+        float scale = uintBitsToFloat((uint(int(zoom) + octave + 127) << 23u));
+        vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
+            / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
-        ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
+        ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
         i = 0;
         bool loop_init_1 = true;
         while(true) {
             if (!loop_init_1) {
-                i = (i + 1);
+                i = i + 1;
             }
             loop_init_1 = false;
-            if (!((i < 9))) {
+            if (!(i < 9)) {
                 break;
             }
-            ivec2 cell = ((corner + (((ivec2((i % 3), (i / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            ivec2 turning = (cell + ivec2(1, (7 * (int(zoom) + octave))));
+            ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
+            ivec2 turning = cell + ivec2(1, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
-            float late = (0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
-            float share = clamp(((amount - late) * 32.0), 0.0, 1.0);
-            if ((share <= 0.0)) {
+            float late = 0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u))
+                + 0.5) * 0.00390625);
+            float share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            if (share <= 0.0) {
                 continue;
             }
-            Brushstroke stroke = brush_stroke(p, cell, (int(zoom) + octave), share, style);
-            if ((stroke.share > 0.0)) {
-                vec2 gx = brush_turned((dx * scale), stroke, style);
-                vec2 gy = brush_turned((dy * scale), stroke, style);
-                uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, (int(zoom) + octave))) + uvec3(3668340011u, 2445500225u, 1209535135u)));
+            Brushstroke stroke = brush_stroke(p, cell, int(zoom) + octave, share, style);
+            if (stroke.share > 0.0) {
+                vec2 gx = brush_turned(dx * scale, stroke, style);
+                vec2 gy = brush_turned(dy * scale, stroke, style);
+                uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, int(zoom) + octave))
+                    + uvec3(3668340011u, 2445500225u, 1209535135u));
                 uint own = hash_pcg3d_value.x;
                 vec2 drawn = bristles(stroke.uv, length(vec2(gx.y, gy.y)), own);
-                float cover = (stroke.share * drawn.y);
-                paint = (vec2((drawn.x * cover), cover) + (paint * (1.0 - cover)));
+                float cover = stroke.share * drawn.y;
+                paint = vec2(drawn.x * cover, cover) + paint * (1.0 - cover);
             }
         }
     }
@@ -522,25 +582,28 @@ vec2 bristles_laid(SpacedPlace at, float ink, Brush style) {
 
 /// A step on the canvas as a step in a stroke's picture.
 vec2 brush_turned_2(vec2 step_, Brushstroke stroke, Brush style) {
-    vec2 turned = vec2(((stroke.turn.y * step_.x) + (stroke.turn.x * step_.y)), ((stroke.turn.y * step_.y) - (stroke.turn.x * step_.x)));
-    return (turned * vec2((stroke.way / (1.5 * style.aspect)), -0.6666667));
+    vec2 turned = vec2(stroke.turn.y * step_.x + stroke.turn.x * step_.y, stroke.turn.y * step_.y
+        - stroke.turn.x * step_.x);
+    return turned * vec2(stroke.way / (1.5 * style.aspect), -0.6666667);
 }
 
 /// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
 Brushstroke brush_stroke_2(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
-    uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(3041712726u, 596033154u, 2419070270u)));
-    vec3 chance = (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8);
-    vec2 offset = (p - ((vec2(cell) + vec2(0.5)) + (style.scatter * (chance.xy - vec2(0.5)))));
-    float x = (0.5 * (chance.z - 0.5));
+    uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, zoom))
+        + uvec3(3041712726u, 596033154u, 2419070270u));
+    vec3 chance = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
+    vec2 offset = p - (vec2(cell) + vec2(0.5) + style.scatter * (chance.xy - vec2(0.5)));
+    float x = 0.5 * (chance.z - 0.5);
     vec2 turn = vec2(sin(x), cos(x));
-    uvec3 hash_pcg3d_value_1 = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(1401181199u, 2842855661u, 1390592883u)));
-    float way = (((vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    uvec3 hash_pcg3d_value_1 = hash_pcg3d(uvec3(ivec3(cell, zoom))
+        + uvec3(1401181199u, 2842855661u, 1390592883u));
+    float way = (vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
-    vec2 uv = (vec2(0.5) + brush_turned_2((offset * vec2(style.aspect, 1.0)), stroke, style));
-    vec2 from_edge = min(uv, (vec2(1.0) - uv));
-    float inside = clamp((64.0 * min(from_edge.x, from_edge.y)), 0.0, 1.0);
-    float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style.scatter)));
-    float share = ((drawn * inside) * (1.0 - smoothstep(0.85, 1.0, far)));
+    vec2 uv = vec2(0.5) + brush_turned_2(offset * vec2(style.aspect, 1.0), stroke, style);
+    vec2 from_edge = min(uv, vec2(1.0) - uv);
+    float inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
+    float far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
+    float share = drawn * inside * (1.0 - smoothstep(0.85, 1.0, far));
     return Brushstroke(uv, turn, way, share);
 }
 
@@ -552,52 +615,55 @@ vec2 bristles_laid_2(SpacedPlace at, float ink, Brush style) {
     uint tile[256] = BLUE_TILE;
     vec2 dx = dFdx(at.place);
     vec2 dy = dFdy(at.place);
-    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     float zoom = floor(level);
-    float f = (level - zoom);
-    float coarse_cells = exp2_stable((-2.0 * f));
-    float fine = ((1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells));
+    float f = level - zoom;
+    float coarse_cells = exp2_stable(-2.0 * f);
+    float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            octave = (octave + 1);
+            octave = octave + 1;
         }
         loop_init = false;
-        if (!((octave < 2))) {
+        if (!(octave < 2)) {
             break;
         }
-        float amount = (ink * ((octave == 1) ? fine : (1.0 - f)));
-        float scale = uintBitsToFloat((uint(((int(zoom) + octave) + 127)) << 23u));
-        vec2 p = (clamp((at.place * scale), vec2(-4194304.0), vec2(4194304.0)) / vec2(style.aspect, 1.0));
+        float amount = ink * (octave == 1 ? fine : 1.0 - f);
+        float scale = uintBitsToFloat((uint(int(zoom) + octave + 127) << 23u));
+        vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
+            / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
-        ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
+        ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
         i = 0;
         bool loop_init_1 = true;
         while(true) {
             if (!loop_init_1) {
-                i = (i + 1);
+                i = i + 1;
             }
             loop_init_1 = false;
-            if (!((i < 9))) {
+            if (!(i < 9)) {
                 break;
             }
-            ivec2 cell = ((corner + (((ivec2((i % 3), (i / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            ivec2 turning = (cell + ivec2(6, (7 * (int(zoom) + octave))));
+            ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
+            ivec2 turning = cell + ivec2(6, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
-            float late = (0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
-            float share = clamp(((amount - late) * 32.0), 0.0, 1.0);
-            if ((share <= 0.0)) {
+            float late = 0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u))
+                + 0.5) * 0.00390625);
+            float share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            if (share <= 0.0) {
                 continue;
             }
-            Brushstroke stroke = brush_stroke_2(p, cell, (int(zoom) + octave), share, style);
-            if ((stroke.share > 0.0)) {
-                vec2 gx = brush_turned_2((dx * scale), stroke, style);
-                vec2 gy = brush_turned_2((dy * scale), stroke, style);
-                uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, (int(zoom) + octave))) + uvec3(4055616968u, 794710872u, 362115496u)));
+            Brushstroke stroke = brush_stroke_2(p, cell, int(zoom) + octave, share, style);
+            if (stroke.share > 0.0) {
+                vec2 gx = brush_turned_2(dx * scale, stroke, style);
+                vec2 gy = brush_turned_2(dy * scale, stroke, style);
+                uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, int(zoom) + octave))
+                    + uvec3(4055616968u, 794710872u, 362115496u));
                 uint own = hash_pcg3d_value.x;
                 vec2 drawn = bristles(stroke.uv, length(vec2(gx.y, gy.y)), own);
-                float cover = (stroke.share * drawn.y);
-                paint = (vec2((drawn.x * cover), cover) + (paint * (1.0 - cover)));
+                float cover = stroke.share * drawn.y;
+                paint = vec2(drawn.x * cover, cover) + paint * (1.0 - cover);
             }
         }
     }
@@ -606,19 +672,21 @@ vec2 bristles_laid_2(SpacedPlace at, float ink, Brush style) {
 
 /// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
 Brushstroke brush_stroke_3(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
-    uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(1013904242u, 198677718u, 2238012522u)));
-    vec3 chance = (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8);
-    vec2 offset = (p - ((vec2(cell) + vec2(0.5)) + (style.scatter * (chance.xy - vec2(0.5)))));
-    float x = (0.5 * (chance.z - 0.5));
+    uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, zoom))
+        + uvec3(1013904242u, 198677718u, 2238012522u));
+    vec3 chance = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
+    vec2 offset = p - (vec2(cell) + vec2(0.5) + style.scatter * (chance.xy - vec2(0.5)));
+    float x = 0.5 * (chance.z - 0.5);
     vec2 turn = vec2(sin(x), cos(x));
-    uvec3 hash_pcg3d_value_1 = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(3668340011u, 2445500225u, 1209535135u)));
-    float way = (((vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    uvec3 hash_pcg3d_value_1 = hash_pcg3d(uvec3(ivec3(cell, zoom))
+        + uvec3(3668340011u, 2445500225u, 1209535135u));
+    float way = (vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
-    vec2 uv = (vec2(0.5) + brush_turned((offset * vec2(style.aspect, 1.0)), stroke, style));
-    vec2 from_edge = min(uv, (vec2(1.0) - uv));
-    float inside = clamp((64.0 * min(from_edge.x, from_edge.y)), 0.0, 1.0);
-    float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style.scatter)));
-    float share = ((drawn * inside) * (1.0 - smoothstep(0.85, 1.0, far)));
+    vec2 uv = vec2(0.5) + brush_turned(offset * vec2(style.aspect, 1.0), stroke, style);
+    vec2 from_edge = min(uv, vec2(1.0) - uv);
+    float inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
+    float far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
+    float share = drawn * inside * (1.0 - smoothstep(0.85, 1.0, far));
     return Brushstroke(uv, turn, way, share);
 }
 
@@ -630,52 +698,55 @@ vec2 bristles_laid_3(SpacedPlace at, float ink, Brush style) {
     uint tile[256] = BLUE_TILE;
     vec2 dx = dFdx(at.place);
     vec2 dy = dFdy(at.place);
-    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     float zoom = floor(level);
-    float f = (level - zoom);
-    float coarse_cells = exp2_stable((-2.0 * f));
-    float fine = ((1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells));
+    float f = level - zoom;
+    float coarse_cells = exp2_stable(-2.0 * f);
+    float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            octave = (octave + 1);
+            octave = octave + 1;
         }
         loop_init = false;
-        if (!((octave < 2))) {
+        if (!(octave < 2)) {
             break;
         }
-        float amount = (ink * ((octave == 1) ? fine : (1.0 - f)));
-        float scale = uintBitsToFloat((uint(((int(zoom) + octave) + 127)) << 23u));
-        vec2 p = (clamp((at.place * scale), vec2(-4194304.0), vec2(4194304.0)) / vec2(style.aspect, 1.0));
+        float amount = ink * (octave == 1 ? fine : 1.0 - f);
+        float scale = uintBitsToFloat((uint(int(zoom) + octave + 127) << 23u));
+        vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
+            / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
-        ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
+        ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
         i = 0;
         bool loop_init_1 = true;
         while(true) {
             if (!loop_init_1) {
-                i = (i + 1);
+                i = i + 1;
             }
             loop_init_1 = false;
-            if (!((i < 9))) {
+            if (!(i < 9)) {
                 break;
             }
-            ivec2 cell = ((corner + (((ivec2((i % 3), (i / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            ivec2 turning = (cell + ivec2(2, (7 * (int(zoom) + octave))));
+            ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
+            ivec2 turning = cell + ivec2(2, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
-            float late = (0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
-            float share = clamp(((amount - late) * 32.0), 0.0, 1.0);
-            if ((share <= 0.0)) {
+            float late = 0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u))
+                + 0.5) * 0.00390625);
+            float share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            if (share <= 0.0) {
                 continue;
             }
-            Brushstroke stroke = brush_stroke_3(p, cell, (int(zoom) + octave), share, style);
-            if ((stroke.share > 0.0)) {
-                vec2 gx = brush_turned((dx * scale), stroke, style);
-                vec2 gy = brush_turned((dy * scale), stroke, style);
-                uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, (int(zoom) + octave))) + uvec3(2027808484u, 397355436u, 181057748u)));
+            Brushstroke stroke = brush_stroke_3(p, cell, int(zoom) + octave, share, style);
+            if (stroke.share > 0.0) {
+                vec2 gx = brush_turned(dx * scale, stroke, style);
+                vec2 gy = brush_turned(dy * scale, stroke, style);
+                uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, int(zoom) + octave))
+                    + uvec3(2027808484u, 397355436u, 181057748u));
                 uint own = hash_pcg3d_value.x;
                 vec2 drawn = bristles(stroke.uv, length(vec2(gx.y, gy.y)), own);
-                float cover = (stroke.share * drawn.y);
-                paint = (vec2((drawn.x * cover), cover) + (paint * (1.0 - cover)));
+                float cover = stroke.share * drawn.y;
+                paint = vec2(drawn.x * cover, cover) + paint * (1.0 - cover);
             }
         }
     }
@@ -684,25 +755,28 @@ vec2 bristles_laid_3(SpacedPlace at, float ink, Brush style) {
 
 /// A step on the canvas as a step in a stroke's picture.
 vec2 brush_turned_3(vec2 step_, Brushstroke stroke, Brush style) {
-    vec2 turned = vec2(((stroke.turn.y * step_.x) + (stroke.turn.x * step_.y)), ((stroke.turn.y * step_.y) - (stroke.turn.x * step_.x)));
-    return (turned * vec2((stroke.way / 4.5), -0.6666667));
+    vec2 turned = vec2(stroke.turn.y * step_.x + stroke.turn.x * step_.y, stroke.turn.y * step_.y
+        - stroke.turn.x * step_.x);
+    return turned * vec2(stroke.way / 4.5, -0.6666667);
 }
 
 /// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
 Brushstroke brush_stroke_4(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
-    uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(3668340011u, 2445500225u, 1209535135u)));
-    vec3 chance = (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8);
-    vec2 offset = (p - ((vec2(cell) + vec2(0.5)) + (style.scatter * (chance.xy - vec2(0.5)))));
-    float x = (0.5 * (chance.z - 0.5));
+    uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, zoom))
+        + uvec3(3668340011u, 2445500225u, 1209535135u));
+    vec3 chance = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
+    vec2 offset = p - (vec2(cell) + vec2(0.5) + style.scatter * (chance.xy - vec2(0.5)));
+    float x = 0.5 * (chance.z - 0.5);
     vec2 turn = vec2(sin(x), cos(x));
-    uvec3 hash_pcg3d_value_1 = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(2027808484u, 397355436u, 181057748u)));
-    float way = (((vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    uvec3 hash_pcg3d_value_1 = hash_pcg3d(uvec3(ivec3(cell, zoom))
+        + uvec3(2027808484u, 397355436u, 181057748u));
+    float way = (vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
-    vec2 uv = (vec2(0.5) + brush_turned_3((offset * vec2(3.0, 1.0)), stroke, style));
-    vec2 from_edge = min(uv, (vec2(1.0) - uv));
-    float inside = clamp((64.0 * min(from_edge.x, from_edge.y)), 0.0, 1.0);
-    float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style.scatter)));
-    float share = ((drawn * inside) * (1.0 - smoothstep(0.85, 1.0, far)));
+    vec2 uv = vec2(0.5) + brush_turned_3(offset * vec2(3.0, 1.0), stroke, style);
+    vec2 from_edge = min(uv, vec2(1.0) - uv);
+    float inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
+    float far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
+    float share = drawn * inside * (1.0 - smoothstep(0.85, 1.0, far));
     return Brushstroke(uv, turn, way, share);
 }
 
@@ -714,52 +788,54 @@ vec2 bristles_laid_4(SpacedPlace at, float ink, Brush style) {
     uint tile[256] = BLUE_TILE;
     vec2 dx = dFdx(at.place);
     vec2 dy = dFdy(at.place);
-    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     float zoom = floor(level);
-    float f = (level - zoom);
-    float coarse_cells = exp2_stable((-2.0 * f));
-    float fine = ((1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells));
+    float f = level - zoom;
+    float coarse_cells = exp2_stable(-2.0 * f);
+    float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            octave = (octave + 1);
+            octave = octave + 1;
         }
         loop_init = false;
-        if (!((octave < 2))) {
+        if (!(octave < 2)) {
             break;
         }
-        float amount = (ink * ((octave == 1) ? fine : (1.0 - f)));
-        float scale = uintBitsToFloat((uint(((int(zoom) + octave) + 127)) << 23u));
-        vec2 p = (clamp((at.place * scale), vec2(-4194304.0), vec2(4194304.0)) / vec2(3.0, 1.0));
+        float amount = ink * (octave == 1 ? fine : 1.0 - f);
+        float scale = uintBitsToFloat((uint(int(zoom) + octave + 127) << 23u));
+        vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0)) / vec2(3.0, 1.0);
         ivec2 corner = ivec2(floor(p));
-        ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
+        ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
         i = 0;
         bool loop_init_1 = true;
         while(true) {
             if (!loop_init_1) {
-                i = (i + 1);
+                i = i + 1;
             }
             loop_init_1 = false;
-            if (!((i < 9))) {
+            if (!(i < 9)) {
                 break;
             }
-            ivec2 cell = ((corner + (((ivec2((i % 3), (i / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            ivec2 turning = (cell + ivec2(3, (7 * (int(zoom) + octave))));
+            ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
+            ivec2 turning = cell + ivec2(3, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
-            float late = (0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
-            float share = clamp(((amount - late) * 32.0), 0.0, 1.0);
-            if ((share <= 0.0)) {
+            float late = 0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u))
+                + 0.5) * 0.00390625);
+            float share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            if (share <= 0.0) {
                 continue;
             }
-            Brushstroke stroke = brush_stroke_4(p, cell, (int(zoom) + octave), share, style);
-            if ((stroke.share > 0.0)) {
-                vec2 gx = brush_turned_3((dx * scale), stroke, style);
-                vec2 gy = brush_turned_3((dy * scale), stroke, style);
-                uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, (int(zoom) + octave))) + uvec3(387276957u, 2644177943u, 3447547657u)));
+            Brushstroke stroke = brush_stroke_4(p, cell, int(zoom) + octave, share, style);
+            if (stroke.share > 0.0) {
+                vec2 gx = brush_turned_3(dx * scale, stroke, style);
+                vec2 gy = brush_turned_3(dy * scale, stroke, style);
+                uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, int(zoom) + octave))
+                    + uvec3(387276957u, 2644177943u, 3447547657u));
                 uint own = hash_pcg3d_value.x;
                 vec2 drawn = bristles(stroke.uv, length(vec2(gx.y, gy.y)), own);
-                float cover = (stroke.share * drawn.y);
-                paint = (vec2((drawn.x * cover), cover) + (paint * (1.0 - cover)));
+                float cover = stroke.share * drawn.y;
+                paint = vec2(drawn.x * cover, cover) + paint * (1.0 - cover);
             }
         }
     }
@@ -768,19 +844,21 @@ vec2 bristles_laid_4(SpacedPlace at, float ink, Brush style) {
 
 /// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
 Brushstroke brush_stroke_5(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
-    uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(2027808484u, 397355436u, 181057748u)));
-    vec3 chance = (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8);
-    vec2 offset = (p - ((vec2(cell) + vec2(0.5)) + (style.scatter * (chance.xy - vec2(0.5)))));
-    float x = (style.turn * (chance.z - 0.5));
+    uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, zoom))
+        + uvec3(2027808484u, 397355436u, 181057748u));
+    vec3 chance = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
+    vec2 offset = p - (vec2(cell) + vec2(0.5) + style.scatter * (chance.xy - vec2(0.5)));
+    float x = style.turn * (chance.z - 0.5);
     vec2 turn = vec2(sin(x), cos(x));
-    uvec3 hash_pcg3d_value_1 = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(387276957u, 2644177943u, 3447547657u)));
-    float way = (((vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    uvec3 hash_pcg3d_value_1 = hash_pcg3d(uvec3(ivec3(cell, zoom))
+        + uvec3(387276957u, 2644177943u, 3447547657u));
+    float way = (vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
-    vec2 uv = (vec2(0.5) + brush_turned((offset * vec2(style.aspect, 1.0)), stroke, style));
-    vec2 from_edge = min(uv, (vec2(1.0) - uv));
-    float inside = clamp((64.0 * min(from_edge.x, from_edge.y)), 0.0, 1.0);
-    float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style.scatter)));
-    float share = ((drawn * inside) * (1.0 - smoothstep(0.85, 1.0, far)));
+    vec2 uv = vec2(0.5) + brush_turned(offset * vec2(style.aspect, 1.0), stroke, style);
+    vec2 from_edge = min(uv, vec2(1.0) - uv);
+    float inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
+    float far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
+    float share = drawn * inside * (1.0 - smoothstep(0.85, 1.0, far));
     return Brushstroke(uv, turn, way, share);
 }
 
@@ -792,52 +870,55 @@ vec2 bristles_laid_5(SpacedPlace at, float ink, Brush style) {
     uint tile[256] = BLUE_TILE;
     vec2 dx = dFdx(at.place);
     vec2 dy = dFdy(at.place);
-    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     float zoom = floor(level);
-    float f = (level - zoom);
-    float coarse_cells = exp2_stable((-2.0 * f));
-    float fine = ((1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells));
+    float f = level - zoom;
+    float coarse_cells = exp2_stable(-2.0 * f);
+    float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            octave = (octave + 1);
+            octave = octave + 1;
         }
         loop_init = false;
-        if (!((octave < 2))) {
+        if (!(octave < 2)) {
             break;
         }
-        float amount = (ink * ((octave == 1) ? fine : (1.0 - f)));
-        float scale = uintBitsToFloat((uint(((int(zoom) + octave) + 127)) << 23u));
-        vec2 p = (clamp((at.place * scale), vec2(-4194304.0), vec2(4194304.0)) / vec2(style.aspect, 1.0));
+        float amount = ink * (octave == 1 ? fine : 1.0 - f);
+        float scale = uintBitsToFloat((uint(int(zoom) + octave + 127) << 23u));
+        vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
+            / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
-        ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
+        ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
         i = 0;
         bool loop_init_1 = true;
         while(true) {
             if (!loop_init_1) {
-                i = (i + 1);
+                i = i + 1;
             }
             loop_init_1 = false;
-            if (!((i < 9))) {
+            if (!(i < 9)) {
                 break;
             }
-            ivec2 cell = ((corner + (((ivec2((i % 3), (i / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            ivec2 turning = (cell + ivec2(4, (7 * (int(zoom) + octave))));
+            ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
+            ivec2 turning = cell + ivec2(4, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
-            float late = (0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
-            float share = clamp(((amount - late) * 32.0), 0.0, 1.0);
-            if ((share <= 0.0)) {
+            float late = 0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u))
+                + 0.5) * 0.00390625);
+            float share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            if (share <= 0.0) {
                 continue;
             }
-            Brushstroke stroke = brush_stroke_5(p, cell, (int(zoom) + octave), share, style);
-            if ((stroke.share > 0.0)) {
-                vec2 gx = brush_turned((dx * scale), stroke, style);
-                vec2 gy = brush_turned((dy * scale), stroke, style);
-                uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, (int(zoom) + octave))) + uvec3(3041712726u, 596033154u, 2419070270u)));
+            Brushstroke stroke = brush_stroke_5(p, cell, int(zoom) + octave, share, style);
+            if (stroke.share > 0.0) {
+                vec2 gx = brush_turned(dx * scale, stroke, style);
+                vec2 gy = brush_turned(dy * scale, stroke, style);
+                uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, int(zoom) + octave))
+                    + uvec3(3041712726u, 596033154u, 2419070270u));
                 uint own = hash_pcg3d_value.x;
                 vec2 drawn = bristles(stroke.uv, length(vec2(gx.y, gy.y)), own);
-                float cover = (stroke.share * drawn.y);
-                paint = (vec2((drawn.x * cover), cover) + (paint * (1.0 - cover)));
+                float cover = stroke.share * drawn.y;
+                paint = vec2(drawn.x * cover, cover) + paint * (1.0 - cover);
             }
         }
     }
@@ -846,19 +927,21 @@ vec2 bristles_laid_5(SpacedPlace at, float ink, Brush style) {
 
 /// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
 Brushstroke brush_stroke_6(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
-    uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(4055616968u, 794710872u, 362115496u)));
-    vec3 chance = (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8);
-    vec2 offset = (p - ((vec2(cell) + vec2(0.5)) + (style.scatter * (chance.xy - vec2(0.5)))));
-    float x = (style.turn * (chance.z - 0.5));
+    uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, zoom))
+        + uvec3(4055616968u, 794710872u, 362115496u));
+    vec3 chance = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
+    vec2 offset = p - (vec2(cell) + vec2(0.5) + style.scatter * (chance.xy - vec2(0.5)));
+    float x = style.turn * (chance.z - 0.5);
     vec2 turn = vec2(sin(x), cos(x));
-    uvec3 hash_pcg3d_value_1 = hash_pcg3d((uvec3(ivec3(cell, zoom)) + uvec3(2415085441u, 3041533379u, 3628605405u)));
-    float way = (((vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    uvec3 hash_pcg3d_value_1 = hash_pcg3d(uvec3(ivec3(cell, zoom))
+        + uvec3(2415085441u, 3041533379u, 3628605405u));
+    float way = (vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
-    vec2 uv = (vec2(0.5) + brush_turned_2((offset * vec2(style.aspect, 1.0)), stroke, style));
-    vec2 from_edge = min(uv, (vec2(1.0) - uv));
-    float inside = clamp((64.0 * min(from_edge.x, from_edge.y)), 0.0, 1.0);
-    float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style.scatter)));
-    float share = ((drawn * inside) * (1.0 - smoothstep(0.85, 1.0, far)));
+    vec2 uv = vec2(0.5) + brush_turned_2(offset * vec2(style.aspect, 1.0), stroke, style);
+    vec2 from_edge = min(uv, vec2(1.0) - uv);
+    float inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
+    float far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
+    float share = drawn * inside * (1.0 - smoothstep(0.85, 1.0, far));
     return Brushstroke(uv, turn, way, share);
 }
 
@@ -870,121 +953,133 @@ vec2 bristles_laid_6(SpacedPlace at, float ink, Brush style) {
     uint tile[256] = BLUE_TILE;
     vec2 dx = dFdx(at.place);
     vec2 dy = dFdy(at.place);
-    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     float zoom = floor(level);
-    float f = (level - zoom);
-    float coarse_cells = exp2_stable((-2.0 * f));
-    float fine = ((1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells));
+    float f = level - zoom;
+    float coarse_cells = exp2_stable(-2.0 * f);
+    float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            octave = (octave + 1);
+            octave = octave + 1;
         }
         loop_init = false;
-        if (!((octave < 2))) {
+        if (!(octave < 2)) {
             break;
         }
-        float amount = (ink * ((octave == 1) ? fine : (1.0 - f)));
-        float scale = uintBitsToFloat((uint(((int(zoom) + octave) + 127)) << 23u));
-        vec2 p = (clamp((at.place * scale), vec2(-4194304.0), vec2(4194304.0)) / vec2(style.aspect, 1.0));
+        float amount = ink * (octave == 1 ? fine : 1.0 - f);
+        float scale = uintBitsToFloat((uint(int(zoom) + octave + 127) << 23u));
+        vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
+            / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
-        ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
+        ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
         i = 0;
         bool loop_init_1 = true;
         while(true) {
             if (!loop_init_1) {
-                i = (i + 1);
+                i = i + 1;
             }
             loop_init_1 = false;
-            if (!((i < 9))) {
+            if (!(i < 9)) {
                 break;
             }
-            ivec2 cell = ((corner + (((ivec2((i % 3), (i / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            ivec2 turning = (cell + ivec2(8, (7 * (int(zoom) + octave))));
+            ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
+            ivec2 turning = cell + ivec2(8, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
-            float late = (0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
-            float share = clamp(((amount - late) * 32.0), 0.0, 1.0);
-            if ((share <= 0.0)) {
+            float late = 0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u))
+                + 0.5) * 0.00390625);
+            float share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            if (share <= 0.0) {
                 continue;
             }
-            Brushstroke stroke = brush_stroke_6(p, cell, (int(zoom) + octave), share, style);
-            if ((stroke.share > 0.0)) {
-                vec2 gx = brush_turned_2((dx * scale), stroke, style);
-                vec2 gy = brush_turned_2((dy * scale), stroke, style);
-                uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(cell, (int(zoom) + octave))) + uvec3(774553914u, 993388590u, 2600128018u)));
+            Brushstroke stroke = brush_stroke_6(p, cell, int(zoom) + octave, share, style);
+            if (stroke.share > 0.0) {
+                vec2 gx = brush_turned_2(dx * scale, stroke, style);
+                vec2 gy = brush_turned_2(dy * scale, stroke, style);
+                uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, int(zoom) + octave))
+                    + uvec3(774553914u, 993388590u, 2600128018u));
                 uint own = hash_pcg3d_value.x;
                 vec2 drawn = bristles(stroke.uv, length(vec2(gx.y, gy.y)), own);
-                float cover = (stroke.share * drawn.y);
-                paint = (vec2((drawn.x * cover), cover) + (paint * (1.0 - cover)));
+                float cover = stroke.share * drawn.y;
+                paint = vec2(drawn.x * cover, cover) + paint * (1.0 - cover);
             }
         }
     }
     return paint;
 }
 
-BrushStrokes brush_strokes_bristles(float value, vec2 place, vec3 stretch, float count, float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
+BrushStrokes brush_strokes_bristles(float value, vec2 place, vec3 stretch, float count,
+    float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
     SpacedPlace at = spaced(place, stretch, viewport, count);
     Brush style = Brush(aspect, size, scatter, turn, 1u, false);
-    vec2 paint = bristles_laid(at, (1.0 - value), style);
-    float shade = (paint.x / max(paint.y, 0.001));
+    vec2 paint = bristles_laid(at, 1.0 - value, style);
+    float shade = paint.x / max(paint.y, 0.001);
     return BrushStrokes(vec4(shade, shade, shade, 1.0), paint.y);
 }
 
-BrushStrokes brush_strokes_bristles_2(float value, vec2 place, vec3 stretch, float count, float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
+BrushStrokes brush_strokes_bristles_2(float value, vec2 place, vec3 stretch, float count,
+    float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
     SpacedPlace at = spaced(place, stretch, viewport, count);
     Brush style = Brush(aspect, size, scatter, turn, 6u, false);
-    vec2 paint = bristles_laid_2(at, (1.0 - value), style);
-    float shade = (paint.x / max(paint.y, 0.001));
+    vec2 paint = bristles_laid_2(at, 1.0 - value, style);
+    float shade = paint.x / max(paint.y, 0.001);
     return BrushStrokes(vec4(shade, shade, shade, 1.0), paint.y);
 }
 
-BrushStrokes brush_strokes_bristles_3(float value, vec2 place, vec3 stretch, float count, float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
+BrushStrokes brush_strokes_bristles_3(float value, vec2 place, vec3 stretch, float count,
+    float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
     SpacedPlace at = spaced(place, stretch, viewport, count);
     Brush style = Brush(aspect, size, scatter, turn, 2u, false);
-    vec2 paint = bristles_laid_3(at, (1.0 - value), style);
-    float shade = (paint.x / max(paint.y, 0.001));
+    vec2 paint = bristles_laid_3(at, 1.0 - value, style);
+    float shade = paint.x / max(paint.y, 0.001);
     return BrushStrokes(vec4(shade, shade, shade, 1.0), paint.y);
 }
 
-BrushStrokes brush_strokes_bristles_4(float value, vec2 place, vec3 stretch, float count, float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
+BrushStrokes brush_strokes_bristles_4(float value, vec2 place, vec3 stretch, float count,
+    float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
     SpacedPlace at = spaced_2(place, stretch, viewport, count);
     Brush style = Brush(aspect, size, scatter, turn, 3u, false);
-    vec2 paint = bristles_laid_4(at, (1.0 - value), style);
-    float shade = (paint.x / max(paint.y, 0.001));
+    vec2 paint = bristles_laid_4(at, 1.0 - value, style);
+    float shade = paint.x / max(paint.y, 0.001);
     return BrushStrokes(vec4(shade, shade, shade, 1.0), paint.y);
 }
 
-BrushStrokes brush_strokes_bristles_5(float value, vec2 place, vec3 stretch, float count, float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
+BrushStrokes brush_strokes_bristles_5(float value, vec2 place, vec3 stretch, float count,
+    float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
     SpacedPlace at = spaced_2(place, stretch, viewport, count);
     Brush style = Brush(aspect, size, scatter, turn, 4u, false);
-    vec2 paint = bristles_laid_5(at, (1.0 - value), style);
-    float shade = (paint.x / max(paint.y, 0.001));
+    vec2 paint = bristles_laid_5(at, 1.0 - value, style);
+    float shade = paint.x / max(paint.y, 0.001);
     return BrushStrokes(vec4(shade, shade, shade, 1.0), paint.y);
 }
 
-BrushStrokes brush_strokes_bristles_6(float value, vec2 place, vec3 stretch, float count, float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
+BrushStrokes brush_strokes_bristles_6(float value, vec2 place, vec3 stretch, float count,
+    float aspect, float size, float scatter, float turn, int seed, vec2 viewport) {
     SpacedPlace at = spaced(place, stretch, viewport, count);
     Brush style = Brush(aspect, size, scatter, turn, 8u, false);
-    vec2 paint = bristles_laid_6(at, (1.0 - value), style);
-    float shade = (paint.x / max(paint.y, 0.001));
+    vec2 paint = bristles_laid_6(at, 1.0 - value, style);
+    float shade = paint.x / max(paint.y, 0.001);
     return BrushStrokes(vec4(shade, shade, shade, 1.0), paint.y);
 }
 
-MarkPlace mark_place_axis(vec3 axis, vec3 normal, float angle, vec3 view, vec3 position_object, mat3x3 world_from_normal, float magnification) {
-    StretchedPlace m = place_across(axis, position_object, world_from_normal, normal, view, magnification, angle);
+MarkPlace mark_place_axis(vec3 axis, vec3 normal, float angle, vec3 view, vec3 position_object,
+    mat3x3 world_from_normal, float magnification) {
+    StretchedPlace m = place_across(axis, position_object, world_from_normal, normal, view,
+        magnification, angle);
     return MarkPlace(m.place, m.stretch);
 }
 
 MarkPlace mark_place_object(float angle, vec3 anchor, vec2 pixel, vec2 viewport) {
     float size = clamp(anchor.z, 1e-6, 1000000.0);
-    vec2 place = ((place_in_picture(pixel, viewport) - vec2(anchor.x, -(anchor.y))) / vec2(size));
-    StretchedPlace m = mark_place_of_2(place, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle);
+    vec2 place = (place_in_picture(pixel, viewport) - vec2(anchor.x, -anchor.y)) / vec2(size);
+    StretchedPlace m = mark_place_of_2(place, vec3(1.0 / size, 0.0, 0.0),
+        vec3(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace(m.place, m.stretch);
 }
 
 float reflectance_half_lambert(Light light, vec3 normal) {
-    float half_ = (0.5 + (0.5 * dot(normal, light.direction)));
-    return min((half_ * half_), 1.0);
+    float half_ = 0.5 + 0.5 * dot(normal, light.direction);
+    return min(half_ * half_, 1.0);
 }
 
 /// Map range
@@ -992,8 +1087,9 @@ float reflectance_half_lambert(Light light, vec3 normal) {
 /// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first
 /// range is empty, all that is below it becomes the new low and the rest the new high. A color
 /// keeps its alpha, within 0 and 1 while clamped.
-float map_range(float value, float from_low, float from_high, float to_low, float to_high, bool clamped) {
-    return mix(to_low, to_high, clamp(((value - from_low) / (from_high - from_low)), 0.0, 1.0));
+float map_range(float value, float from_low, float from_high, float to_low, float to_high,
+    bool clamped) {
+    return mix(to_low, to_high, clamp((value - from_low) / (from_high - from_low), 0.0, 1.0));
 }
 
 /// The look at one point of the surface.
@@ -1002,32 +1098,62 @@ vec4 shade(Surface surface) {
     float light_and_shade = reflectance_half_lambert(u_look.key, planes);
     float where_umber_goes = map_range(light_and_shade, 0.02, 0.2, 1.0, 0.0, true);
     vec3 large_forms = normalize_moderate(surface.smooth_normal_3_, surface.normal);
-    MarkPlace strokes_round_the_form = mark_place_axis(vec3(0.35, 1.0, 0.25), large_forms, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
-    BrushStrokes umber = brush_strokes_bristles(where_umber_goes, strokes_round_the_form.place, strokes_round_the_form.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1, u_look.viewport);
-    vec4 umber_as_paint = color_mixed(umber.color, (umber.color.xyz * u_look.umber_as_paint_b.xyz), 1.0);
-    vec4 umber_laid_on = mixed_vec4(u_look.toned_canvas, bounded_vec4(umber_as_paint), clamp(umber.ink, 0.0, 1.0));
+    MarkPlace strokes_round_the_form = mark_place_axis(vec3(0.35, 1.0, 0.25), large_forms, 0.0,
+        surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
+    BrushStrokes umber = brush_strokes_bristles(where_umber_goes, strokes_round_the_form.place,
+        strokes_round_the_form.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1, u_look.viewport);
+    // Mix colors
+    vec4 umber_as_paint = color_mixed(umber.color, umber.color.xyz * u_look.umber_as_paint_b.xyz,
+        1.0);
+    // Mix colors
+    vec4 umber_laid_on = mixed_vec4(u_look.toned_canvas, bounded_vec4(umber_as_paint),
+        clamp(umber.ink, 0.0, 1.0));
+    // Reflectance
     float reflected_light = max(dot(planes, u_look.sky.direction), 0.0);
-    float where_cool_reflections_go = mix(1.0, 0.0, clamp(((reflected_light - 0.25) / 0.5), 0.0, 1.0));
-    BrushStrokes cool_reflections = brush_strokes_bristles_2(where_cool_reflections_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6, u_look.viewport);
-    vec4 cool_reflections_as_paint = color_mixed(cool_reflections.color, (cool_reflections.color.xyz * u_look.cool_reflections_as_paint_b.xyz), 1.0);
-    vec4 cool_reflections_laid_on = mix_colors_normal(umber_laid_on, cool_reflections_as_paint, cool_reflections.ink);
+    float where_cool_reflections_go = mix(1.0, 0.0,
+        clamp((reflected_light - 0.25) / 0.5, 0.0, 1.0));
+    BrushStrokes cool_reflections = brush_strokes_bristles_2(where_cool_reflections_go,
+        strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6,
+        u_look.viewport);
+    // Mix colors
+    vec4 cool_reflections_as_paint = color_mixed(cool_reflections.color,
+        cool_reflections.color.xyz * u_look.cool_reflections_as_paint_b.xyz, 1.0);
+    vec4 cool_reflections_laid_on = mix_colors_normal(umber_laid_on, cool_reflections_as_paint,
+        cool_reflections.ink);
     float where_half_tones_go = map_range(light_and_shade, 0.24, 0.42, 1.0, 0.0, true);
-    BrushStrokes half_tones = brush_strokes_bristles_3(where_half_tones_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2, u_look.viewport);
-    vec4 half_tones_as_paint = color_mixed(half_tones.color, (half_tones.color.xyz * u_look.half_tones_as_paint_b.xyz), 1.0);
-    vec4 half_tones_laid_on = mix_colors_normal(cool_reflections_laid_on, half_tones_as_paint, half_tones.ink);
+    BrushStrokes half_tones = brush_strokes_bristles_3(where_half_tones_go,
+        strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2,
+        u_look.viewport);
+    // Mix colors
+    vec4 half_tones_as_paint = color_mixed(half_tones.color, half_tones.color.xyz
+        * u_look.half_tones_as_paint_b.xyz, 1.0);
+    vec4 half_tones_laid_on = mix_colors_normal(cool_reflections_laid_on, half_tones_as_paint,
+        half_tones.ink);
     float where_light_goes = map_range(light_and_shade, 0.46, 0.66, 1.0, 0.0, true);
-    MarkPlace strokes_of_the_wrist = mark_place_object(0.75, surface.anchor, surface.pixel, u_look.viewport);
-    BrushStrokes light = brush_strokes_bristles_4(where_light_goes, strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3, u_look.viewport);
-    vec4 light_as_paint = color_mixed(light.color, (light.color.xyz * u_look.light_as_paint_b.xyz), 1.0);
+    MarkPlace strokes_of_the_wrist = mark_place_object(0.75, surface.anchor, surface.pixel,
+        u_look.viewport);
+    BrushStrokes light = brush_strokes_bristles_4(where_light_goes, strokes_of_the_wrist.place,
+        strokes_of_the_wrist.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3, u_look.viewport);
+    // Mix colors
+    vec4 light_as_paint = color_mixed(light.color, light.color.xyz * u_look.light_as_paint_b.xyz,
+        1.0);
     vec4 light_laid_on = mix_colors_normal(half_tones_laid_on, light_as_paint, light.ink);
     float where_thick_lights_go = map_range(light_and_shade, 0.76, 0.95, 1.0, 0.0, true);
-    BrushStrokes thick_lights = brush_strokes_bristles_5(where_thick_lights_go, strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4, u_look.viewport);
-    vec4 thick_lights_as_paint = color_mixed(thick_lights.color, (thick_lights.color.xyz * u_look.thick_lights_as_paint_b.xyz), 1.0);
-    vec4 thick_lights_laid_on = mix_colors_normal(light_laid_on, thick_lights_as_paint, thick_lights.ink);
+    BrushStrokes thick_lights = brush_strokes_bristles_5(where_thick_lights_go,
+        strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4,
+        u_look.viewport);
+    // Mix colors
+    vec4 thick_lights_as_paint = color_mixed(thick_lights.color, thick_lights.color.xyz
+        * u_look.thick_lights_as_paint_b.xyz, 1.0);
+    vec4 thick_lights_laid_on = mix_colors_normal(light_laid_on, thick_lights_as_paint,
+        thick_lights.ink);
     float hollows = surface.kappa;
-    float where_accents_go = mix(1.0, 0.0, clamp(((hollows + 6.0) / -14.0), 0.0, 1.0));
-    BrushStrokes accents = brush_strokes_bristles_6(where_accents_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8, u_look.viewport);
-    vec4 accents_as_paint = color_mixed(accents.color, (accents.color.xyz * u_look.accents_as_paint_b.xyz), 1.0);
+    float where_accents_go = mix(1.0, 0.0, clamp((hollows + 6.0) / -14.0, 0.0, 1.0));
+    BrushStrokes accents = brush_strokes_bristles_6(where_accents_go, strokes_round_the_form.place,
+        strokes_round_the_form.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8, u_look.viewport);
+    // Mix colors
+    vec4 accents_as_paint = color_mixed(accents.color, accents.color.xyz
+        * u_look.accents_as_paint_b.xyz, 1.0);
     vec4 accents_laid_on = mix_colors_normal(thick_lights_laid_on, accents_as_paint, accents.ink);
     vec4 output_alpha = vec4(accents_laid_on.xyz, clamp(accents_laid_on.w, 0.0, 1.0));
     return output_(premultiplied(output_alpha));
@@ -1037,14 +1163,22 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
     vec4 texel_1 = texelFetch(u_smooth_normal_1_map, ivec2(in_.clip.xy), 0);
     vec4 texel_2 = texelFetch(u_smooth_normal_3_map, ivec2(in_.clip.xy), 0);
-    vec3 anchor_on_screen_value = anchor_on_screen((u_view.camera_from_world * vec4(u_object.world_from_object[3].xyz, 1.0)).xyz, u_view.eye.w, length(vec3(u_view.clip_from_world[0][1], u_view.clip_from_world[1][1], u_view.clip_from_world[2][1])));
-    float size_on_screen_value = size_on_screen(-((u_view.camera_from_world * vec4(in_.position, 1.0)).z), u_view.eye.w, length(vec3(u_view.clip_from_world[0][1], u_view.clip_from_world[1][1], u_view.clip_from_world[2][1])));
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), in_.position_object, texel.x, (vec4(texel_1.xyz, 0.0) * u_view.camera_from_world).xyz, (vec4(texel_2.xyz, 0.0) * u_view.camera_from_world).xyz, ((in_.clip.xy * u_view.screen.xy) + u_view.screen.zw), anchor_on_screen_value, size_on_screen_value, u_object.world_from_normal);
+    vec3 anchor_on_screen_value = anchor_on_screen((u_view.camera_from_world
+        * vec4(u_object.world_from_object[3].xyz, 1.0)).xyz, u_view.eye.w,
+        length(vec3(u_view.clip_from_world[0][1], u_view.clip_from_world[1][1],
+        u_view.clip_from_world[2][1])));
+    float size_on_screen_value = size_on_screen(-(u_view.camera_from_world
+        * vec4(in_.position, 1.0)).z, u_view.eye.w,
+        length(vec3(u_view.clip_from_world[0][1], u_view.clip_from_world[1][1],
+        u_view.clip_from_world[2][1])));
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position),
+        in_.position_object, texel.x, (vec4(texel_1.xyz, 0.0) * u_view.camera_from_world).xyz,
+        (vec4(texel_2.xyz, 0.0) * u_view.camera_from_world).xyz, in_.clip.xy * u_view.screen.xy
+        + u_view.screen.zw, anchor_on_screen_value, size_on_screen_value,
+        u_object.world_from_normal);
     out_color = finite_vec4(shade(surface));
-    return;
 }
-

@@ -18,6 +18,7 @@ struct View {
     /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     metal::float4 screen;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -25,6 +26,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -36,6 +38,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     metal::float4 toned_canvas;
@@ -50,6 +53,7 @@ struct Look {
     metal::float4 half_tones_as_paint_b;
     metal::float4 umber_as_paint_b;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
@@ -64,11 +68,13 @@ struct Surface {
     float magnification;
     metal::float3x3 world_from_normal;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 struct type_11 {
     uint inner[256];
 };
+
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
@@ -78,12 +84,14 @@ struct StretchedPlace {
     /// picture height.
     metal::float3 stretch;
 };
+
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
 };
+
 /// Style of brush strokes.
 struct Brush {
     /// Length of a stroke over its width.
@@ -99,6 +107,7 @@ struct Brush {
     bool is_dark;
     char _pad6[3];
 };
+
 /// A stroke as seen at a place.
 struct Brushstroke {
     /// Place in the stroke's picture, v down.
@@ -110,6 +119,7 @@ struct Brushstroke {
     /// Share of the stroke that is there, 0 to 1.
     float share;
 };
+
 struct BrushStrokes {
     /// The picture's own color, opaque; of bristles how light their paint lies, to multiply a
     /// color by; black where no stroke is.
@@ -118,6 +128,7 @@ struct BrushStrokes {
     float ink;
     char _pad2[12];
 };
+
 struct MarkPlace {
     /// Along the strokes, and across them.
     metal::float2 place;
@@ -125,20 +136,59 @@ struct MarkPlace {
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     metal::float3 stretch;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 position_object;
     metal::float3 normal;
 };
+
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 constant float MOST_ON_SCREEN = 1000000000000000.0;
-constant type_11 BLUE_TILE = type_11 {{667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u}};
+constant type_11 BLUE_TILE = type_11 {{667461202u, 222158680u, 3599544829u, 3400820132u,
+    1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u,
+    3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u,
+    3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u,
+    2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u,
+    3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u,
+    349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u,
+    1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u,
+    3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u,
+    882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u,
+    4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u,
+    2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u,
+    3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u,
+    1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u,
+    3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u,
+    2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u,
+    940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u,
+    1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u,
+    1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u,
+    359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u,
+    548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u,
+    1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u,
+    3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u,
+    4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u,
+    1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u,
+    2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u,
+    2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u,
+    3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u,
+    2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u,
+    3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u,
+    11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u,
+    3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u,
+    2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u,
+    1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u,
+    3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u,
+    4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u,
+    2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u}};
 
 /// v with 0 for each component that is NaN or infinite.
 metal::float4 finite_vec4(
@@ -159,8 +209,11 @@ float exp2_stable(
 ) {
     float whole = metal::rint(x);
     float f = x - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole))
+        + as_type<uint>(126))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -174,7 +227,8 @@ float log2_stable(
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
-    return static_cast<float>(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379)))))));
+    return static_cast<float>(exponent) + z
+        * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
@@ -192,7 +246,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -211,7 +266,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -220,8 +275,10 @@ metal::float3 bounded_vec3(
 ) {
     metal::uint3 bits = as_type<metal::uint3>(v);
     metal::uint3 magnitude = bits & metal::uint3(2147483647u);
-    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
-    metal::float3 numbers = metal::select(metal::float3(0.0), largest, magnitude == metal::uint3(2139095040u));
+    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u))
+        | metal::uint3(2139095039u));
+    metal::float3 numbers = metal::select(metal::float3(0.0), largest,
+        magnitude == metal::uint3(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint3(2139095040u));
 }
 
@@ -231,8 +288,10 @@ metal::float4 bounded_vec4(
 ) {
     metal::uint4 bits = as_type<metal::uint4>(v);
     metal::uint4 magnitude = bits & metal::uint4(2147483647u);
-    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
-    metal::float4 numbers = metal::select(metal::float4(0.0), largest, magnitude == metal::uint4(2139095040u));
+    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u))
+        | metal::uint4(2139095039u));
+    metal::float4 numbers = metal::select(metal::float4(0.0), largest,
+        magnitude == metal::uint4(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint4(2139095040u));
 }
 
@@ -243,7 +302,7 @@ metal::float4 mixed_vec4(
     float t
 ) {
     metal::float4 d = bounded_vec4(b - a);
-    return bounded_vec4((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d)));
+    return bounded_vec4(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
@@ -255,7 +314,7 @@ float place_between(
 ) {
     float span = high - low;
     if (metal::abs(span) < SMALLEST_NORMAL) {
-        return (x >= high) ? 1.0 : 0.0;
+        return x >= high ? 1.0 : 0.0;
     }
     return bounded((x - low) / span);
 }
@@ -268,7 +327,7 @@ float eased(
     float high
 ) {
     float t = metal::clamp(place_between(x, low, high), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
@@ -278,7 +337,7 @@ metal::float4 color_mixed(
     float factor
 ) {
     metal::float3 b = bounded_vec3(blended);
-    return metal::float4(bounded_vec3(b - (0.0 * bounded_vec3(b - a.xyz))), 1.0);
+    return metal::float4(bounded_vec3(b - 0.0 * bounded_vec3(b - a.xyz)), 1.0);
 }
 
 /// Premultiplied RGBA of a straight color.
@@ -320,9 +379,11 @@ metal::float3x3 axes_around(
     metal::float3 z = toward * metal::rsqrt(metal::dot(toward, toward));
     metal::float3 leaning = metal::cross(up, z);
     float square = metal::dot(leaning, leaning);
-    metal::float3 aside = (metal::abs(z.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square > 0.00000001) ? leaning : metal::cross(aside, z);
-    metal::float3 x = normalize_moderate(across - (metal::dot(across, z) * z), metal::float3(1.0, 0.0, 0.0));
+    metal::float3 aside = metal::abs(z.x)
+        > 0.7 ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
+    metal::float3 across = square > 0.00000001 ? leaning : metal::cross(aside, z);
+    metal::float3 x = normalize_moderate(across - metal::dot(across, z) * z,
+        metal::float3(1.0, 0.0, 0.0));
     return metal::float3x3(x, metal::cross(z, x), z);
 }
 
@@ -342,14 +403,14 @@ metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
     metal::uint3 v = {};
-    v = (seed * 1664525u) + metal::uint3(1013904223u);
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v = seed * 1664525u + metal::uint3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = v ^ (v >> metal::uint3(16u));
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -365,7 +426,8 @@ metal::uint3 lattice_hash(
     metal::int3 cell,
     uint seed
 ) {
-    return hash_pcg3d(as_type<metal::uint3>(cell) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+    return hash_pcg3d(as_type<metal::uint3>(cell) + seed
+        * metal::uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 /// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
@@ -377,7 +439,8 @@ float size_on_screen(
     float scale
 ) {
     // Clip space is 2 high.
-    return metal::min((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective), MOST_ON_SCREEN);
+    return metal::min(0.5 * scale / metal::mix(1.0, metal::max(depth, 0.000001), perspective),
+        MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
@@ -387,8 +450,9 @@ metal::float3 anchor_on_screen(
     float perspective,
     float scale
 ) {
-    float size = size_on_screen(-(origin.z), perspective, scale);
-    return metal::clamp(metal::float3(origin.x * size, -(origin.y) * size, size), metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    float size = size_on_screen(-origin.z, perspective, scale);
+    return metal::clamp(metal::float3(origin.x * size, -origin.y * size, size),
+        metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
@@ -396,8 +460,9 @@ metal::float2 place_in_picture(
     metal::float2 pixel,
     metal::float2 viewport
 ) {
-    metal::float2 from_middle = pixel - (0.5 * viewport);
-    return metal::float2(from_middle.x, -(from_middle.y)) / metal::float2(metal::max(viewport.y, 1.0));
+    metal::float2 from_middle = pixel - 0.5 * viewport;
+    return metal::float2(from_middle.x, -from_middle.y)
+        / metal::float2(metal::max(viewport.y, 1.0));
 }
 
 /// Index of the number of the repeating tile that holds a cell's rank.
@@ -405,7 +470,7 @@ uint blue_index(
     metal::int2 cell
 ) {
     metal::uint2 at = as_type<metal::uint2>(cell) & metal::uint2(31u);
-    return (8u * at.y) + (at.x >> 2u);
+    return 8u * at.y + (at.x >> 2u);
 }
 
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
@@ -417,11 +482,13 @@ StretchedPlace mark_place_of(
     float angle
 ) {
     metal::float2 turn = metal::float2(0.0, 1.0);
-    metal::float3 x = bounded_vec3((turn.y * along) + (turn.x * across));
-    metal::float3 y = bounded_vec3((turn.y * across) - (turn.x * along));
-    metal::float2 turned = metal::float2((turn.y * place.x) + (turn.x * place.y), (turn.y * place.y) - (turn.x * place.x));
+    metal::float3 x = bounded_vec3(turn.y * along + turn.x * across);
+    metal::float3 y = bounded_vec3(turn.y * across - turn.x * along);
+    metal::float2 turned = metal::float2(turn.y * place.x + turn.x * place.y, turn.y * place.y
+        - turn.x * place.x);
     metal::float3 most = metal::float3(1000000000000000.0);
-    metal::float3 stretch = metal::clamp(metal::float3(metal::dot(x, x), metal::dot(x, y), metal::dot(y, y)), -(most), most);
+    metal::float3 stretch = metal::clamp(metal::float3(metal::dot(x, x), metal::dot(x, y),
+        metal::dot(y, y)), -most, most);
     return StretchedPlace {turned, {}, stretch};
 }
 
@@ -433,10 +500,12 @@ StretchedPlace mark_place_of_2(
     metal::float3 across,
     float angle
 ) {
-    metal::float2 turn = metal::clamp(sin_cos_eighth(0.75), metal::float2(-1.0), metal::float2(1.0));
-    metal::float3 x = (turn.y * along) + (turn.x * across);
-    metal::float3 y = (turn.y * across) - (turn.x * along);
-    metal::float2 turned = metal::float2((turn.y * place.x) + (turn.x * place.y), (turn.y * place.y) - (turn.x * place.x));
+    metal::float2 turn = metal::clamp(sin_cos_eighth(0.75), metal::float2(-1.0),
+        metal::float2(1.0));
+    metal::float3 x = turn.y * along + turn.x * across;
+    metal::float3 y = turn.y * across - turn.x * along;
+    metal::float2 turned = metal::float2(turn.y * place.x + turn.x * place.y, turn.y * place.y
+        - turn.x * place.x);
     metal::float3 stretch = metal::float3(metal::dot(x, x), metal::dot(x, y), metal::dot(y, y));
     return StretchedPlace {turned, {}, stretch};
 }
@@ -450,7 +519,8 @@ metal::float3 gradient_on_picture(
     metal::float3 view
 ) {
     float facing = metal::dot(normal, view);
-    return g - (normal * (metal::dot(g, view) / ((facing >= 0.0) ? metal::max(facing, 0.125) : metal::min(facing, -0.125))));
+    return g - normal * (metal::dot(g, view)
+        / (facing >= 0.0 ? metal::max(facing, 0.125) : metal::min(facing, -0.125)));
 }
 
 /// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
@@ -480,7 +550,8 @@ StretchedPlace place_across(
     float angle
 ) {
     metal::float3x3 axes = axes_around(axis, metal::float3(0.0, 1.0, 0.0));
-    metal::float2 place = metal::float2(metal::dot(position, axes[0]), metal::dot(position, axes[2]));
+    metal::float2 place = metal::float2(metal::dot(position, axes[0]),
+        metal::dot(position, axes[2]));
     metal::float3 along = world_from_normal * axes[0];
     metal::float3 across = world_from_normal * axes[2];
     return place_on_surface(place, along, across, normal, view, magnification, angle);
@@ -494,10 +565,12 @@ SpacedPlace spaced(
     metal::float2 viewport,
     float count
 ) {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = is_pixel ? (count / metal::max(viewport.y, 1.0)) : count;
-    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0), metal::float2(4194304.0));
-    metal::float3 s = metal::clamp(bounded_vec3(stretch), metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / metal::max(viewport.y, 1.0) : count;
+    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0),
+        metal::float2(4194304.0));
+    metal::float3 s = metal::clamp(bounded_vec3(stretch), metal::float3(-1000000000000000.0),
+        metal::float3(1000000000000000.0));
     return SpacedPlace {p, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s};
 }
 
@@ -509,9 +582,10 @@ SpacedPlace spaced_2(
     metal::float2 viewport,
     float count
 ) {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = is_pixel ? (count / metal::max(viewport.y, 1.0)) : count;
-    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0), metal::float2(4194304.0));
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / metal::max(viewport.y, 1.0) : count;
+    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0),
+        metal::float2(4194304.0));
     return SpacedPlace {p, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : stretch};
 }
 
@@ -522,7 +596,7 @@ float area_square(
     metal::float3 stretch
 ) {
     float sum = stretch.x + stretch.z;
-    return metal::max((stretch.x * stretch.z) - (stretch.y * stretch.y), (sum * sum) / 66.0);
+    return metal::max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
 /// A step on the canvas as a step in a stroke's picture.
@@ -531,7 +605,8 @@ metal::float2 brush_turned(
     Brushstroke stroke,
     Brush style
 ) {
-    metal::float2 turned = metal::float2((stroke.turn.y * step.x) + (stroke.turn.x * step.y), (stroke.turn.y * step.y) - (stroke.turn.x * step.x));
+    metal::float2 turned = metal::float2(stroke.turn.y * step.x + stroke.turn.x * step.y,
+        stroke.turn.y * step.y - stroke.turn.x * step.x);
     return turned * metal::float2(stroke.way / (style.size * style.aspect), -1.0 / style.size);
 }
 
@@ -543,19 +618,26 @@ Brushstroke brush_stroke(
     float drawn,
     Brush style
 ) {
-    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom)) + metal::uint3(2654435769u, 2246822507u, 3266489909u));
-    metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u)) * 0.000000059604645;
-    metal::float2 offset = p - ((static_cast<metal::float2>(cell) + metal::float2(0.5)) + (style.scatter * (chance.xy - metal::float2(0.5))));
+    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom))
+        + metal::uint3(2654435769u, 2246822507u, 3266489909u));
+    metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u))
+        * 0.000000059604645;
+    metal::float2 offset = p - (static_cast<metal::float2>(cell) + metal::float2(0.5)
+        + style.scatter * (chance.xy - metal::float2(0.5)));
     float x = 0.5 * (chance.z - 0.5);
     metal::float2 turn = metal::float2(metal::sin(x), metal::cos(x));
-    metal::uint3 hash_pcg3d_value_1 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom)) + metal::uint3(1013904242u, 198677718u, 2238012522u));
-    float way = ((static_cast<metal::float3>(hash_pcg3d_value_1 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
+    metal::uint3 hash_pcg3d_value_1 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom))
+        + metal::uint3(1013904242u, 198677718u, 2238012522u));
+    float way = (static_cast<metal::float3>(hash_pcg3d_value_1 >> metal::uint3(8u))
+        * 0.000000059604645).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke {metal::float2(0.5), turn, way, 0.0};
-    metal::float2 uv = metal::float2(0.5) + brush_turned(offset * metal::float2(style.aspect, 1.0), stroke, style);
+    metal::float2 uv = metal::float2(0.5)
+        + brush_turned(offset * metal::float2(style.aspect, 1.0), stroke, style);
     metal::float2 from_edge = metal::min(uv, metal::float2(1.0) - uv);
     float inside = metal::clamp(64.0 * metal::min(from_edge.x, from_edge.y), 0.0, 1.0);
-    float far = metal::max(metal::abs(offset.x), metal::abs(offset.y)) / (1.0 - (0.5 * style.scatter));
-    float share = (drawn * inside) * (1.0 - metal::smoothstep(0.85, 1.0, far));
+    float far = metal::max(metal::abs(offset.x), metal::abs(offset.y))
+        / (1.0 - 0.5 * style.scatter);
+    float share = drawn * inside * (1.0 - metal::smoothstep(0.85, 1.0, far));
     return Brushstroke {uv, turn, way, share};
 }
 
@@ -568,9 +650,10 @@ metal::float3 bristle(
     float first = metal::floor(row);
     float t = row - first;
     metal::float3 a = unit_of_hash(lattice_hash(metal::int3(naga_f2i32(first), 0, 0), seed));
-    metal::uint3 lattice_hash_value = lattice_hash(metal::int3(as_type<int>(as_type<uint>(naga_f2i32(first)) + as_type<uint>(1)), 0, 0), seed);
+    metal::uint3 lattice_hash_value = lattice_hash(metal::int3(as_type<int>(as_type<uint>(naga_f2i32(first)) + as_type<uint>(1)),
+        0, 0), seed);
     metal::float3 b = unit_of_hash(lattice_hash_value);
-    return metal::mix(a, b, (t * t) * (3.0 - (2.0 * t)));
+    return metal::mix(a, b, t * t * (3.0 - 2.0 * t));
 }
 
 /// A stroke of a stiff brush at the place `uv` in it: lightness of its paint in x, coverage in y.
@@ -580,18 +663,20 @@ metal::float2 bristles(
     float width,
     uint seed
 ) {
-    float across = (2.0 * uv.y) - 1.0;
-    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(0, 1, 0)) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
-    metal::float3 own = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u)) * 0.000000059604645;
-    float seen = metal::clamp(1.75 - (11.0 * width), 0.0, 1.0);
+    float across = 2.0 * uv.y - 1.0;
+    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(0, 1, 0)) + seed
+        * metal::uint3(2654435769u, 2246822507u, 3266489909u));
+    metal::float3 own = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u))
+        * 0.000000059604645;
+    float seen = metal::clamp(1.75 - 11.0 * width, 0.0, 1.0);
     metal::float3 chance = metal::mix(metal::float3(0.5), bristle(11.0 * uv.y, seed), seen);
-    float start = (0.03 + (0.12 * chance.x)) + ((0.09 * across) * across);
-    float end = (0.97 - ((0.1 + (0.25 * own.y)) * chance.y)) - ((0.12 * across) * across);
+    float start = 0.03 + 0.12 * chance.x + 0.09 * across * across;
+    float end = 0.97 - (0.1 + 0.25 * own.y) * chance.y - 0.12 * across * across;
     float along = eased(uv.x, start, start + 0.05) * (1.0 - eased(uv.x, end - 0.1, end));
     float side = 1.0 - metal::smoothstep(0.78, 0.95, metal::abs(across));
-    float dry = metal::smoothstep(0.85, 1.25, uv.x + (0.55 * chance.z));
-    float shade = ((0.8 + (0.16 * own.z)) + (0.208 * (chance.z - 0.5))) - (0.05 * uv.x);
-    return metal::float2(metal::clamp(shade, 0.0, 1.0), (along * side) * (1.0 - (0.9 * dry)));
+    float dry = metal::smoothstep(0.85, 1.25, uv.x + 0.55 * chance.z);
+    float shade = 0.8 + 0.16 * own.z + 0.208 * (chance.z - 0.5) - 0.05 * uv.x;
+    return metal::float2(metal::clamp(shade, 0.0, 1.0), along * side * (1.0 - 0.9 * dry));
 }
 
 metal::int2 naga_f2i32(metal::float2 value) {
@@ -599,13 +684,14 @@ metal::int2 naga_f2i32(metal::float2 value) {
 }
 
 metal::int2 naga_mod(metal::int2 lhs, metal::int2 rhs) {
-    metal::int2 divisor = metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-    return lhs - (lhs / divisor) * divisor;
+    metal::int2 divisor = metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1)
+        | (rhs == 0));
+    return lhs - lhs / divisor * divisor;
 }
 
 int naga_mod(int lhs, int rhs) {
     int divisor = metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-    return lhs - (lhs / divisor) * divisor;
+    return lhs - lhs / divisor * divisor;
 }
 
 int naga_div(int lhs, int rhs) {
@@ -624,26 +710,29 @@ metal::float2 bristles_laid(
     type_11 tile = BLUE_TILE;
     metal::float2 dx = metal::dfdx(at.place);
     metal::float2 dy = metal::dfdy(at.place);
-    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)), 0.000000000000000000000000000001));
+    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)),
+        0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * log2_stable_value, -16.0, 16.0);
     float zoom = metal::floor(level);
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
-    float fine = (1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells);
+    float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
             octave = as_type<int>(as_type<uint>(octave) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((octave < 2))) {
+        if (!(octave < 2)) {
             break;
         }
-        float amount = ink * ((octave == 1) ? fine : (1.0 - f));
+        float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
-        metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0), metal::float2(4194304.0)) / metal::float2(style.aspect, 1.0);
+        metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
+            metal::float2(4194304.0)) / metal::float2(style.aspect, 1.0);
         metal::int2 corner = naga_f2i32(metal::floor(p));
-        metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner, metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
+        metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
+            metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
         i = 0;
         bool loop_init_1 = true;
         while(true) {
@@ -651,26 +740,39 @@ metal::float2 bristles_laid(
                 i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
             }
             loop_init_1 = false;
-            if (!((i < 9))) {
+            if (!(i < 9)) {
                 break;
             }
-            metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i, 3), naga_div(i, 3))) - as_type<metal::uint2>(phase))) + as_type<metal::uint2>(metal::int2(4))), metal::int2(3))))) - as_type<metal::uint2>(metal::int2(1)));
-            metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell) + as_type<metal::uint2>(metal::int2(1, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)))))));
+            metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
+                3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
+                + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
+                - as_type<metal::uint2>(metal::int2(1)));
+            metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell)
+                + as_type<metal::uint2>(metal::int2(1,
+                as_type<int>(as_type<uint>(7)
+                * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom))
+                + as_type<uint>(octave)))))));
             uint tile_now = tile.inner[blue_index(turning)];
-            float late = 0.96875 * ((static_cast<float>((tile_now >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
+            float late = 0.96875 * ((static_cast<float>((tile_now
+                >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
             float share = metal::clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
                 continue;
             }
-            Brushstroke stroke = brush_stroke(p, cell, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)), share, style);
+            Brushstroke stroke = brush_stroke(p, cell,
+                as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)), share,
+                style);
             if (stroke.share > 0.0) {
                 metal::float2 gx = brush_turned(dx * scale, stroke, style);
                 metal::float2 gy = brush_turned(dy * scale, stroke, style);
-                metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)))) + metal::uint3(3668340011u, 2445500225u, 1209535135u));
+                metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell,
+                    as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))))
+                    + metal::uint3(3668340011u, 2445500225u, 1209535135u));
                 uint own = hash_pcg3d_value.x;
-                metal::float2 drawn = bristles(stroke.uv, metal::length(metal::float2(gx.y, gy.y)), own);
+                metal::float2 drawn = bristles(stroke.uv, metal::length(metal::float2(gx.y, gy.y)),
+                    own);
                 float cover = stroke.share * drawn.y;
-                paint = metal::float2(drawn.x * cover, cover) + (paint * (1.0 - cover));
+                paint = metal::float2(drawn.x * cover, cover) + paint * (1.0 - cover);
             }
         }
     }
@@ -683,7 +785,8 @@ metal::float2 brush_turned_2(
     Brushstroke stroke,
     Brush style
 ) {
-    metal::float2 turned = metal::float2((stroke.turn.y * step.x) + (stroke.turn.x * step.y), (stroke.turn.y * step.y) - (stroke.turn.x * step.x));
+    metal::float2 turned = metal::float2(stroke.turn.y * step.x + stroke.turn.x * step.y,
+        stroke.turn.y * step.y - stroke.turn.x * step.x);
     return turned * metal::float2(stroke.way / (1.5 * style.aspect), -0.6666667);
 }
 
@@ -695,19 +798,26 @@ Brushstroke brush_stroke_2(
     float drawn,
     Brush style
 ) {
-    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom)) + metal::uint3(3041712726u, 596033154u, 2419070270u));
-    metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u)) * 0.000000059604645;
-    metal::float2 offset = p - ((static_cast<metal::float2>(cell) + metal::float2(0.5)) + (style.scatter * (chance.xy - metal::float2(0.5))));
+    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom))
+        + metal::uint3(3041712726u, 596033154u, 2419070270u));
+    metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u))
+        * 0.000000059604645;
+    metal::float2 offset = p - (static_cast<metal::float2>(cell) + metal::float2(0.5)
+        + style.scatter * (chance.xy - metal::float2(0.5)));
     float x = 0.5 * (chance.z - 0.5);
     metal::float2 turn = metal::float2(metal::sin(x), metal::cos(x));
-    metal::uint3 hash_pcg3d_value_1 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom)) + metal::uint3(1401181199u, 2842855661u, 1390592883u));
-    float way = ((static_cast<metal::float3>(hash_pcg3d_value_1 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
+    metal::uint3 hash_pcg3d_value_1 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom))
+        + metal::uint3(1401181199u, 2842855661u, 1390592883u));
+    float way = (static_cast<metal::float3>(hash_pcg3d_value_1 >> metal::uint3(8u))
+        * 0.000000059604645).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke {metal::float2(0.5), turn, way, 0.0};
-    metal::float2 uv = metal::float2(0.5) + brush_turned_2(offset * metal::float2(style.aspect, 1.0), stroke, style);
+    metal::float2 uv = metal::float2(0.5)
+        + brush_turned_2(offset * metal::float2(style.aspect, 1.0), stroke, style);
     metal::float2 from_edge = metal::min(uv, metal::float2(1.0) - uv);
     float inside = metal::clamp(64.0 * metal::min(from_edge.x, from_edge.y), 0.0, 1.0);
-    float far = metal::max(metal::abs(offset.x), metal::abs(offset.y)) / (1.0 - (0.5 * style.scatter));
-    float share = (drawn * inside) * (1.0 - metal::smoothstep(0.85, 1.0, far));
+    float far = metal::max(metal::abs(offset.x), metal::abs(offset.y))
+        / (1.0 - 0.5 * style.scatter);
+    float share = drawn * inside * (1.0 - metal::smoothstep(0.85, 1.0, far));
     return Brushstroke {uv, turn, way, share};
 }
 
@@ -723,26 +833,29 @@ metal::float2 bristles_laid_2(
     type_11 tile = BLUE_TILE;
     metal::float2 dx = metal::dfdx(at.place);
     metal::float2 dy = metal::dfdy(at.place);
-    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)), 0.000000000000000000000000000001));
+    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)),
+        0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * log2_stable_value, -16.0, 16.0);
     float zoom = metal::floor(level);
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
-    float fine = (1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells);
+    float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
             octave = as_type<int>(as_type<uint>(octave) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((octave < 2))) {
+        if (!(octave < 2)) {
             break;
         }
-        float amount = ink * ((octave == 1) ? fine : (1.0 - f));
+        float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
-        metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0), metal::float2(4194304.0)) / metal::float2(style.aspect, 1.0);
+        metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
+            metal::float2(4194304.0)) / metal::float2(style.aspect, 1.0);
         metal::int2 corner = naga_f2i32(metal::floor(p));
-        metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner, metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
+        metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
+            metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
         i = 0;
         bool loop_init_1 = true;
         while(true) {
@@ -750,26 +863,39 @@ metal::float2 bristles_laid_2(
                 i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
             }
             loop_init_1 = false;
-            if (!((i < 9))) {
+            if (!(i < 9)) {
                 break;
             }
-            metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i, 3), naga_div(i, 3))) - as_type<metal::uint2>(phase))) + as_type<metal::uint2>(metal::int2(4))), metal::int2(3))))) - as_type<metal::uint2>(metal::int2(1)));
-            metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell) + as_type<metal::uint2>(metal::int2(6, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)))))));
+            metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
+                3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
+                + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
+                - as_type<metal::uint2>(metal::int2(1)));
+            metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell)
+                + as_type<metal::uint2>(metal::int2(6,
+                as_type<int>(as_type<uint>(7)
+                * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom))
+                + as_type<uint>(octave)))))));
             uint tile_now = tile.inner[blue_index(turning)];
-            float late = 0.96875 * ((static_cast<float>((tile_now >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
+            float late = 0.96875 * ((static_cast<float>((tile_now
+                >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
             float share = metal::clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
                 continue;
             }
-            Brushstroke stroke = brush_stroke_2(p, cell, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)), share, style);
+            Brushstroke stroke = brush_stroke_2(p, cell,
+                as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)), share,
+                style);
             if (stroke.share > 0.0) {
                 metal::float2 gx = brush_turned_2(dx * scale, stroke, style);
                 metal::float2 gy = brush_turned_2(dy * scale, stroke, style);
-                metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)))) + metal::uint3(4055616968u, 794710872u, 362115496u));
+                metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell,
+                    as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))))
+                    + metal::uint3(4055616968u, 794710872u, 362115496u));
                 uint own = hash_pcg3d_value.x;
-                metal::float2 drawn = bristles(stroke.uv, metal::length(metal::float2(gx.y, gy.y)), own);
+                metal::float2 drawn = bristles(stroke.uv, metal::length(metal::float2(gx.y, gy.y)),
+                    own);
                 float cover = stroke.share * drawn.y;
-                paint = metal::float2(drawn.x * cover, cover) + (paint * (1.0 - cover));
+                paint = metal::float2(drawn.x * cover, cover) + paint * (1.0 - cover);
             }
         }
     }
@@ -784,19 +910,26 @@ Brushstroke brush_stroke_3(
     float drawn,
     Brush style
 ) {
-    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom)) + metal::uint3(1013904242u, 198677718u, 2238012522u));
-    metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u)) * 0.000000059604645;
-    metal::float2 offset = p - ((static_cast<metal::float2>(cell) + metal::float2(0.5)) + (style.scatter * (chance.xy - metal::float2(0.5))));
+    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom))
+        + metal::uint3(1013904242u, 198677718u, 2238012522u));
+    metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u))
+        * 0.000000059604645;
+    metal::float2 offset = p - (static_cast<metal::float2>(cell) + metal::float2(0.5)
+        + style.scatter * (chance.xy - metal::float2(0.5)));
     float x = 0.5 * (chance.z - 0.5);
     metal::float2 turn = metal::float2(metal::sin(x), metal::cos(x));
-    metal::uint3 hash_pcg3d_value_1 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom)) + metal::uint3(3668340011u, 2445500225u, 1209535135u));
-    float way = ((static_cast<metal::float3>(hash_pcg3d_value_1 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
+    metal::uint3 hash_pcg3d_value_1 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom))
+        + metal::uint3(3668340011u, 2445500225u, 1209535135u));
+    float way = (static_cast<metal::float3>(hash_pcg3d_value_1 >> metal::uint3(8u))
+        * 0.000000059604645).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke {metal::float2(0.5), turn, way, 0.0};
-    metal::float2 uv = metal::float2(0.5) + brush_turned(offset * metal::float2(style.aspect, 1.0), stroke, style);
+    metal::float2 uv = metal::float2(0.5)
+        + brush_turned(offset * metal::float2(style.aspect, 1.0), stroke, style);
     metal::float2 from_edge = metal::min(uv, metal::float2(1.0) - uv);
     float inside = metal::clamp(64.0 * metal::min(from_edge.x, from_edge.y), 0.0, 1.0);
-    float far = metal::max(metal::abs(offset.x), metal::abs(offset.y)) / (1.0 - (0.5 * style.scatter));
-    float share = (drawn * inside) * (1.0 - metal::smoothstep(0.85, 1.0, far));
+    float far = metal::max(metal::abs(offset.x), metal::abs(offset.y))
+        / (1.0 - 0.5 * style.scatter);
+    float share = drawn * inside * (1.0 - metal::smoothstep(0.85, 1.0, far));
     return Brushstroke {uv, turn, way, share};
 }
 
@@ -812,26 +945,29 @@ metal::float2 bristles_laid_3(
     type_11 tile = BLUE_TILE;
     metal::float2 dx = metal::dfdx(at.place);
     metal::float2 dy = metal::dfdy(at.place);
-    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)), 0.000000000000000000000000000001));
+    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)),
+        0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * log2_stable_value, -16.0, 16.0);
     float zoom = metal::floor(level);
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
-    float fine = (1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells);
+    float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
             octave = as_type<int>(as_type<uint>(octave) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((octave < 2))) {
+        if (!(octave < 2)) {
             break;
         }
-        float amount = ink * ((octave == 1) ? fine : (1.0 - f));
+        float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
-        metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0), metal::float2(4194304.0)) / metal::float2(style.aspect, 1.0);
+        metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
+            metal::float2(4194304.0)) / metal::float2(style.aspect, 1.0);
         metal::int2 corner = naga_f2i32(metal::floor(p));
-        metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner, metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
+        metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
+            metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
         i = 0;
         bool loop_init_1 = true;
         while(true) {
@@ -839,26 +975,39 @@ metal::float2 bristles_laid_3(
                 i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
             }
             loop_init_1 = false;
-            if (!((i < 9))) {
+            if (!(i < 9)) {
                 break;
             }
-            metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i, 3), naga_div(i, 3))) - as_type<metal::uint2>(phase))) + as_type<metal::uint2>(metal::int2(4))), metal::int2(3))))) - as_type<metal::uint2>(metal::int2(1)));
-            metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell) + as_type<metal::uint2>(metal::int2(2, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)))))));
+            metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
+                3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
+                + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
+                - as_type<metal::uint2>(metal::int2(1)));
+            metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell)
+                + as_type<metal::uint2>(metal::int2(2,
+                as_type<int>(as_type<uint>(7)
+                * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom))
+                + as_type<uint>(octave)))))));
             uint tile_now = tile.inner[blue_index(turning)];
-            float late = 0.96875 * ((static_cast<float>((tile_now >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
+            float late = 0.96875 * ((static_cast<float>((tile_now
+                >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
             float share = metal::clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
                 continue;
             }
-            Brushstroke stroke = brush_stroke_3(p, cell, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)), share, style);
+            Brushstroke stroke = brush_stroke_3(p, cell,
+                as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)), share,
+                style);
             if (stroke.share > 0.0) {
                 metal::float2 gx = brush_turned(dx * scale, stroke, style);
                 metal::float2 gy = brush_turned(dy * scale, stroke, style);
-                metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)))) + metal::uint3(2027808484u, 397355436u, 181057748u));
+                metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell,
+                    as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))))
+                    + metal::uint3(2027808484u, 397355436u, 181057748u));
                 uint own = hash_pcg3d_value.x;
-                metal::float2 drawn = bristles(stroke.uv, metal::length(metal::float2(gx.y, gy.y)), own);
+                metal::float2 drawn = bristles(stroke.uv, metal::length(metal::float2(gx.y, gy.y)),
+                    own);
                 float cover = stroke.share * drawn.y;
-                paint = metal::float2(drawn.x * cover, cover) + (paint * (1.0 - cover));
+                paint = metal::float2(drawn.x * cover, cover) + paint * (1.0 - cover);
             }
         }
     }
@@ -871,7 +1020,8 @@ metal::float2 brush_turned_3(
     Brushstroke stroke,
     Brush style
 ) {
-    metal::float2 turned = metal::float2((stroke.turn.y * step.x) + (stroke.turn.x * step.y), (stroke.turn.y * step.y) - (stroke.turn.x * step.x));
+    metal::float2 turned = metal::float2(stroke.turn.y * step.x + stroke.turn.x * step.y,
+        stroke.turn.y * step.y - stroke.turn.x * step.x);
     return turned * metal::float2(stroke.way / 4.5, -0.6666667);
 }
 
@@ -883,19 +1033,26 @@ Brushstroke brush_stroke_4(
     float drawn,
     Brush style
 ) {
-    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom)) + metal::uint3(3668340011u, 2445500225u, 1209535135u));
-    metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u)) * 0.000000059604645;
-    metal::float2 offset = p - ((static_cast<metal::float2>(cell) + metal::float2(0.5)) + (style.scatter * (chance.xy - metal::float2(0.5))));
+    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom))
+        + metal::uint3(3668340011u, 2445500225u, 1209535135u));
+    metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u))
+        * 0.000000059604645;
+    metal::float2 offset = p - (static_cast<metal::float2>(cell) + metal::float2(0.5)
+        + style.scatter * (chance.xy - metal::float2(0.5)));
     float x = 0.5 * (chance.z - 0.5);
     metal::float2 turn = metal::float2(metal::sin(x), metal::cos(x));
-    metal::uint3 hash_pcg3d_value_1 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom)) + metal::uint3(2027808484u, 397355436u, 181057748u));
-    float way = ((static_cast<metal::float3>(hash_pcg3d_value_1 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
+    metal::uint3 hash_pcg3d_value_1 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom))
+        + metal::uint3(2027808484u, 397355436u, 181057748u));
+    float way = (static_cast<metal::float3>(hash_pcg3d_value_1 >> metal::uint3(8u))
+        * 0.000000059604645).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke {metal::float2(0.5), turn, way, 0.0};
-    metal::float2 uv = metal::float2(0.5) + brush_turned_3(offset * metal::float2(3.0, 1.0), stroke, style);
+    metal::float2 uv = metal::float2(0.5)
+        + brush_turned_3(offset * metal::float2(3.0, 1.0), stroke, style);
     metal::float2 from_edge = metal::min(uv, metal::float2(1.0) - uv);
     float inside = metal::clamp(64.0 * metal::min(from_edge.x, from_edge.y), 0.0, 1.0);
-    float far = metal::max(metal::abs(offset.x), metal::abs(offset.y)) / (1.0 - (0.5 * style.scatter));
-    float share = (drawn * inside) * (1.0 - metal::smoothstep(0.85, 1.0, far));
+    float far = metal::max(metal::abs(offset.x), metal::abs(offset.y))
+        / (1.0 - 0.5 * style.scatter);
+    float share = drawn * inside * (1.0 - metal::smoothstep(0.85, 1.0, far));
     return Brushstroke {uv, turn, way, share};
 }
 
@@ -911,26 +1068,29 @@ metal::float2 bristles_laid_4(
     type_11 tile = BLUE_TILE;
     metal::float2 dx = metal::dfdx(at.place);
     metal::float2 dy = metal::dfdy(at.place);
-    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)), 0.000000000000000000000000000001));
+    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)),
+        0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * log2_stable_value, -16.0, 16.0);
     float zoom = metal::floor(level);
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
-    float fine = (1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells);
+    float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
             octave = as_type<int>(as_type<uint>(octave) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((octave < 2))) {
+        if (!(octave < 2)) {
             break;
         }
-        float amount = ink * ((octave == 1) ? fine : (1.0 - f));
+        float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
-        metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0), metal::float2(4194304.0)) / metal::float2(3.0, 1.0);
+        metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
+            metal::float2(4194304.0)) / metal::float2(3.0, 1.0);
         metal::int2 corner = naga_f2i32(metal::floor(p));
-        metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner, metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
+        metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
+            metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
         i = 0;
         bool loop_init_1 = true;
         while(true) {
@@ -938,26 +1098,39 @@ metal::float2 bristles_laid_4(
                 i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
             }
             loop_init_1 = false;
-            if (!((i < 9))) {
+            if (!(i < 9)) {
                 break;
             }
-            metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i, 3), naga_div(i, 3))) - as_type<metal::uint2>(phase))) + as_type<metal::uint2>(metal::int2(4))), metal::int2(3))))) - as_type<metal::uint2>(metal::int2(1)));
-            metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell) + as_type<metal::uint2>(metal::int2(3, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)))))));
+            metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
+                3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
+                + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
+                - as_type<metal::uint2>(metal::int2(1)));
+            metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell)
+                + as_type<metal::uint2>(metal::int2(3,
+                as_type<int>(as_type<uint>(7)
+                * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom))
+                + as_type<uint>(octave)))))));
             uint tile_now = tile.inner[blue_index(turning)];
-            float late = 0.96875 * ((static_cast<float>((tile_now >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
+            float late = 0.96875 * ((static_cast<float>((tile_now
+                >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
             float share = metal::clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
                 continue;
             }
-            Brushstroke stroke = brush_stroke_4(p, cell, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)), share, style);
+            Brushstroke stroke = brush_stroke_4(p, cell,
+                as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)), share,
+                style);
             if (stroke.share > 0.0) {
                 metal::float2 gx = brush_turned_3(dx * scale, stroke, style);
                 metal::float2 gy = brush_turned_3(dy * scale, stroke, style);
-                metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)))) + metal::uint3(387276957u, 2644177943u, 3447547657u));
+                metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell,
+                    as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))))
+                    + metal::uint3(387276957u, 2644177943u, 3447547657u));
                 uint own = hash_pcg3d_value.x;
-                metal::float2 drawn = bristles(stroke.uv, metal::length(metal::float2(gx.y, gy.y)), own);
+                metal::float2 drawn = bristles(stroke.uv, metal::length(metal::float2(gx.y, gy.y)),
+                    own);
                 float cover = stroke.share * drawn.y;
-                paint = metal::float2(drawn.x * cover, cover) + (paint * (1.0 - cover));
+                paint = metal::float2(drawn.x * cover, cover) + paint * (1.0 - cover);
             }
         }
     }
@@ -972,19 +1145,26 @@ Brushstroke brush_stroke_5(
     float drawn,
     Brush style
 ) {
-    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom)) + metal::uint3(2027808484u, 397355436u, 181057748u));
-    metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u)) * 0.000000059604645;
-    metal::float2 offset = p - ((static_cast<metal::float2>(cell) + metal::float2(0.5)) + (style.scatter * (chance.xy - metal::float2(0.5))));
+    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom))
+        + metal::uint3(2027808484u, 397355436u, 181057748u));
+    metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u))
+        * 0.000000059604645;
+    metal::float2 offset = p - (static_cast<metal::float2>(cell) + metal::float2(0.5)
+        + style.scatter * (chance.xy - metal::float2(0.5)));
     float x = style.turn * (chance.z - 0.5);
     metal::float2 turn = metal::float2(metal::sin(x), metal::cos(x));
-    metal::uint3 hash_pcg3d_value_1 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom)) + metal::uint3(387276957u, 2644177943u, 3447547657u));
-    float way = ((static_cast<metal::float3>(hash_pcg3d_value_1 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
+    metal::uint3 hash_pcg3d_value_1 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom))
+        + metal::uint3(387276957u, 2644177943u, 3447547657u));
+    float way = (static_cast<metal::float3>(hash_pcg3d_value_1 >> metal::uint3(8u))
+        * 0.000000059604645).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke {metal::float2(0.5), turn, way, 0.0};
-    metal::float2 uv = metal::float2(0.5) + brush_turned(offset * metal::float2(style.aspect, 1.0), stroke, style);
+    metal::float2 uv = metal::float2(0.5)
+        + brush_turned(offset * metal::float2(style.aspect, 1.0), stroke, style);
     metal::float2 from_edge = metal::min(uv, metal::float2(1.0) - uv);
     float inside = metal::clamp(64.0 * metal::min(from_edge.x, from_edge.y), 0.0, 1.0);
-    float far = metal::max(metal::abs(offset.x), metal::abs(offset.y)) / (1.0 - (0.5 * style.scatter));
-    float share = (drawn * inside) * (1.0 - metal::smoothstep(0.85, 1.0, far));
+    float far = metal::max(metal::abs(offset.x), metal::abs(offset.y))
+        / (1.0 - 0.5 * style.scatter);
+    float share = drawn * inside * (1.0 - metal::smoothstep(0.85, 1.0, far));
     return Brushstroke {uv, turn, way, share};
 }
 
@@ -1000,26 +1180,29 @@ metal::float2 bristles_laid_5(
     type_11 tile = BLUE_TILE;
     metal::float2 dx = metal::dfdx(at.place);
     metal::float2 dy = metal::dfdy(at.place);
-    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)), 0.000000000000000000000000000001));
+    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)),
+        0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * log2_stable_value, -16.0, 16.0);
     float zoom = metal::floor(level);
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
-    float fine = (1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells);
+    float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
             octave = as_type<int>(as_type<uint>(octave) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((octave < 2))) {
+        if (!(octave < 2)) {
             break;
         }
-        float amount = ink * ((octave == 1) ? fine : (1.0 - f));
+        float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
-        metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0), metal::float2(4194304.0)) / metal::float2(style.aspect, 1.0);
+        metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
+            metal::float2(4194304.0)) / metal::float2(style.aspect, 1.0);
         metal::int2 corner = naga_f2i32(metal::floor(p));
-        metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner, metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
+        metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
+            metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
         i = 0;
         bool loop_init_1 = true;
         while(true) {
@@ -1027,26 +1210,39 @@ metal::float2 bristles_laid_5(
                 i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
             }
             loop_init_1 = false;
-            if (!((i < 9))) {
+            if (!(i < 9)) {
                 break;
             }
-            metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i, 3), naga_div(i, 3))) - as_type<metal::uint2>(phase))) + as_type<metal::uint2>(metal::int2(4))), metal::int2(3))))) - as_type<metal::uint2>(metal::int2(1)));
-            metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell) + as_type<metal::uint2>(metal::int2(4, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)))))));
+            metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
+                3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
+                + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
+                - as_type<metal::uint2>(metal::int2(1)));
+            metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell)
+                + as_type<metal::uint2>(metal::int2(4,
+                as_type<int>(as_type<uint>(7)
+                * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom))
+                + as_type<uint>(octave)))))));
             uint tile_now = tile.inner[blue_index(turning)];
-            float late = 0.96875 * ((static_cast<float>((tile_now >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
+            float late = 0.96875 * ((static_cast<float>((tile_now
+                >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
             float share = metal::clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
                 continue;
             }
-            Brushstroke stroke = brush_stroke_5(p, cell, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)), share, style);
+            Brushstroke stroke = brush_stroke_5(p, cell,
+                as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)), share,
+                style);
             if (stroke.share > 0.0) {
                 metal::float2 gx = brush_turned(dx * scale, stroke, style);
                 metal::float2 gy = brush_turned(dy * scale, stroke, style);
-                metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)))) + metal::uint3(3041712726u, 596033154u, 2419070270u));
+                metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell,
+                    as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))))
+                    + metal::uint3(3041712726u, 596033154u, 2419070270u));
                 uint own = hash_pcg3d_value.x;
-                metal::float2 drawn = bristles(stroke.uv, metal::length(metal::float2(gx.y, gy.y)), own);
+                metal::float2 drawn = bristles(stroke.uv, metal::length(metal::float2(gx.y, gy.y)),
+                    own);
                 float cover = stroke.share * drawn.y;
-                paint = metal::float2(drawn.x * cover, cover) + (paint * (1.0 - cover));
+                paint = metal::float2(drawn.x * cover, cover) + paint * (1.0 - cover);
             }
         }
     }
@@ -1061,19 +1257,26 @@ Brushstroke brush_stroke_6(
     float drawn,
     Brush style
 ) {
-    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom)) + metal::uint3(4055616968u, 794710872u, 362115496u));
-    metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u)) * 0.000000059604645;
-    metal::float2 offset = p - ((static_cast<metal::float2>(cell) + metal::float2(0.5)) + (style.scatter * (chance.xy - metal::float2(0.5))));
+    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom))
+        + metal::uint3(4055616968u, 794710872u, 362115496u));
+    metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u))
+        * 0.000000059604645;
+    metal::float2 offset = p - (static_cast<metal::float2>(cell) + metal::float2(0.5)
+        + style.scatter * (chance.xy - metal::float2(0.5)));
     float x = style.turn * (chance.z - 0.5);
     metal::float2 turn = metal::float2(metal::sin(x), metal::cos(x));
-    metal::uint3 hash_pcg3d_value_1 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom)) + metal::uint3(2415085441u, 3041533379u, 3628605405u));
-    float way = ((static_cast<metal::float3>(hash_pcg3d_value_1 >> metal::uint3(8u)) * 0.000000059604645).x < 0.5) ? 1.0 : -1.0;
+    metal::uint3 hash_pcg3d_value_1 = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom))
+        + metal::uint3(2415085441u, 3041533379u, 3628605405u));
+    float way = (static_cast<metal::float3>(hash_pcg3d_value_1 >> metal::uint3(8u))
+        * 0.000000059604645).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke {metal::float2(0.5), turn, way, 0.0};
-    metal::float2 uv = metal::float2(0.5) + brush_turned_2(offset * metal::float2(style.aspect, 1.0), stroke, style);
+    metal::float2 uv = metal::float2(0.5)
+        + brush_turned_2(offset * metal::float2(style.aspect, 1.0), stroke, style);
     metal::float2 from_edge = metal::min(uv, metal::float2(1.0) - uv);
     float inside = metal::clamp(64.0 * metal::min(from_edge.x, from_edge.y), 0.0, 1.0);
-    float far = metal::max(metal::abs(offset.x), metal::abs(offset.y)) / (1.0 - (0.5 * style.scatter));
-    float share = (drawn * inside) * (1.0 - metal::smoothstep(0.85, 1.0, far));
+    float far = metal::max(metal::abs(offset.x), metal::abs(offset.y))
+        / (1.0 - 0.5 * style.scatter);
+    float share = drawn * inside * (1.0 - metal::smoothstep(0.85, 1.0, far));
     return Brushstroke {uv, turn, way, share};
 }
 
@@ -1089,26 +1292,29 @@ metal::float2 bristles_laid_6(
     type_11 tile = BLUE_TILE;
     metal::float2 dx = metal::dfdx(at.place);
     metal::float2 dy = metal::dfdy(at.place);
-    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)), 0.000000000000000000000000000001));
+    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)),
+        0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * log2_stable_value, -16.0, 16.0);
     float zoom = metal::floor(level);
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
-    float fine = (1.0 - ((1.0 - f) * coarse_cells)) / (4.0 * coarse_cells);
+    float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
             octave = as_type<int>(as_type<uint>(octave) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((octave < 2))) {
+        if (!(octave < 2)) {
             break;
         }
-        float amount = ink * ((octave == 1) ? fine : (1.0 - f));
+        float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
-        metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0), metal::float2(4194304.0)) / metal::float2(style.aspect, 1.0);
+        metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
+            metal::float2(4194304.0)) / metal::float2(style.aspect, 1.0);
         metal::int2 corner = naga_f2i32(metal::floor(p));
-        metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner, metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
+        metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
+            metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
         i = 0;
         bool loop_init_1 = true;
         while(true) {
@@ -1116,26 +1322,39 @@ metal::float2 bristles_laid_6(
                 i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
             }
             loop_init_1 = false;
-            if (!((i < 9))) {
+            if (!(i < 9)) {
                 break;
             }
-            metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i, 3), naga_div(i, 3))) - as_type<metal::uint2>(phase))) + as_type<metal::uint2>(metal::int2(4))), metal::int2(3))))) - as_type<metal::uint2>(metal::int2(1)));
-            metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell) + as_type<metal::uint2>(metal::int2(8, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)))))));
+            metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
+                3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
+                + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
+                - as_type<metal::uint2>(metal::int2(1)));
+            metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell)
+                + as_type<metal::uint2>(metal::int2(8,
+                as_type<int>(as_type<uint>(7)
+                * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom))
+                + as_type<uint>(octave)))))));
             uint tile_now = tile.inner[blue_index(turning)];
-            float late = 0.96875 * ((static_cast<float>((tile_now >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
+            float late = 0.96875 * ((static_cast<float>((tile_now
+                >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
             float share = metal::clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
                 continue;
             }
-            Brushstroke stroke = brush_stroke_6(p, cell, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)), share, style);
+            Brushstroke stroke = brush_stroke_6(p, cell,
+                as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)), share,
+                style);
             if (stroke.share > 0.0) {
                 metal::float2 gx = brush_turned_2(dx * scale, stroke, style);
                 metal::float2 gy = brush_turned_2(dy * scale, stroke, style);
-                metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave)))) + metal::uint3(774553914u, 993388590u, 2600128018u));
+                metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell,
+                    as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))))
+                    + metal::uint3(774553914u, 993388590u, 2600128018u));
                 uint own = hash_pcg3d_value.x;
-                metal::float2 drawn = bristles(stroke.uv, metal::length(metal::float2(gx.y, gy.y)), own);
+                metal::float2 drawn = bristles(stroke.uv, metal::length(metal::float2(gx.y, gy.y)),
+                    own);
                 float cover = stroke.share * drawn.y;
-                paint = metal::float2(drawn.x * cover, cover) + (paint * (1.0 - cover));
+                paint = metal::float2(drawn.x * cover, cover) + paint * (1.0 - cover);
             }
         }
     }
@@ -1265,7 +1484,8 @@ MarkPlace mark_place_axis(
     metal::float3x3 world_from_normal,
     float magnification
 ) {
-    StretchedPlace m = place_across(axis, position_object, world_from_normal, normal, view, magnification, angle);
+    StretchedPlace m = place_across(axis, position_object, world_from_normal, normal, view,
+        magnification, angle);
     return MarkPlace {m.place, {}, m.stretch};
 }
 
@@ -1276,8 +1496,10 @@ MarkPlace mark_place_object(
     metal::float2 viewport
 ) {
     float size = metal::clamp(anchor.z, 0.000001, 1000000.0);
-    metal::float2 place = (place_in_picture(pixel, viewport) - metal::float2(anchor.x, -(anchor.y))) / metal::float2(size);
-    StretchedPlace m = mark_place_of_2(place, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle);
+    metal::float2 place = (place_in_picture(pixel, viewport) - metal::float2(anchor.x, -anchor.y))
+        / metal::float2(size);
+    StretchedPlace m = mark_place_of_2(place, metal::float3(1.0 / size, 0.0, 0.0),
+        metal::float3(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace {m.place, {}, m.stretch};
 }
 
@@ -1285,7 +1507,7 @@ float reflectance_half_lambert(
     Light light,
     metal::float3 normal
 ) {
-    float half_ = 0.5 + (0.5 * metal::dot(normal, light.direction));
+    float half_ = 0.5 + 0.5 * metal::dot(normal, light.direction);
     return metal::min(half_ * half_, 1.0);
 }
 
@@ -1302,7 +1524,8 @@ float map_range(
     float to_high,
     bool clamped
 ) {
-    return metal::mix(to_low, to_high, metal::clamp((value - from_low) / (from_high - from_low), 0.0, 1.0));
+    return metal::mix(to_low, to_high,
+        metal::clamp((value - from_low) / (from_high - from_low), 0.0, 1.0));
 }
 
 /// The look at one point of the surface.
@@ -1314,34 +1537,66 @@ metal::float4 shade(
     float light_and_shade = reflectance_half_lambert(look.key, planes);
     float where_umber_goes = map_range(light_and_shade, 0.02, 0.2, 1.0, 0.0, true);
     metal::float3 large_forms = normalize_moderate(surface.smooth_normal_3_, surface.normal);
-    MarkPlace strokes_round_the_form = mark_place_axis(metal::float3(0.35, 1.0, 0.25), large_forms, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
-    BrushStrokes umber = brush_strokes_bristles(where_umber_goes, strokes_round_the_form.place, strokes_round_the_form.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1, look.viewport);
-    metal::float4 umber_as_paint = color_mixed(umber.color, umber.color.xyz * look.umber_as_paint_b.xyz, 1.0);
-    metal::float4 umber_laid_on = mixed_vec4(look.toned_canvas, bounded_vec4(umber_as_paint), metal::clamp(umber.ink, 0.0, 1.0));
+    MarkPlace strokes_round_the_form = mark_place_axis(metal::float3(0.35, 1.0, 0.25), large_forms,
+        0.0, surface.view, surface.position_object, surface.world_from_normal,
+        surface.magnification);
+    BrushStrokes umber = brush_strokes_bristles(where_umber_goes, strokes_round_the_form.place,
+        strokes_round_the_form.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1, look.viewport);
+    // Mix colors
+    metal::float4 umber_as_paint = color_mixed(umber.color, umber.color.xyz
+        * look.umber_as_paint_b.xyz, 1.0);
+    // Mix colors
+    metal::float4 umber_laid_on = mixed_vec4(look.toned_canvas, bounded_vec4(umber_as_paint),
+        metal::clamp(umber.ink, 0.0, 1.0));
+    // Reflectance
     float reflected_light = metal::max(metal::dot(planes, look.sky.direction), 0.0);
-    float where_cool_reflections_go = metal::mix(1.0, 0.0, metal::clamp((reflected_light - 0.25) / 0.5, 0.0, 1.0));
-    BrushStrokes cool_reflections = brush_strokes_bristles_2(where_cool_reflections_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6, look.viewport);
-    metal::float4 cool_reflections_as_paint = color_mixed(cool_reflections.color, cool_reflections.color.xyz * look.cool_reflections_as_paint_b.xyz, 1.0);
-    Color cool_reflections_laid_on = mix_colors_normal(umber_laid_on, cool_reflections_as_paint, cool_reflections.ink);
+    float where_cool_reflections_go = metal::mix(1.0, 0.0,
+        metal::clamp((reflected_light - 0.25) / 0.5, 0.0, 1.0));
+    BrushStrokes cool_reflections = brush_strokes_bristles_2(where_cool_reflections_go,
+        strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6,
+        look.viewport);
+    // Mix colors
+    metal::float4 cool_reflections_as_paint = color_mixed(cool_reflections.color,
+        cool_reflections.color.xyz * look.cool_reflections_as_paint_b.xyz, 1.0);
+    Color cool_reflections_laid_on = mix_colors_normal(umber_laid_on, cool_reflections_as_paint,
+        cool_reflections.ink);
     float where_half_tones_go = map_range(light_and_shade, 0.24, 0.42, 1.0, 0.0, true);
-    BrushStrokes half_tones = brush_strokes_bristles_3(where_half_tones_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2, look.viewport);
-    metal::float4 half_tones_as_paint = color_mixed(half_tones.color, half_tones.color.xyz * look.half_tones_as_paint_b.xyz, 1.0);
-    Color half_tones_laid_on = mix_colors_normal(cool_reflections_laid_on, half_tones_as_paint, half_tones.ink);
+    BrushStrokes half_tones = brush_strokes_bristles_3(where_half_tones_go,
+        strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2,
+        look.viewport);
+    // Mix colors
+    metal::float4 half_tones_as_paint = color_mixed(half_tones.color, half_tones.color.xyz
+        * look.half_tones_as_paint_b.xyz, 1.0);
+    Color half_tones_laid_on = mix_colors_normal(cool_reflections_laid_on, half_tones_as_paint,
+        half_tones.ink);
     float where_light_goes = map_range(light_and_shade, 0.46, 0.66, 1.0, 0.0, true);
-    MarkPlace strokes_of_the_wrist = mark_place_object(0.75, surface.anchor, surface.pixel, look.viewport);
-    BrushStrokes light = brush_strokes_bristles_4(where_light_goes, strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3, look.viewport);
-    metal::float4 light_as_paint = color_mixed(light.color, light.color.xyz * look.light_as_paint_b.xyz, 1.0);
+    MarkPlace strokes_of_the_wrist = mark_place_object(0.75, surface.anchor, surface.pixel,
+        look.viewport);
+    BrushStrokes light = brush_strokes_bristles_4(where_light_goes, strokes_of_the_wrist.place,
+        strokes_of_the_wrist.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3, look.viewport);
+    // Mix colors
+    metal::float4 light_as_paint = color_mixed(light.color, light.color.xyz
+        * look.light_as_paint_b.xyz, 1.0);
     Color light_laid_on = mix_colors_normal(half_tones_laid_on, light_as_paint, light.ink);
     float where_thick_lights_go = map_range(light_and_shade, 0.76, 0.95, 1.0, 0.0, true);
-    BrushStrokes thick_lights = brush_strokes_bristles_5(where_thick_lights_go, strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4, look.viewport);
-    metal::float4 thick_lights_as_paint = color_mixed(thick_lights.color, thick_lights.color.xyz * look.thick_lights_as_paint_b.xyz, 1.0);
-    Color thick_lights_laid_on = mix_colors_normal(light_laid_on, thick_lights_as_paint, thick_lights.ink);
+    BrushStrokes thick_lights = brush_strokes_bristles_5(where_thick_lights_go,
+        strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4,
+        look.viewport);
+    // Mix colors
+    metal::float4 thick_lights_as_paint = color_mixed(thick_lights.color, thick_lights.color.xyz
+        * look.thick_lights_as_paint_b.xyz, 1.0);
+    Color thick_lights_laid_on = mix_colors_normal(light_laid_on, thick_lights_as_paint,
+        thick_lights.ink);
     float hollows = surface.kappa;
     float where_accents_go = metal::mix(1.0, 0.0, metal::clamp((hollows + 6.0) / -14.0, 0.0, 1.0));
-    BrushStrokes accents = brush_strokes_bristles_6(where_accents_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8, look.viewport);
-    metal::float4 accents_as_paint = color_mixed(accents.color, accents.color.xyz * look.accents_as_paint_b.xyz, 1.0);
+    BrushStrokes accents = brush_strokes_bristles_6(where_accents_go, strokes_round_the_form.place,
+        strokes_round_the_form.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8, look.viewport);
+    // Mix colors
+    metal::float4 accents_as_paint = color_mixed(accents.color, accents.color.xyz
+        * look.accents_as_paint_b.xyz, 1.0);
     Color accents_laid_on = mix_colors_normal(thick_lights_laid_on, accents_as_paint, accents.ink);
-    metal::float4 output_alpha = metal::float4(accents_laid_on.xyz, metal::clamp(accents_laid_on.w, 0.0, 1.0));
+    metal::float4 output_alpha = metal::float4(accents_laid_on.xyz,
+        metal::clamp(accents_laid_on.w, 0.0, 1.0));
     return output(premultiplied(output_alpha));
 }
 
@@ -1349,12 +1604,14 @@ struct vs_mainInput {
     metal::float3 position_1 [[attribute(0)]];
     metal::float3 normal_5 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal [[user(loc2), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -1362,7 +1619,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position_1, varyings.normal_5 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position,
+        object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -1372,9 +1630,11 @@ struct fs_mainInput {
     metal::float3 position_object_1 [[user(loc1), center_perspective]];
     metal::float3 normal_5 [[user(loc2), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -1386,14 +1646,25 @@ fragment fs_mainOutput fs_main(
 , metal::texture2d<float, metal::access::sample> smooth_normal_1_map [[texture(1)]]
 , metal::texture2d<float, metal::access::sample> smooth_normal_3_map [[texture(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object_1, varyings_1.normal_5 };
+    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object_1,
+        varyings_1.normal_5 };
     metal::float3 facing = normalize_seen(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
     metal::float4 texel_1 = smooth_normal_1_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
     metal::float4 texel_2 = smooth_normal_3_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float3 anchor_on_screen_value = anchor_on_screen((view.camera_from_world * metal::float4(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    float size_on_screen_value = size_on_screen(-((view.camera_from_world * metal::float4(in.position, 1.0)).z), view.eye.w, metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object, texel.x, (metal::float4(texel_1.xyz, 0.0) * view.camera_from_world).xyz, (metal::float4(texel_2.xyz, 0.0) * view.camera_from_world).xyz, (in.clip.xy * view.screen.xy) + view.screen.zw, {}, anchor_on_screen_value, size_on_screen_value, object.world_from_normal};
+    metal::float3 anchor_on_screen_value = anchor_on_screen((view.camera_from_world
+        * metal::float4(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w,
+        metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y)));
+    float size_on_screen_value = size_on_screen(-(view.camera_from_world
+        * metal::float4(in.position, 1.0)).z, view.eye.w,
+        metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y)));
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, texel.x, (metal::float4(texel_1.xyz, 0.0) * view.camera_from_world).xyz,
+        (metal::float4(texel_2.xyz, 0.0) * view.camera_from_world).xyz, in.clip.xy
+        * view.screen.xy + view.screen.zw, {}, anchor_on_screen_value, size_on_screen_value,
+        object.world_from_normal};
     return fs_mainOutput { finite_vec4(shade(surface, look)) };
 }

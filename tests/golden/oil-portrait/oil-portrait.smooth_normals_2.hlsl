@@ -76,7 +76,7 @@ struct FragmentInput_fs_main {
 /// The slope n.xy / n.z of a normal in camera axes.
 float2 slope_of(float3 normal)
 {
-    return (normal.xy / (max(normal.z, 0.2)).xx);
+    return normal.xy / (max(normal.z, 0.2)).xx;
 }
 
 /// The surface that a pixel shows, in one texel: its slope in xy, its depth in z, and in w the
@@ -85,13 +85,13 @@ float2 slope_of(float3 normal)
 float4 surface_texel(float3 normal, float depth, float number)
 {
     const float2 slope_of_value = slope_of(normal);
-    return float4(slope_of_value, depth, ((normal.z < 0.0) ? -(number) : number));
+    return float4(slope_of_value, depth, normal.z < 0.0 ? -number : number);
 }
 
 /// The number of an object in texels, from 1 on.
 float object_number(float object)
 {
-    return ((object - (4096.0 * floor((object / 4096.0)))) + 1.0);
+    return object - 4096.0 * floor(object / 4096.0) + 1.0;
 }
 
 /// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
@@ -99,9 +99,10 @@ float object_number(float object)
 /// 0.
 float facet_number(float object, float material, float id)
 {
-    float whole = round(((abs(id) <= 1000000.0) ? id : 0.0));
-    float parts = (((128.0 * (material - (32.0 * floor((material / 32.0))))) + whole) - (128.0 * floor((whole / 128.0))));
-    return (object_number(object) + (parts / 4096.0));
+    float whole = round(abs(id) <= 1000000.0 ? id : 0.0);
+    float parts = 128.0 * (material - 32.0 * floor(material / 32.0)) + whole - 128.0
+        * floor(whole / 128.0);
+    return object_number(object) + parts / 4096.0;
 }
 
 /// The normal that a texel was made from.
@@ -109,17 +110,17 @@ float3 normal_of(float4 texel)
 {
     // Below LEAST_NZ the slope is n.xy by a constant, and n.z is what is left of the length 1;
     // elsewhere that is no less than LEAST_NZ, and the normal points along the slope and 1.
-    float2 aside = (0.2 * texel.xy);
-    float rest = sqrt(max((1.0 - dot(aside, aside)), 0.0));
-    float nz = ((texel.w < 0.0) ? -(rest) : rest);
-    float3 facing = (float3(texel.xy, 1.0) / (sqrt((1.0 + dot(texel.xy, texel.xy)))).xxx);
-    return ((nz >= 0.2) ? facing : float3(aside, nz));
+    float2 aside = 0.2 * texel.xy;
+    float rest = sqrt(max(1.0 - dot(aside, aside), 0.0));
+    float nz = texel.w < 0.0 ? -rest : rest;
+    float3 facing = float3(texel.xy, 1.0) / (sqrt(1.0 + dot(texel.xy, texel.xy))).xxx;
+    return nz >= 0.2 ? facing : float3(aside, nz);
 }
 
 /// A triangle over the whole picture.
 float4 whole_picture(uint index)
 {
-    return float4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+    return float4(float((index & 1u)) * 4.0 - 1.0, float((index >> 1u)) * 4.0 - 1.0, 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
@@ -130,21 +131,21 @@ int naga_f2i32(float value) {
 /// curvature, not a finer one.
 int step_pixels()
 {
-    return max(naga_f2i32(round((curvature.viewport_height / 800.0))), int(1));
+    return max(naga_f2i32(round(curvature.viewport_height / 800.0)), int(1));
 }
 
 /// 1 where a row of the image lies above the row before it, -1 where it lies below.
 float row_direction()
 {
-    return ((curvature.rows_up > 0.5) ? 1.0 : -1.0);
+    return curvature.rows_up > 0.5 ? 1.0 : -1.0;
 }
 
 /// Offset to one of the eight pixels around a pixel, by an index from 0 to 7; the nearest first.
 int2 around(int index)
 {
     int side = asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint((index & int(1))))));
-    int2 straight = ((index < int(2)) ? int2(side, int(0)) : int2(int(0), side));
-    return ((index > int(3)) ? int2(side, asint(asuint(int(1)) - asuint((index & int(2))))) : straight);
+    int2 straight = index < int(2) ? int2(side, int(0)) : int2(int(0), side);
+    return index > int(3) ? int2(side, asint(asuint(int(1)) - asuint((index & int(2))))) : straight;
 }
 
 SeenPixel ConstructSeenPixel(int2 arg0, float4 arg1) {
@@ -173,33 +174,32 @@ SeenPixel seen_pixel(int2 pixel)
 
     seen = ConstructSeenPixel(pixel, surface.Load(int3(pixel, int(0))));
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    if ((curvature.samples >= 2.0)) {
-        local = (seen.texel.w == 0.0);
+    if (curvature.samples >= 2.0) {
+        local = seen.texel.w == 0.0;
     } else {
         local = false;
     }
     bool may_be_missed = local;
-    index = (may_be_missed ? int(7) : int(-1));
+    index = may_be_missed ? int(7) : int(-1);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
             index = asint(asuint(index) - asuint(int(1)));
         }
         loop_init = false;
-        if ((index >= int(0))) {
+        if (index >= int(0)) {
         } else {
             break;
         }
         {
             int2 near = clamp(asint(asuint(pixel) + asuint(around(index))), (int(0)).xx, last);
             float4 texel = surface.Load(int3(near, int(0)));
-            if ((texel.w != 0.0)) {
+            if (texel.w != 0.0) {
                 seen = ConstructSeenPixel(near, texel);
             }
         }
     }
-    const SeenPixel seenpixel = seen;
-    return seenpixel;
+    return seen;
 }
 
 Plane ConstructPlane(float arg0, float arg1, float2 arg2, float arg3) {
@@ -213,22 +213,22 @@ Plane ConstructPlane(float arg0, float arg1, float2 arg2, float arg3) {
 
 Plane plane_of(float object, float depth, float3 normal)
 {
-    float pixel = (curvature.pixel * lerp(1.0, depth, curvature.perspective));
-    float2 gradient = (normal.xy / (max(normal.z, 0.02)).xx);
+    float pixel = curvature.pixel * lerp(1.0, depth, curvature.perspective);
+    float2 gradient = normal.xy / (max(normal.z, 0.02)).xx;
     const float row_direction_value = row_direction();
-    const Plane plane_2 = ConstructPlane(object, depth, ((pixel * gradient) * float2(1.0, row_direction_value)), ((2.0 * pixel) * (1.0 + length(gradient))));
-    return plane_2;
+    return ConstructPlane(object, depth, pixel * gradient * float2(1.0, row_direction_value), 2.0
+        * pixel * (1.0 + length(gradient)));
 }
 
 /// Weights of four neighbors that are `distance` pixels away, 0 to 1, by their objects, their
 /// depths, and the rises of depth to them on the plane.
 float4 neighbor_weights(Plane plane, float4 objects, float4 depths, float4 rises, float distance_)
 {
-    float4 error = abs(((depths - (plane.depth).xxxx) - rises));
-    float scale = (1.0 / max((plane.tolerance * distance_), 1e-30));
+    float4 error = abs(depths - (plane.depth).xxxx - rises);
+    float scale = 1.0 / max(plane.tolerance * distance_, 1e-30);
     // The weight fades, so that the last bit of a depth does not decide between all and nothing.
-    float4 weights = clamp(((2.0).xxxx - (error * scale)), (0.0).xxxx, (1.0).xxxx);
-    return ((objects == (plane.object).xxxx) ? weights : (0.0).xxxx);
+    float4 weights = clamp((2.0).xxxx - error * scale, (0.0).xxxx, (1.0).xxxx);
+    return objects == (plane.object).xxxx ? weights : (0.0).xxxx;
 }
 
 Center ConstructCenter(int2 arg0, float2 arg1, Plane arg2) {
@@ -244,8 +244,7 @@ Center center_at(int2 pixel)
 {
     const SeenPixel seen = seen_pixel(pixel);
     float4 texel = seen.texel;
-    const Center center_2 = ConstructCenter(seen.at, texel.xy, plane_of(abs(texel.w), texel.z, normal_of(texel)));
-    return center_2;
+    return ConstructCenter(seen.at, texel.xy, plane_of(abs(texel.w), texel.z, normal_of(texel)));
 }
 
 Ring ConstructRing(float4 arg0, float4 arg1, float4 arg2) {
@@ -263,34 +262,38 @@ Ring ring_at(Center center_, int steps, float weight)
     float distance_ = float(reach);
     int2 at = center_.at;
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    float4 a = surface.Load(int3(int2(min(asint(asuint(at.x) + asuint(reach)), last.x), at.y), int(0)));
-    float4 b = surface.Load(int3(int2(max(asint(asuint(at.x) - asuint(reach)), int(0)), at.y), int(0)));
-    float4 c = surface.Load(int3(int2(at.x, min(asint(asuint(at.y) + asuint(reach)), last.y)), int(0)));
-    float4 d = surface.Load(int3(int2(at.x, max(asint(asuint(at.y) - asuint(reach)), int(0))), int(0)));
+    float4 a = surface.Load(int3(int2(min(asint(asuint(at.x) + asuint(reach)), last.x), at.y),
+        int(0)));
+    float4 b = surface.Load(int3(int2(max(asint(asuint(at.x) - asuint(reach)), int(0)), at.y),
+        int(0)));
+    float4 c = surface.Load(int3(int2(at.x, min(asint(asuint(at.y) + asuint(reach)), last.y)),
+        int(0)));
+    float4 d = surface.Load(int3(int2(at.x, max(asint(asuint(at.y) - asuint(reach)), int(0))),
+        int(0)));
     // Beyond the image nothing is.
-    bool4 is_inside = (int4(asint(asuint(last.x) - asuint(at.x)), at.x, asint(asuint(last.y) - asuint(at.y)), at.y) >= (reach).xxxx);
-    float4 objects = (is_inside ? abs(float4(a.w, b.w, c.w, d.w)) : (0.0).xxxx);
-    float2 rise = (distance_ * center_.plane.rise);
-    float4 rises = float4(rise.x, -(rise.x), rise.y, -(rise.y));
-    const float4 neighbor_weights_value = neighbor_weights(center_.plane, objects, float4(a.z, b.z, c.z, d.z), rises, distance_);
-    float4 shares = ((weight * distance_) * neighbor_weights_value);
-    const Ring ring_1 = ConstructRing((shares * (float4(a.x, b.x, c.x, d.x) - (center_.slope.x).xxxx)), (shares * (float4(a.y, b.y, c.y, d.y) - (center_.slope.y).xxxx)), (shares * distance_));
-    return ring_1;
+    bool4 is_inside = int4(asint(asuint(last.x) - asuint(at.x)), at.x,
+        asint(asuint(last.y) - asuint(at.y)), at.y) >= (reach).xxxx;
+    float4 objects = is_inside ? abs(float4(a.w, b.w, c.w, d.w)) : (0.0).xxxx;
+    float2 rise = distance_ * center_.plane.rise;
+    float4 rises = float4(rise.x, -rise.x, rise.y, -rise.y);
+    const float4 neighbor_weights_value = neighbor_weights(center_.plane, objects,
+        float4(a.z, b.z, c.z, d.z), rises, distance_);
+    float4 shares = weight * distance_ * neighbor_weights_value;
+    return ConstructRing(shares * (float4(a.x, b.x, c.x, d.x) - (center_.slope.x).xxxx), shares
+        * (float4(a.y, b.y, c.y, d.y) - (center_.slope.y).xxxx), shares * distance_);
 }
 
 /// Two rings as one.
 Ring joined(Ring a, Ring b)
 {
-    const Ring ring_2 = ConstructRing((a.x + b.x), (a.y + b.y), (a.weights + b.weights));
-    return ring_2;
+    return ConstructRing(a.x + b.x, a.y + b.y, a.weights + b.weights);
 }
 
 /// The twelve neighbors one, two and three steps away.
 Ring rings_at(Center center_)
 {
     const Ring near = joined(ring_at(center_, int(1), 1.0), ring_at(center_, int(2), 0.85));
-    const Ring ring_3 = joined(near, ring_at(center_, int(3), 0.5));
-    return ring_3;
+    return joined(near, ring_at(center_, int(3), 0.5));
 }
 
 /// The derivatives along x and y, camera axes, from weighted changes to the four sides, as far as
@@ -299,16 +302,16 @@ float2 derivatives(float4 changes, float4 weights)
 {
     // A side that hardly counts any more is left to the other one, gradually.
     float4 trust = smoothstep((0.0).xxxx, (0.5).xxxx, weights);
-    float4 sides = ((changes / max(weights, (1e-6).xxxx)) * trust);
-    float2 along = ((sides.xz - sides.yw) / max((trust.xz + trust.yw), (1e-6).xx));
-    return (along * float2(1.0, row_direction()));
+    float4 sides = changes / max(weights, (1e-6).xxxx) * trust;
+    float2 along = (sides.xz - sides.yw) / max(trust.xz + trust.yw, (1e-6).xx);
+    return along * float2(1.0, row_direction());
 }
 
 /// Mean curvature from the neighbors.
 float mean_curvature(Ring ring)
 {
     const float2 along = derivatives(float4(ring.x.xy, ring.y.zw), ring.weights);
-    return clamp(((0.5 * (along.x + along.y)) * curvature.viewport_height), -10000.0, 10000.0);
+    return clamp(0.5 * (along.x + along.y) * curvature.viewport_height, -10000.0, 10000.0);
 }
 
 RoughPixel ConstructRoughPixel(float3 arg0, float arg1, float arg2) {
@@ -324,22 +327,19 @@ RoughPixel rough_pixel(int2 at, int level)
     bool local_1 = (bool)0;
 
     int2 size = int2(NagaDimensions2D(surface));
-    if (!(any((at < (int(0)).xx)))) {
-        local_1 = any((at >= size));
+    if (!any(at < (int(0)).xx)) {
+        local_1 = any(at >= size);
     } else {
         local_1 = true;
     }
     if (local_1) {
-        const RoughPixel roughpixel = ConstructRoughPixel((0.0).xxx, 0.0, 0.0);
-        return roughpixel;
+        return ConstructRoughPixel((0.0).xxx, 0.0, 0.0);
     }
     float4 texel = surface.Load(int3(at, int(0)));
-    if ((level == int(1))) {
-        const RoughPixel roughpixel_1 = ConstructRoughPixel(normal_of(texel), abs(texel.w), texel.z);
-        return roughpixel_1;
+    if (level == int(1)) {
+        return ConstructRoughPixel(normal_of(texel), abs(texel.w), texel.z);
     }
-    const RoughPixel roughpixel_2 = ConstructRoughPixel(normals.Load(int3(at, int(0))).xyz, abs(texel.w), texel.z);
-    return roughpixel_2;
+    return ConstructRoughPixel(normals.Load(int3(at, int(0))).xyz, abs(texel.w), texel.z);
 }
 
 /// Sum of the normals of two pairs of neighbors, at both sides of a pixel each; the pixel's own
@@ -354,10 +354,11 @@ float3 pairs_of(float3 normal, Plane plane, int2 at, int2 first, int2 second, in
     float4 objects = float4(a.object, b.object, c.object, d.object);
     float4 depths = float4(a.depth, b.depth, c.depth, d.depth);
     float2 rise = float2(dot(plane.rise, float2(first)), dot(plane.rise, float2(second)));
-    float4 rises = float4(rise.x, -(rise.x), rise.y, -(rise.y));
+    float4 rises = float4(rise.x, -rise.x, rise.y, -rise.y);
     const float4 weights = neighbor_weights(plane, objects, depths, rises, length(float2(first)));
     float2 share = min(weights.xz, weights.yw);
-    return ((((share.x * (a.normal + b.normal)) + (((1.0 - share.x) * 2.0) * normal)) + (share.y * (c.normal + d.normal))) + (((1.0 - share.y) * 2.0) * normal));
+    return share.x * (a.normal + b.normal) + (1.0 - share.x) * 2.0 * normal + share.y
+        * (c.normal + d.normal) + (1.0 - share.y) * 2.0 * normal;
 }
 
 int naga_neg(int val) {
@@ -374,18 +375,20 @@ float4 smoothed_at(int2 pixel, int level)
 {
     int2 at = seen_pixel(pixel).at;
     const RoughPixel center_ = rough_pixel(at, level);
-    if ((center_.object == 0.0)) {
+    if (center_.object == 0.0) {
         return (0.0).xxxx;
     }
     const Plane plane = plane_of(center_.object, center_.depth, center_.normal);
     int reach = asint(asuint((int(1) << uint(level))) * asuint(step_pixels()));
-    const float3 straight = pairs_of(center_.normal, plane, at, int2(reach, int(0)), int2(int(0), reach), level);
-    const float3 slanted = pairs_of(center_.normal, plane, at, (reach).xx, int2(reach, naga_neg(reach)), level);
-    float3 sum = (((4.0 * center_.normal) + (2.0 * straight)) + slanted);
+    const float3 straight = pairs_of(center_.normal, plane, at, int2(reach, int(0)),
+        int2(int(0), reach), level);
+    const float3 slanted = pairs_of(center_.normal, plane, at, (reach).xx,
+        int2(reach, naga_neg(reach)), level);
+    float3 sum = 4.0 * center_.normal + 2.0 * straight + slanted;
     float size = length(sum);
-    float3 normal = ((size > 1e-6) ? (sum / (max(size, 1e-6)).xxx) : center_.normal);
+    float3 normal = size > 1e-6 ? sum / (max(size, 1e-6)).xxx : center_.normal;
     // A pixel that has its neighbor's normal shows no object itself.
-    return float4(normal, (all((at == pixel)) ? center_.object : 0.0));
+    return float4(normal, all(at == pixel) ? center_.object : 0.0);
 }
 
 float4 vs_main(uint index : SV_VertexID) : SV_Position

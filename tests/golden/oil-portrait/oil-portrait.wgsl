@@ -1079,14 +1079,18 @@ fn shade(surface: Surface) -> vec4f {
         surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
     let umber = brush_strokes_bristles(where_umber_goes, strokes_round_the_form.place,
         strokes_round_the_form.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1i, look.viewport);
+    // Mix colors
     let umber_as_paint = color_mixed(umber.color, umber.color.xyz * look.umber_as_paint_b.xyz, 1.0);
+    // Mix colors
     let umber_laid_on = mixed_vec4(look.toned_canvas, bounded_vec4(umber_as_paint),
         clamp(umber.ink, 0.0, 1.0));
+    // Reflectance
     let reflected_light = max(dot(planes, look.sky.direction), 0.0);
     let where_cool_reflections_go = mix(1.0, 0.0, clamp((reflected_light - 0.25) / 0.5, 0.0, 1.0));
     let cool_reflections = brush_strokes_bristles_2(where_cool_reflections_go,
         strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6i,
         look.viewport);
+    // Mix colors
     let cool_reflections_as_paint = color_mixed(cool_reflections.color, cool_reflections.color.xyz
         * look.cool_reflections_as_paint_b.xyz, 1.0);
     let cool_reflections_laid_on = mix_colors_normal(umber_laid_on, cool_reflections_as_paint,
@@ -1094,6 +1098,7 @@ fn shade(surface: Surface) -> vec4f {
     let where_half_tones_go = map_range(light_and_shade, 0.24, 0.42, 1.0, 0.0, true);
     let half_tones = brush_strokes_bristles_3(where_half_tones_go, strokes_round_the_form.place,
         strokes_round_the_form.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2i, look.viewport);
+    // Mix colors
     let half_tones_as_paint = color_mixed(half_tones.color, half_tones.color.xyz
         * look.half_tones_as_paint_b.xyz, 1.0);
     let half_tones_laid_on = mix_colors_normal(cool_reflections_laid_on, half_tones_as_paint,
@@ -1103,11 +1108,13 @@ fn shade(surface: Surface) -> vec4f {
         look.viewport);
     let light = brush_strokes_bristles_4(where_light_goes, strokes_of_the_wrist.place,
         strokes_of_the_wrist.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3i, look.viewport);
+    // Mix colors
     let light_as_paint = color_mixed(light.color, light.color.xyz * look.light_as_paint_b.xyz, 1.0);
     let light_laid_on = mix_colors_normal(half_tones_laid_on, light_as_paint, light.ink);
     let where_thick_lights_go = map_range(light_and_shade, 0.76, 0.95, 1.0, 0.0, true);
     let thick_lights = brush_strokes_bristles_5(where_thick_lights_go, strokes_of_the_wrist.place,
         strokes_of_the_wrist.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4i, look.viewport);
+    // Mix colors
     let thick_lights_as_paint = color_mixed(thick_lights.color, thick_lights.color.xyz
         * look.thick_lights_as_paint_b.xyz, 1.0);
     let thick_lights_laid_on = mix_colors_normal(light_laid_on, thick_lights_as_paint,
@@ -1116,6 +1123,7 @@ fn shade(surface: Surface) -> vec4f {
     let where_accents_go = mix(1.0, 0.0, clamp((hollows + 6.0) / -14.0, 0.0, 1.0));
     let accents = brush_strokes_bristles_6(where_accents_go, strokes_round_the_form.place,
         strokes_round_the_form.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8i, look.viewport);
+    // Mix colors
     let accents_as_paint = color_mixed(accents.color, accents.color.xyz
         * look.accents_as_paint_b.xyz, 1.0);
     let accents_laid_on = mix_colors_normal(thick_lights_laid_on, accents_as_paint, accents.ink);

@@ -294,14 +294,17 @@ const tone_shape = ProfileShape(0.99875027, 0.04997917, 1.229384, 1.5428282, 0.1
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Parametrization
     let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
         * length(surface.normal + look.key.direction));
     let tone = profile_balanced(turned_from_the_key, 0.0, tone_shape);
     let spray = dither_blue(tone, surface.pixel, 2i, 1.0, 2.0);
     let edge_of_light = rim(look.back, surface.normal, surface.view, 0.34, 0.0, 1.0);
+    // Combine tones
     let both_lights = max(spray, edge_of_light);
     let line = inner_contour_suggestive(3.0, 20.0, 0.1, surface.curvature_tensor, surface.normal,
         surface.view, look.camera_from_world, surface.position_camera, look.viewport);
+    // Combine tones
     let lines_cut_out = min(both_lights, 1.0 - line);
     let light = blend_alpha(vec4f(0.1333, 0.1216, 0.2, 1.0), vec4f(0.9373, 0.902, 0.8118, 1.0),
         lines_cut_out, 1.0, true);

@@ -163,19 +163,25 @@ const behind_tone_shape = ProfileShape(0.9921977, 0.12467473, 2.425296, 2.144454
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Body (Light layer)
     let body_angle = parametrization_diffuse_balanced(look.window, surface.normal);
     let body_tone = profile_balanced(body_angle, 0.0, body_tone_shape);
     let body_lit = light_apply(look.window, vec4f(0.42, 0.38, 0.38, 1.0), body_tone);
     let body_blend = blend_add(vec4f(0.2, 0.18, 0.22, 1.0), body_lit.color, body_lit.tone, 1.0,
         true);
+
+    // Light (Light layer)
     let light_angle = parametrization_diffuse_balanced(look.lamp, surface.normal);
     let light_tone = profile_balanced(light_angle, 0.0, light_tone_shape);
     let light_lit = light_apply(look.lamp, vec4f(0.14, 0.13, 0.12, 1.0), light_tone);
     let light_blend = blend_add(body_blend, light_lit.color, light_lit.tone, 1.0, true);
+
+    // Behind (Light layer)
     let behind_angle = parametrization_diffuse_balanced(look.back, surface.normal);
     let behind_tone = profile_balanced(behind_angle, 0.0, behind_tone_shape);
     let behind_lit = light_apply(look.back, vec4f(0.08, 0.09, 0.1, 1.0), behind_tone);
     let behind_blend = blend_add(light_blend, behind_lit.color, behind_lit.tone, 1.0, true);
+
     return behind_blend;
 }
 

@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,16 +36,19 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light back;
     Light lamp;
     Light window;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -54,6 +59,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -61,6 +67,7 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -79,17 +86,23 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 normal;
 };
-constant ProfileShape body_tone_shape = ProfileShape {0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407, 0.021818977, 0u};
-constant ProfileShape light_tone_shape = ProfileShape {0.9976349, 0.06873576, 2.5909312, 1.0, 0.13758, 0.5226457, 0.18761672, 0u};
-constant ProfileShape behind_tone_shape = ProfileShape {0.9921977, 0.12467473, 2.425296, 1.7791567, 0.25, 0.46467006, 0.1911372, 0u};
+
+constant ProfileShape body_tone_shape = ProfileShape {0.60240144, 0.7981933, 21.601328, 1.0,
+    1.84858, 0.06173407, 0.021818977, 0u};
+constant ProfileShape light_tone_shape = ProfileShape {0.9976349, 0.06873576, 2.5909312, 1.0,
+    0.13758, 0.5226457, 0.18761672, 0u};
+constant ProfileShape behind_tone_shape = ProfileShape {0.9921977, 0.12467473, 2.425296, 1.7791567,
+    0.25, 0.46467006, 0.1911372, 0u};
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
@@ -117,7 +130,8 @@ Angle angle_turned(
     metal::float2 t
 ) {
     float s = u.half_sin - 0.0;
-    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 upper = u.half_cos
+        <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
     metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
@@ -132,7 +146,8 @@ Composite blend_add(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (tone * color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + tone * color.xyz, 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// Light on a layer
@@ -144,15 +159,17 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_diffuse_balanced(
     Light light,
     metal::float3 normal
 ) {
-    return Angle {0.5 * metal::length(normal - light.direction), 0.5 * metal::length(normal + light.direction)};
+    return Angle {0.5 * metal::length(normal - light.direction), 0.5
+        * metal::length(normal + light.direction)};
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -161,7 +178,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), 1.0);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), 1.0);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -170,7 +187,7 @@ float profile_soft_quick_2(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -180,10 +197,10 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -193,20 +210,22 @@ float profile_filtered_quick(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -216,16 +235,18 @@ float profile_filtered_quick_2(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -235,16 +256,18 @@ float profile_filtered_quick_3(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
     float point = profile_soft_quick_2(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick_2((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick_2((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick_2(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick_2(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -279,18 +302,27 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
+    // Body (Light layer)
     Angle body_angle = parametrization_diffuse_balanced(look.window, surface.normal);
     float body_tone = profile_balanced(body_angle, 0.0, body_tone_shape);
-    LitLayer body_lit = light_apply(look.window, metal::float4(0.18708, 0.62392, 0.48886, 1.0), body_tone);
-    Composite body_blend = blend_add(metal::float4(0.14678, 0.1201, 0.28662, 1.0), body_lit.color, body_lit.tone, 1.0, true);
+    LitLayer body_lit = light_apply(look.window, metal::float4(0.18708, 0.62392, 0.48886, 1.0),
+        body_tone);
+    Composite body_blend = blend_add(metal::float4(0.14678, 0.1201, 0.28662, 1.0), body_lit.color,
+        body_lit.tone, 1.0, true);
+
+    // Light (Light layer)
     Angle light_angle = parametrization_diffuse_balanced(look.lamp, surface.normal);
     float light_tone = profile_balanced_2(light_angle, 0.0, light_tone_shape);
-    LitLayer light_lit = light_apply(look.lamp, metal::float4(0.81701, 0.67278, 0.30725, 1.0), light_tone);
+    LitLayer light_lit = light_apply(look.lamp, metal::float4(0.81701, 0.67278, 0.30725, 1.0),
+        light_tone);
     Composite light_blend = blend_add(body_blend, light_lit.color, light_lit.tone, 1.0, true);
+
+    // Behind (Light layer)
     Angle behind_angle = parametrization_diffuse_balanced(look.back, surface.normal);
     float behind_tone = profile_balanced_3(behind_angle, 0.0, behind_tone_shape);
     LitLayer behind_lit = light_apply(look.back, metal::float4(0.08, 0.09, 0.1, 1.0), behind_tone);
     Composite behind_blend = blend_add(light_blend, behind_lit.color, behind_lit.tone, 1.0, true);
+
     return behind_blend;
 }
 
@@ -298,10 +330,12 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_1 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 normal [[user(loc0), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -309,7 +343,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -317,9 +352,11 @@ vertex vs_mainOutput vs_main(
 struct fs_mainInput {
     metal::float3 normal_1 [[user(loc0), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -328,7 +365,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.normal_1 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     Surface surface = Surface {normal};
     return fs_mainOutput { shade(surface, look) };
 }

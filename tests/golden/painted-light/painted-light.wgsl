@@ -157,7 +157,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -224,19 +224,25 @@ const behind_tone_shape = ProfileShape(0.9921977, 0.12467473, 2.425296, 1.779156
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Body (Light layer)
     let body_angle = parametrization_diffuse_balanced(look.window, surface.normal);
     let body_tone = profile_balanced(body_angle, 0.0, body_tone_shape);
     let body_lit = light_apply(look.window, vec4f(0.18708, 0.62392, 0.48886, 1.0), body_tone);
     let body_blend = blend_add(vec4f(0.14678, 0.1201, 0.28662, 1.0), body_lit.color, body_lit.tone,
         1.0, true);
+
+    // Light (Light layer)
     let light_angle = parametrization_diffuse_balanced(look.lamp, surface.normal);
     let light_tone = profile_balanced_2(light_angle, 0.0, light_tone_shape);
     let light_lit = light_apply(look.lamp, vec4f(0.81701, 0.67278, 0.30725, 1.0), light_tone);
     let light_blend = blend_add(body_blend, light_lit.color, light_lit.tone, 1.0, true);
+
+    // Behind (Light layer)
     let behind_angle = parametrization_diffuse_balanced(look.back, surface.normal);
     let behind_tone = profile_balanced_3(behind_angle, 0.0, behind_tone_shape);
     let behind_lit = light_apply(look.back, vec4f(0.08, 0.09, 0.1, 1.0), behind_tone);
     let behind_blend = blend_add(light_blend, behind_lit.color, behind_lit.tone, 1.0, true);
+
     return behind_blend;
 }
 

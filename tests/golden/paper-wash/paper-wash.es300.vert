@@ -15,12 +15,14 @@ struct View {
     /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     vec4 screen;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -34,18 +36,25 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 normal;
 };
+
 const float SMALLEST_NORMAL = 1.1754944e-38;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 const float MOST_ON_SCREEN = 1000000000000000.0;
-const Ramp indigo_to_warm_paper = Ramp(vec4[16](vec4(0.13, 0.14, 0.33, 1.0), vec4(0.24, 0.36, 0.56, 1.0), vec4(0.53, 0.66, 0.72, 1.0), vec4(0.9, 0.8, 0.68, 1.0), vec4(0.975, 0.95, 0.9, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.35, 0.62, 0.82), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 1u);
+const Ramp indigo_to_warm_paper = Ramp(vec4[16](vec4(0.13, 0.14, 0.33, 1.0),
+    vec4(0.24, 0.36, 0.56, 1.0), vec4(0.53, 0.66, 0.72, 1.0), vec4(0.9, 0.8, 0.68, 1.0),
+    vec4(0.975, 0.95, 0.9, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)),
+    vec4[4](vec4(0.0, 0.35, 0.62, 0.82), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 1u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -57,10 +66,9 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, u_object.world_from_normal
+        * vertex.normal);
+    gl_Position = varyings.clip;
+    v_normal = varyings.normal;
 }
-

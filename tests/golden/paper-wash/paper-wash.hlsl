@@ -123,7 +123,11 @@ struct Varyings {
 static const float SMALLEST_NORMAL = 1.1754944e-38;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 static const float MOST_ON_SCREEN = 1000000000000000.0;
-static const Ramp indigo_to_warm_paper = {{float4(0.13, 0.14, 0.33, 1.0), float4(0.24, 0.36, 0.56, 1.0), float4(0.53, 0.66, 0.72, 1.0), float4(0.9, 0.8, 0.68, 1.0), float4(0.975, 0.95, 0.9, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.35, 0.62, 0.82), float4(1.0, 0.0, 0.0, 0.0), (0.0).xxxx, (0.0).xxxx}, 5u, 1u};
+static const Ramp indigo_to_warm_paper = {{float4(0.13, 0.14, 0.33, 1.0),
+    float4(0.24, 0.36, 0.56, 1.0), float4(0.53, 0.66, 0.72, 1.0), float4(0.9, 0.8, 0.68, 1.0),
+    float4(0.975, 0.95, 0.9, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx},
+    {float4(0.0, 0.35, 0.62, 0.82), float4(1.0, 0.0, 0.0, 0.0), (0.0).xxxx, (0.0).xxxx}, 5u, 1u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -144,7 +148,7 @@ struct FragmentInput_fs_main {
 float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
-    return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
+    return (asuint(v) & exponent) != exponent ? v : (0.0).xxxx;
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -153,11 +157,11 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (asint(bits - 1060439283u) >> 23u);
+    float mantissa = asfloat(bits - (asuint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -165,7 +169,7 @@ float log2_stable(float x)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -182,7 +186,7 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -191,17 +195,17 @@ float4 bounded_vec4(float4 v)
     uint4 bits = asuint(v);
     uint4 magnitude = (bits & (2147483647u).xxxx);
     float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
-    float4 numbers = ((magnitude == (2139095040u).xxxx) ? largest : (0.0).xxxx);
-    return ((magnitude < (2139095040u).xxxx) ? v : numbers);
+    float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
+    return magnitude < (2139095040u).xxxx ? v : numbers;
 }
 
 /// a / b; 0 where b is 0.
 float divided(float a, float b)
 {
-    if ((abs(b) < SMALLEST_NORMAL)) {
+    if (abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((a / b));
+    return bounded(a / b);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -223,8 +227,8 @@ float stairs_integral(float x, float count)
 {
     float inside = min(x, count);
     float stair = min(floor(inside), 3.0);
-    float beyond = max((x - count), 0.0);
-    return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 3.0));
+    float beyond = max(x - count, 0.0);
+    return stair * (0.5 * (stair - 1.0) + inside - stair) + beyond * 3.0;
 }
 
 /// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
@@ -232,38 +236,39 @@ float stairs_integral_2(float x, float count)
 {
     float inside = max(x, 0.0);
     float stair = floor(inside);
-    return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + 0.0);
+    return stair * (0.5 * (stair - 1.0) + inside - stair) + 0.0;
 }
 
 /// The stairs floor(x) from 0 to `count` - 1, averaged over a footprint of `w`; x in [0, count],
 /// count at least 2.
 float stairs_filtered(float x, float count, float w)
 {
-    if ((w <= 1.0)) {
+    if (w <= 1.0) {
         float edge = clamp(round(x), 1.0, 3.0);
-        return ((edge - 1.0) + clamp((0.5 + ((x - edge) / w)), 0.0, 1.0));
+        return edge - 1.0 + clamp(0.5 + (x - edge) / w, 0.0, 1.0);
     }
-    float half_ = (0.5 * w);
-    return ((stairs_integral((x + half_), count) - stairs_integral_2((x - half_), count)) / (2.0 * half_));
+    float half_ = 0.5 * w;
+    return (stairs_integral(x + half_, count) - stairs_integral_2(x - half_, count))
+        / (2.0 * half_);
 }
 
 /// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
 /// t.
 float4 hermite(float4 a, float4 b, float4 from_a, float4 to_b, float t)
 {
-    float4 d = (b - a);
-    return (a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d))))))));
+    float4 d = b - a;
+    return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
 /// [`ramp_slope`] of one component.
 float harmonic_slope(float before, float span_before, float after, float span_after)
 {
-    if (((before * after) <= 0.0)) {
+    if (before * after <= 0.0) {
         return 0.0;
     }
-    float weight_before = ((2.0 * span_after) + span_before);
-    float weight_after = (span_after + (2.0 * span_before));
-    return divided((weight_before + weight_after), ((weight_before / before) + (weight_after / after)));
+    float weight_before = 2.0 * span_after + span_before;
+    float weight_after = span_after + 2.0 * span_before;
+    return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
 /// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
@@ -272,12 +277,16 @@ float4 ramp_slope(float4 rise_before, float span_before, float4 rise_after, floa
 {
     const float divided_value = divided(rise_after.x, span_after);
     const float divided_value_1 = divided(rise_after.y, span_after);
-    const float harmonic_slope_value = harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value_1, span_after);
+    const float harmonic_slope_value = harmonic_slope(divided(rise_before.y, span_before),
+        span_before, divided_value_1, span_after);
     const float divided_value_2 = divided(rise_after.z, span_after);
-    const float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_2, span_after);
+    const float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before),
+        span_before, divided_value_2, span_after);
     const float divided_value_3 = divided(rise_after.w, span_after);
-    const float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_3, span_after);
-    return float4(harmonic_slope(divided(rise_before.x, span_before), span_before, divided_value, span_after), harmonic_slope_value, harmonic_slope_value_1, harmonic_slope_value_2);
+    const float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before),
+        span_before, divided_value_3, span_after);
+    return float4(harmonic_slope(divided(rise_before.x, span_before), span_before, divided_value,
+        span_after), harmonic_slope_value, harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -292,7 +301,9 @@ uint naga_mod(uint lhs, uint rhs) {
 /// Transparent black for a ramp without stops.
 float4 ramp_at(Ramp ramp, float x, float w)
 {
-    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     uint i_2 = 1u;
     uint at = 0u;
@@ -304,54 +315,61 @@ float4 ramp_at(Ramp ramp, float x, float w)
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i_2 = (i_2 + 1u);
+            i_2 = i_2 + 1u;
         }
         loop_init = false;
-        if (!((i_2 < 5u))) {
+        if (!(i_2 < 5u)) {
             break;
         }
-        float places_now = places[min(uint(naga_div(i_2, 4u)), 3u)][min(uint(naga_mod(i_2, 4u)), 3u)];
-        at = ((places_now <= x) ? i_2 : at);
+        float places_now = places[min(uint(naga_div(i_2, 4u)), 3u)][min(uint(naga_mod(i_2, 4u)),
+            3u)];
+        at = places_now <= x ? i_2 : at;
     }
     float place = places[min(uint(naga_div(at, 4u)), 3u)][min(uint(naga_mod(at, 4u)), 3u)];
-    if ((((at + 1u) >= 5u) | (x <= place))) {
+    if (((at + 1u >= 5u) | (x <= place))) {
         return colors[min(uint(at), 15u)];
     }
-    uint after = (at + 1u);
-    float span = (places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)] - place);
-    float t = clamp(divided((x - place), span), 0.0, 1.0);
-    if ((at > 0u)) {
-        float before = places[min(uint(naga_div((at - 1u), 4u)), 3u)][min(uint(naga_mod((at - 1u), 4u)), 3u)];
-        float4 colors_now = colors[min(uint((at - 1u)), 15u)];
+    uint after = at + 1u;
+    float span = places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)]
+        - place;
+    float t = clamp(divided(x - place, span), 0.0, 1.0);
+    if (at > 0u) {
+        float before = places[min(uint(naga_div(at - 1u, 4u)), 3u)][min(uint(naga_mod(at - 1u, 4u)),
+            3u)];
+        float4 colors_now = colors[min(uint(at - 1u), 15u)];
         float4 colors_now_1 = colors[min(uint(after), 15u)];
         float4 colors_now_2 = colors[min(uint(at), 15u)];
-        from_a = ramp_slope((colors[min(uint(at), 15u)] - colors_now), (place - before), (colors_now_1 - colors_now_2), span);
+        from_a = ramp_slope(colors[min(uint(at), 15u)] - colors_now, place - before, colors_now_1
+            - colors_now_2, span);
     }
-    if (((after + 1u) < 5u)) {
-        float places_now_1 = places[min(uint(naga_div((after + 1u), 4u)), 3u)][min(uint(naga_mod((after + 1u), 4u)), 3u)];
-        float next = (places_now_1 - (place + span));
-        float4 colors_now_3 = colors[min(uint((after + 1u)), 15u)];
+    if (after + 1u < 5u) {
+        float places_now_1 = places[min(uint(naga_div(after + 1u, 4u)),
+            3u)][min(uint(naga_mod(after + 1u, 4u)), 3u)];
+        float next = places_now_1 - (place + span);
+        float4 colors_now_3 = colors[min(uint(after + 1u), 15u)];
         float4 colors_now_4 = colors[min(uint(after), 15u)];
-        to_b = ramp_slope((colors[min(uint(after), 15u)] - colors[min(uint(at), 15u)]), span, (colors_now_3 - colors_now_4), next);
+        to_b = ramp_slope(colors[min(uint(after), 15u)] - colors[min(uint(at), 15u)], span,
+            colors_now_3 - colors_now_4, next);
     }
-    const float4 hermite_value = hermite(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], (span * from_a), (span * to_b), t);
+    const float4 hermite_value = hermite(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)],
+        span * from_a, span * to_b, t);
     return bounded_vec4(hermite_value);
 }
 
 /// Premultiplied RGBA of a straight color.
 float4 premultiplied(float4 color)
 {
-    return float4((color.xyz * color.w), color.w);
+    return float4(color.xyz * color.w, color.w);
 }
 
 /// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
 /// is, so that light added over transparency is not lost.
 float4 straight(float4 composite)
 {
-    if ((composite.w <= 0.0)) {
+    if (composite.w <= 0.0) {
         return composite;
     }
-    return float4((composite.xyz / (composite.w).xxx), composite.w);
+    return float4(composite.xyz / (composite.w).xxx, composite.w);
 }
 
 /// Output
@@ -369,14 +387,14 @@ uint3 hash_pcg3d(uint3 seed)
 {
     uint3 v = (uint3)0;
 
-    v = ((seed * 1664525u) + (1013904223u).xxx);
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + (1013904223u).xxx;
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> (16u).xxx));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -385,9 +403,9 @@ uint3 hash_pcg3d(uint3 seed)
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
-    float a = ((axis == 0u) ? d.y : d.x);
-    float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 int3 naga_f2i32(float3 value) {
@@ -401,8 +419,8 @@ float perlin_noise(float3 p, uint seed)
     float sum = 0.0;
 
     float3 corner = floor(p);
-    float3 d = (p - corner);
-    float3 f = (((d * d) * d) * ((d * ((d * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    float3 d = p - corner;
+    float3 f = d * d * d * (d * (d * 6.0 - (15.0).xxx) + (10.0).xxx);
     int3 cell = naga_f2i32(corner);
     bool loop_init = true;
     while(true) {
@@ -410,15 +428,16 @@ float perlin_noise(float3 p, uint seed)
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if (!((i < int(8)))) {
+        if (!(i < int(8))) {
             break;
         }
         int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
-        float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
-        const uint3 hash_pcg3d_value = hash_pcg3d((asuint(asint(asuint(cell) + asuint(at))) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
-        sum = (sum + (((weight.x * weight.y) * 0.5) * gradient_dot(hash_pcg3d_value, (d - float3(at)))));
+        float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+        const uint3 hash_pcg3d_value = hash_pcg3d(asuint(asint(asuint(cell) + asuint(at))) + seed
+            * uint3(2654435769u, 2246822507u, 3266489909u));
+        sum = sum + weight.x * weight.y * 0.5 * gradient_dot(hash_pcg3d_value, d - float3(at));
     }
-    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
@@ -427,22 +446,23 @@ float perlin_noise(float3 p, uint seed)
 float size_on_screen(float depth, float perspective, float scale)
 {
     // Clip space is 2 high.
-    return min(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
+    return min(0.5 * scale / lerp(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
 /// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
 float3 anchor_on_screen(float3 origin, float perspective, float scale)
 {
-    const float size = size_on_screen(-(origin.z), perspective, scale);
-    return clamp(float3((origin.x * size), (-(origin.y) * size), size), (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
+    const float size = size_on_screen(-origin.z, perspective, scale);
+    return clamp(float3(origin.x * size, -origin.y * size, size), (-1000000000000000.0).xxx,
+        (1000000000000000.0).xxx);
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 float2 place_in_picture(float2 pixel, float2 viewport)
 {
-    float2 from_middle = (pixel - (0.5 * viewport));
-    return (float2(from_middle.x, -(from_middle.y)) / (max(viewport.y, 1.0)).xx);
+    float2 from_middle = pixel - 0.5 * viewport;
+    return float2(from_middle.x, -from_middle.y) / (max(viewport.y, 1.0)).xx;
 }
 
 StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
@@ -457,12 +477,12 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
     float2 turn = float2(0.0, 1.0);
-    float3 x = ((turn.y * along) + (turn.x * across));
-    float3 y = ((turn.y * across) - (turn.x * along));
-    float2 turned = float2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
+    float3 x = turn.y * along + turn.x * across;
+    float3 y = turn.y * across - turn.x * along;
+    float2 turned = float2(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x
+        * place.x);
     float3 stretch = float3(dot(x, x), dot(x, y), dot(y, y));
-    const StretchedPlace stretchedplace = ConstructStretchedPlace(turned, stretch);
-    return stretchedplace;
+    return ConstructStretchedPlace(turned, stretch);
 }
 
 SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
@@ -476,11 +496,10 @@ SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
 /// place without a stretch is one in pixels.
 SpacedPlace spaced(float2 place, float3 stretch, float2 viewport, float count)
 {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
-    float2 p = clamp((place * scale), (-4194304.0).xx, (4194304.0).xx);
-    const SpacedPlace spacedplace = ConstructSpacedPlace(p, (is_pixel ? float3(1.0, 0.0, 1.0) : stretch));
-    return spacedplace;
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / max(viewport.y, 1.0) : count;
+    float2 p = clamp(place * scale, (-4194304.0).xx, (4194304.0).xx);
+    return ConstructSpacedPlace(p, is_pixel ? float3(1.0, 0.0, 1.0) : stretch);
 }
 
 /// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
@@ -488,8 +507,8 @@ SpacedPlace spaced(float2 place, float3 stretch, float2 viewport, float count)
 /// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
 float area_square(float3 stretch)
 {
-    float sum = (stretch.x + stretch.z);
-    return max(((stretch.x * stretch.z) - (stretch.y * stretch.y)), ((sum * sum) / 66.0));
+    float sum = stretch.x + stretch.z;
+    return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
 MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
@@ -502,24 +521,25 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
 MarkPlace mark_place_object(float angle, float3 anchor, float2 pixel, float2 viewport)
 {
     float size = clamp(anchor.z, 1e-6, 1000000.0);
-    float2 place = ((place_in_picture(pixel, viewport) - float2(anchor.x, -(anchor.y))) / (size).xx);
-    const StretchedPlace m = mark_place_of(place, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle);
-    const MarkPlace markplace = ConstructMarkPlace(m.place, m.stretch);
-    return markplace;
+    float2 place = (place_in_picture(pixel, viewport) - float2(anchor.x, -anchor.y)) / (size).xx;
+    const StretchedPlace m = mark_place_of(place, float3(1.0 / size, 0.0, 0.0),
+        float3(0.0, 1.0 / size, 0.0), angle);
+    return ConstructMarkPlace(m.place, m.stretch);
 }
 
 /// The height of paper in one octave; paper finer than a pixel is flat.
 float paper_octave(float2 place, int zoom, float w, float fiber, uint seed)
 {
     float scale = asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
-    float2 p = clamp((place * scale), (-4194304.0).xx, (4194304.0).xx);
-    uint own = (seed + (7u * asuint(zoom)));
-    float grain = (perlin_noise(float3(p, 0.5), own) - 0.5);
-    float2 q = clamp((2.7 * float2(((0.8 * p.x) - (0.6 * p.y)), ((0.6 * p.x) + (0.8 * p.y)))), (-4194304.0).xx, (4194304.0).xx);
-    float felt = (perlin_noise(float3(q, 0.5), (own + 1u)) - 0.5);
-    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w * scale)));
-    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w) * scale)));
-    return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
+    float2 p = clamp(place * scale, (-4194304.0).xx, (4194304.0).xx);
+    uint own = seed + 7u * asuint(zoom);
+    float grain = perlin_noise(float3(p, 0.5), own) - 0.5;
+    float2 q = clamp(2.7 * float2(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), (-4194304.0).xx,
+        (4194304.0).xx);
+    float felt = perlin_noise(float3(q, 0.5), own + 1u) - 0.5;
+    float coarse_seen = 1.0 - smoothstep(0.5, 1.0, w * scale);
+    float felt_seen = 1.0 - smoothstep(0.5, 1.0, 2.7 * w * scale);
+    return clamp(0.5 + 1.4 * (coarse_seen * grain + fiber * felt_seen * felt), 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
@@ -535,14 +555,15 @@ float paper_height(SpacedPlace at, float fiber, uint seed)
     float2 x = ddx(at.place);
     float2 y = ddy(at.place);
     float w = sqrt(max(dot(x, x), dot(y, y)));
-    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     float zoom = floor(level);
-    float f = (level - zoom);
+    float f = level - zoom;
     height = paper_octave(at.place, naga_f2i32(zoom), w, fiber, seed);
-    if ((f > 0.0)) {
-        const float paper_octave_value = paper_octave(at.place, asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), w, fiber, seed);
+    if (f > 0.0) {
+        const float paper_octave_value = paper_octave(at.place,
+            asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), w, fiber, seed);
         float both = lerp(height, paper_octave_value, f);
-        height = clamp((0.5 + ((both - 0.5) / sqrt(((f * f) + ((1.0 - f) * (1.0 - f)))))), 0.0, 1.0);
+        height = clamp(0.5 + (both - 0.5) / sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0, 1.0);
     }
     return height;
 }
@@ -559,11 +580,12 @@ PaperGrain ConstructPaperGrain(float arg0, float arg1) {
 /// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
 /// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
 /// an object and does not swim through it.
-PaperGrain paper_grain(float value, float2 place, float3 stretch, float count, float tooth, float fiber, int seed, float2 viewport)
+PaperGrain paper_grain(float value, float2 place, float3 stretch, float count, float tooth,
+    float fiber, int seed, float2 viewport)
 {
     const float height = paper_height(spaced(place, stretch, viewport, count), fiber, 5u);
-    const PaperGrain papergrain = ConstructPaperGrain((1.0 - clamp((0.5 + (((0.0 * (height - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), height);
-    return papergrain;
+    return ConstructPaperGrain(1.0 - clamp(0.5 + 0.0 * (height - 0.5) * 0.5 * 0.5, 0.0, 1.0),
+        height);
 }
 
 /// Paper grain
@@ -571,28 +593,38 @@ PaperGrain paper_grain(float value, float2 place, float3 stretch, float count, f
 /// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
 /// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
 /// an object and does not swim through it.
-PaperGrain paper_grain_2(float value, float2 place, float3 stretch, float count, float tooth, float fiber, int seed, float2 viewport)
+PaperGrain paper_grain_2(float value, float2 place, float3 stretch, float count, float tooth,
+    float fiber, int seed, float2 viewport)
 {
     const float height = paper_height(spaced(place, stretch, viewport, count), fiber, 0u);
-    float ink = (1.0 - clamp(value, 0.0, 1.0));
-    const PaperGrain papergrain_1 = ConstructPaperGrain((1.0 - clamp((ink + ((((8.0 * tooth) * (height - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), height);
-    return papergrain_1;
+    float ink = 1.0 - clamp(value, 0.0, 1.0);
+    return ConstructPaperGrain(1.0 - clamp(ink + 8.0 * tooth * (height - 0.5) * ink * (1.0 - ink),
+        0.0, 1.0), height);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float light_and_shade = max(((dot(surface.normal, look.key.direction) + 0.5) / 1.5), 0.0);
-    const MarkPlace paper_that_goes_along = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
-    const PaperGrain where_water_stood = paper_grain(0.5, paper_that_goes_along.place, paper_that_goes_along.stretch, 11.0, 0.0, 0.7, int(5), look.viewport);
-    float uneven_edge = lerp(-0.2, 0.2, (bounded(where_water_stood.height) - 0.0));
-    float wet = (light_and_shade + uneven_edge);
-    const float stairs_filtered_value = stairs_filtered((4.0 * clamp(wet, 0.0, 1.0)), 4.0, length(float2((4.0 * footprint_of_2(wet)), 0.22)));
-    float washes = clamp((stairs_filtered_value / 3.0), 0.0, 1.0);
+    // Reflectance
+    float light_and_shade = max((dot(surface.normal, look.key.direction) + 0.5) / 1.5, 0.0);
+    const MarkPlace paper_that_goes_along = mark_place_object(0.0, surface.anchor, surface.pixel,
+        look.viewport);
+    const PaperGrain where_water_stood = paper_grain(0.5, paper_that_goes_along.place,
+        paper_that_goes_along.stretch, 11.0, 0.0, 0.7, int(5), look.viewport);
+    float uneven_edge = lerp(-0.2, 0.2, bounded(where_water_stood.height) - 0.0);
+    float wet = light_and_shade + uneven_edge;
+    const float stairs_filtered_value = stairs_filtered(4.0 * clamp(wet, 0.0, 1.0), 4.0,
+        length(float2(4.0 * footprint_of_2(wet), 0.22)));
+    // Bands
+    float washes = clamp(stairs_filtered_value / 3.0, 0.0, 1.0);
     float pigment_in_them = lerp(washes, wet, 0.35);
-    const PaperGrain tooth_of_the_paper = paper_grain_2(pigment_in_them, paper_that_goes_along.place, paper_that_goes_along.stretch, 260.0, 0.2, 0.6, int(0), look.viewport);
-    const float4 indigo_to_warm_paper_2 = ramp_at(indigo_to_warm_paper, bounded(tooth_of_the_paper.tone), footprint_of(tooth_of_the_paper.tone));
-    float4 output_alpha = float4(indigo_to_warm_paper_2.xyz, clamp(indigo_to_warm_paper_2.w, 0.0, 1.0));
+    const PaperGrain tooth_of_the_paper = paper_grain_2(pigment_in_them,
+        paper_that_goes_along.place, paper_that_goes_along.stretch, 260.0, 0.2, 0.6, int(0),
+        look.viewport);
+    const float4 indigo_to_warm_paper_2 = ramp_at(indigo_to_warm_paper,
+        bounded(tooth_of_the_paper.tone), footprint_of(tooth_of_the_paper.tone));
+    float4 output_alpha = float4(indigo_to_warm_paper_2.xyz,
+        clamp(indigo_to_warm_paper_2.w, 0.0, 1.0));
     return output(premultiplied(output_alpha));
 }
 
@@ -606,7 +638,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world),
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -624,8 +657,12 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
     Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    const float3 anchor_on_screen_value = anchor_on_screen(mul(float4(object.world_from_object[3].xyz, 1.0), view.camera_from_world).xyz, view.eye.w, length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    Surface surface = ConstructSurface(normal, ((in_.clip_.xy * view.screen.xy) + view.screen.zw), anchor_on_screen_value);
+    float3 normal = is_front ? facing : -facing;
+    const float3 anchor_on_screen_value = anchor_on_screen(mul(float4(object.world_from_object[3].xyz,
+        1.0), view.camera_from_world).xyz, view.eye.w,
+        length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y)));
+    Surface surface = ConstructSurface(normal, in_.clip_.xy * view.screen.xy + view.screen.zw,
+        anchor_on_screen_value);
     return finite_vec4(shade(surface));
 }

@@ -18,6 +18,7 @@ struct View {
     /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     metal::float4 screen;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -25,6 +26,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -36,12 +38,14 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     metal::float2 viewport;
     char _pad1[8];
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
@@ -49,14 +53,17 @@ struct Surface {
     char _pad2[8];
     metal::float3 anchor;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 struct type_6 {
     metal::float4 inner[16];
 };
+
 struct type_7 {
     metal::float4 inner[4];
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -71,6 +78,7 @@ struct Ramp {
     uint interpolation;
     char _pad4[8];
 };
+
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
@@ -80,12 +88,14 @@ struct StretchedPlace {
     /// picture height.
     metal::float3 stretch;
 };
+
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
 };
+
 struct MarkPlace {
     /// Along the strokes, and across them.
     metal::float2 place;
@@ -93,24 +103,35 @@ struct MarkPlace {
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     metal::float3 stretch;
 };
+
 struct PaperGrain {
     /// The tone as the paper shows it.
     float tone;
     /// The paper's own height, from 0 to 1: for a bump map, or to tint the paper.
     float height;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 normal;
 };
+
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 constant float MOST_ON_SCREEN = 1000000000000000.0;
-constant Ramp indigo_to_warm_paper = Ramp {type_6 {{metal::float4(0.13, 0.14, 0.33, 1.0), metal::float4(0.24, 0.36, 0.56, 1.0), metal::float4(0.53, 0.66, 0.72, 1.0), metal::float4(0.9, 0.8, 0.68, 1.0), metal::float4(0.975, 0.95, 0.9, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_7 {{metal::float4(0.0, 0.35, 0.62, 0.82), metal::float4(1.0, 0.0, 0.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 5u, 1u};
+constant Ramp indigo_to_warm_paper = Ramp {type_6 {{metal::float4(0.13, 0.14, 0.33, 1.0),
+    metal::float4(0.24, 0.36, 0.56, 1.0), metal::float4(0.53, 0.66, 0.72, 1.0),
+    metal::float4(0.9, 0.8, 0.68, 1.0), metal::float4(0.975, 0.95, 0.9, 1.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0)}},
+    type_7 {{metal::float4(0.0, 0.35, 0.62, 0.82), metal::float4(1.0, 0.0, 0.0, 0.0),
+    metal::float4(0.0), metal::float4(0.0)}}, 5u, 1u};
 
 /// v with 0 for each component that is NaN or infinite.
 metal::float4 finite_vec4(
@@ -131,7 +152,8 @@ float log2_stable(
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
-    return static_cast<float>(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379)))))));
+    return static_cast<float>(exponent) + z
+        * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -141,7 +163,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -160,7 +183,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -169,8 +192,10 @@ metal::float4 bounded_vec4(
 ) {
     metal::uint4 bits = as_type<metal::uint4>(v);
     metal::uint4 magnitude = bits & metal::uint4(2147483647u);
-    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
-    metal::float4 numbers = metal::select(metal::float4(0.0), largest, magnitude == metal::uint4(2139095040u));
+    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u))
+        | metal::uint4(2139095039u));
+    metal::float4 numbers = metal::select(metal::float4(0.0), largest,
+        magnitude == metal::uint4(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint4(2139095040u));
 }
 
@@ -209,7 +234,7 @@ float stairs_integral(
     float inside = metal::min(x, count);
     float stair = metal::min(metal::floor(inside), 3.0);
     float beyond = metal::max(x - count, 0.0);
-    return (stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 3.0);
+    return stair * (0.5 * (stair - 1.0) + inside - stair) + beyond * 3.0;
 }
 
 /// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
@@ -219,7 +244,7 @@ float stairs_integral_2(
 ) {
     float inside = metal::max(x, 0.0);
     float stair = metal::floor(inside);
-    return (stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + 0.0;
+    return stair * (0.5 * (stair - 1.0) + inside - stair) + 0.0;
 }
 
 /// The stairs floor(x) from 0 to `count` - 1, averaged over a footprint of `w`; x in [0, count],
@@ -231,10 +256,11 @@ float stairs_filtered(
 ) {
     if (w <= 1.0) {
         float edge = metal::clamp(metal::rint(x), 1.0, 3.0);
-        return (edge - 1.0) + metal::clamp(0.5 + ((x - edge) / w), 0.0, 1.0);
+        return edge - 1.0 + metal::clamp(0.5 + (x - edge) / w, 0.0, 1.0);
     }
     float half_ = 0.5 * w;
-    return (stairs_integral(x + half_, count) - stairs_integral_2(x - half_, count)) / (2.0 * half_);
+    return (stairs_integral(x + half_, count) - stairs_integral_2(x - half_, count))
+        / (2.0 * half_);
 }
 
 /// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
@@ -247,7 +273,7 @@ metal::float4 hermite(
     float t
 ) {
     metal::float4 d = b - a;
-    return a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d)))))));
+    return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
 /// [`ramp_slope`] of one component.
@@ -257,12 +283,12 @@ float harmonic_slope(
     float after,
     float span_after
 ) {
-    if ((before * after) <= 0.0) {
+    if (before * after <= 0.0) {
         return 0.0;
     }
-    float weight_before = (2.0 * span_after) + span_before;
-    float weight_after = span_after + (2.0 * span_before);
-    return divided(weight_before + weight_after, (weight_before / before) + (weight_after / after));
+    float weight_before = 2.0 * span_after + span_before;
+    float weight_after = span_after + 2.0 * span_before;
+    return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
 /// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
@@ -273,13 +299,18 @@ metal::float4 ramp_slope(
     metal::float4 rise_after,
     float span_after
 ) {
-    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after);
+    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before,
+        divided(rise_after.x, span_after), span_after);
     float divided_value = divided(rise_after.y, span_after);
     float divided_value_1 = divided(rise_after.z, span_after);
-    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_1, span_after);
+    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before,
+        divided_value_1, span_after);
     float divided_value_2 = divided(rise_after.w, span_after);
-    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_2, span_after);
-    return metal::float4(harmonic_slope_value, harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after), harmonic_slope_value_1, harmonic_slope_value_2);
+    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before,
+        divided_value_2, span_after);
+    return metal::float4(harmonic_slope_value,
+        harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after),
+        harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -311,14 +342,14 @@ Color ramp_at(
             i_2 = i_2 + 1u;
         }
         loop_init = false;
-        if (!((i_2 < 5u))) {
+        if (!(i_2 < 5u)) {
             break;
         }
         float places_now = places.inner[naga_div(i_2, 4u)][naga_mod(i_2, 4u)];
-        at = (places_now <= x) ? i_2 : at;
+        at = places_now <= x ? i_2 : at;
     }
     float place = places.inner[naga_div(at, 4u)][naga_mod(at, 4u)];
-    if (((at + 1u) >= 5u) | (x <= place)) {
+    if ((at + 1u >= 5u) | (x <= place)) {
         return colors.inner[at];
     }
     uint after = at + 1u;
@@ -326,14 +357,18 @@ Color ramp_at(
     float t = metal::clamp(divided(x - place, span), 0.0, 1.0);
     if (at > 0u) {
         float before = places.inner[naga_div(at - 1u, 4u)][naga_mod(at - 1u, 4u)];
-        metal::float4 ramp_slope_value = ramp_slope(colors.inner[at] - colors.inner[at - 1u], place - before, colors.inner[after] - colors.inner[at], span);
+        metal::float4 ramp_slope_value = ramp_slope(colors.inner[at] - colors.inner[at - 1u],
+            place - before, colors.inner[after] - colors.inner[at], span);
         from_a = ramp_slope_value;
     }
-    if ((after + 1u) < 5u) {
-        float next = places.inner[naga_div(after + 1u, 4u)][naga_mod(after + 1u, 4u)] - (place + span);
-        to_b = ramp_slope(colors.inner[after] - colors.inner[at], span, colors.inner[after + 1u] - colors.inner[after], next);
+    if (after + 1u < 5u) {
+        float next = places.inner[naga_div(after + 1u, 4u)][naga_mod(after + 1u, 4u)]
+            - (place + span);
+        to_b = ramp_slope(colors.inner[after] - colors.inner[at], span, colors.inner[after + 1u]
+            - colors.inner[after], next);
     }
-    return bounded_vec4(hermite(colors.inner[at], colors.inner[after], span * from_a, span * to_b, t));
+    return bounded_vec4(hermite(colors.inner[at], colors.inner[after], span * from_a, span * to_b,
+        t));
 }
 
 /// Premultiplied RGBA of a straight color.
@@ -370,14 +405,14 @@ metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
     metal::uint3 v = {};
-    v = (seed * 1664525u) + metal::uint3(1013904223u);
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v = seed * 1664525u + metal::uint3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = v ^ (v >> metal::uint3(16u));
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -388,9 +423,9 @@ float gradient_dot(
     metal::float3 d
 ) {
     uint axis = naga_mod(hash.x >> 8u, 3u);
-    float a = (axis == 0u) ? d.y : d.x;
-    float b = (axis == 2u) ? d.y : d.z;
-    return (((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
@@ -406,7 +441,7 @@ float perlin_noise(
     float sum = 0.0;
     metal::float3 corner = metal::floor(p);
     metal::float3 d = p - corner;
-    metal::float3 f = ((d * d) * d) * ((d * ((d * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    metal::float3 f = d * d * d * (d * (d * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
     metal::int3 cell = naga_f2i32(corner);
     bool loop_init = true;
     while(true) {
@@ -414,15 +449,17 @@ float perlin_noise(
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 8))) {
+        if (!(i < 8)) {
             break;
         }
         metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
         metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
-        metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at))) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
-        sum = sum + (((weight.x * weight.y) * 0.5) * gradient_dot(hash_pcg3d_value, d - static_cast<metal::float3>(at)));
+        metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at))) + seed * metal::uint3(2654435769u,
+            2246822507u, 3266489909u));
+        sum = sum + weight.x * weight.y * 0.5
+            * gradient_dot(hash_pcg3d_value, d - static_cast<metal::float3>(at));
     }
-    return metal::clamp(0.5 + (0.48244 * sum), 0.0, 1.0);
+    return metal::clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
@@ -434,7 +471,8 @@ float size_on_screen(
     float scale
 ) {
     // Clip space is 2 high.
-    return metal::min((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective), MOST_ON_SCREEN);
+    return metal::min(0.5 * scale / metal::mix(1.0, metal::max(depth, 0.000001), perspective),
+        MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
@@ -444,8 +482,9 @@ metal::float3 anchor_on_screen(
     float perspective,
     float scale
 ) {
-    float size = size_on_screen(-(origin.z), perspective, scale);
-    return metal::clamp(metal::float3(origin.x * size, -(origin.y) * size, size), metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    float size = size_on_screen(-origin.z, perspective, scale);
+    return metal::clamp(metal::float3(origin.x * size, -origin.y * size, size),
+        metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
@@ -453,8 +492,9 @@ metal::float2 place_in_picture(
     metal::float2 pixel,
     metal::float2 viewport
 ) {
-    metal::float2 from_middle = pixel - (0.5 * viewport);
-    return metal::float2(from_middle.x, -(from_middle.y)) / metal::float2(metal::max(viewport.y, 1.0));
+    metal::float2 from_middle = pixel - 0.5 * viewport;
+    return metal::float2(from_middle.x, -from_middle.y)
+        / metal::float2(metal::max(viewport.y, 1.0));
 }
 
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
@@ -466,9 +506,10 @@ StretchedPlace mark_place_of(
     float angle
 ) {
     metal::float2 turn = metal::float2(0.0, 1.0);
-    metal::float3 x = (turn.y * along) + (turn.x * across);
-    metal::float3 y = (turn.y * across) - (turn.x * along);
-    metal::float2 turned = metal::float2((turn.y * place.x) + (turn.x * place.y), (turn.y * place.y) - (turn.x * place.x));
+    metal::float3 x = turn.y * along + turn.x * across;
+    metal::float3 y = turn.y * across - turn.x * along;
+    metal::float2 turned = metal::float2(turn.y * place.x + turn.x * place.y, turn.y * place.y
+        - turn.x * place.x);
     metal::float3 stretch = metal::float3(metal::dot(x, x), metal::dot(x, y), metal::dot(y, y));
     return StretchedPlace {turned, {}, stretch};
 }
@@ -481,9 +522,10 @@ SpacedPlace spaced(
     metal::float2 viewport,
     float count
 ) {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = is_pixel ? (count / metal::max(viewport.y, 1.0)) : count;
-    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0), metal::float2(4194304.0));
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / metal::max(viewport.y, 1.0) : count;
+    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0),
+        metal::float2(4194304.0));
     return SpacedPlace {p, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : stretch};
 }
 
@@ -494,7 +536,7 @@ float area_square(
     metal::float3 stretch
 ) {
     float sum = stretch.x + stretch.z;
-    return metal::max((stretch.x * stretch.z) - (stretch.y * stretch.y), (sum * sum) / 66.0);
+    return metal::max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
 MarkPlace mark_place_object(
@@ -504,8 +546,10 @@ MarkPlace mark_place_object(
     metal::float2 viewport
 ) {
     float size = metal::clamp(anchor.z, 0.000001, 1000000.0);
-    metal::float2 place = (place_in_picture(pixel, viewport) - metal::float2(anchor.x, -(anchor.y))) / metal::float2(size);
-    StretchedPlace m = mark_place_of(place, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle);
+    metal::float2 place = (place_in_picture(pixel, viewport) - metal::float2(anchor.x, -anchor.y))
+        / metal::float2(size);
+    StretchedPlace m = mark_place_of(place, metal::float3(1.0 / size, 0.0, 0.0),
+        metal::float3(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace {m.place, {}, m.stretch};
 }
 
@@ -517,15 +561,19 @@ float paper_octave(
     float fiber,
     uint seed
 ) {
-    float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u);
-    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0), metal::float2(4194304.0));
-    uint own = seed + (7u * as_type<uint>(zoom));
+    float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom)
+        + as_type<uint>(127))) << 23u);
+    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0),
+        metal::float2(4194304.0));
+    uint own = seed + 7u * as_type<uint>(zoom);
     float grain = perlin_noise(metal::float3(p, 0.5), own) - 0.5;
-    metal::float2 q = metal::clamp(2.7 * metal::float2((0.8 * p.x) - (0.6 * p.y), (0.6 * p.x) + (0.8 * p.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
+    metal::float2 q = metal::clamp(2.7
+        * metal::float2(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), metal::float2(-4194304.0),
+        metal::float2(4194304.0));
     float felt = perlin_noise(metal::float3(q, 0.5), own + 1u) - 0.5;
     float coarse_seen = 1.0 - metal::smoothstep(0.5, 1.0, w * scale);
-    float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w) * scale);
-    return metal::clamp(0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt))), 0.0, 1.0);
+    float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, 2.7 * w * scale);
+    return metal::clamp(0.5 + 1.4 * (coarse_seen * grain + fiber * felt_seen * felt), 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
@@ -543,15 +591,18 @@ float paper_height(
     metal::float2 x = metal::dfdx(at.place);
     metal::float2 y = metal::dfdy(at.place);
     float w = metal::sqrt(metal::max(metal::dot(x, x), metal::dot(y, y)));
-    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)), 0.000000000000000000000000000001));
+    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)),
+        0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * log2_stable_value, -16.0, 16.0);
     float zoom = metal::floor(level);
     float f = level - zoom;
     height = paper_octave(at.place, naga_f2i32(zoom), w, fiber, seed);
     if (f > 0.0) {
-        float paper_octave_value = paper_octave(at.place, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(1)), w, fiber, seed);
+        float paper_octave_value = paper_octave(at.place,
+            as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(1)), w, fiber, seed);
         float both = metal::mix(height, paper_octave_value, f);
-        height = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f * f) + ((1.0 - f) * (1.0 - f)))), 0.0, 1.0);
+        height = metal::clamp(0.5 + (both - 0.5) / metal::sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0,
+            1.0);
     }
     return height;
 }
@@ -572,7 +623,8 @@ PaperGrain paper_grain(
     metal::float2 viewport
 ) {
     float height = paper_height(spaced(place, stretch, viewport, count), fiber, 5u);
-    return PaperGrain {1.0 - metal::clamp(0.5 + (((0.0 * (height - 0.5)) * 0.5) * 0.5), 0.0, 1.0), height};
+    return PaperGrain {1.0 - metal::clamp(0.5 + 0.0 * (height - 0.5) * 0.5 * 0.5, 0.0, 1.0),
+        height};
 }
 
 /// Paper grain
@@ -592,7 +644,8 @@ PaperGrain paper_grain_2(
 ) {
     float height = paper_height(spaced(place, stretch, viewport, count), fiber, 0u);
     float ink = 1.0 - metal::clamp(value, 0.0, 1.0);
-    return PaperGrain {1.0 - metal::clamp(ink + ((((8.0 * tooth) * (height - 0.5)) * ink) * (1.0 - ink)), 0.0, 1.0), height};
+    return PaperGrain {1.0 - metal::clamp(ink + 8.0 * tooth * (height - 0.5) * ink * (1.0 - ink),
+        0.0, 1.0), height};
 }
 
 /// The look at one point of the surface.
@@ -600,18 +653,27 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    float light_and_shade = metal::max((metal::dot(surface.normal, look.key.direction) + 0.5) / 1.5, 0.0);
-    MarkPlace paper_that_goes_along = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
-    PaperGrain where_water_stood = paper_grain(0.5, paper_that_goes_along.place, paper_that_goes_along.stretch, 11.0, 0.0, 0.7, 5, look.viewport);
+    // Reflectance
+    float light_and_shade = metal::max((metal::dot(surface.normal, look.key.direction) + 0.5) / 1.5,
+        0.0);
+    MarkPlace paper_that_goes_along = mark_place_object(0.0, surface.anchor, surface.pixel,
+        look.viewport);
+    PaperGrain where_water_stood = paper_grain(0.5, paper_that_goes_along.place,
+        paper_that_goes_along.stretch, 11.0, 0.0, 0.7, 5, look.viewport);
     float uneven_edge = metal::mix(-0.2, 0.2, bounded(where_water_stood.height) - 0.0);
     float wet = light_and_shade + uneven_edge;
     float footprint_of_2_value = footprint_of_2(wet);
-    float stairs_filtered_value = stairs_filtered(4.0 * metal::clamp(wet, 0.0, 1.0), 4.0, metal::length(metal::float2(4.0 * footprint_of_2_value, 0.22)));
+    float stairs_filtered_value = stairs_filtered(4.0 * metal::clamp(wet, 0.0, 1.0), 4.0,
+        metal::length(metal::float2(4.0 * footprint_of_2_value, 0.22)));
+    // Bands
     float washes = metal::clamp(stairs_filtered_value / 3.0, 0.0, 1.0);
     float pigment_in_them = metal::mix(washes, wet, 0.35);
-    PaperGrain tooth_of_the_paper = paper_grain_2(pigment_in_them, paper_that_goes_along.place, paper_that_goes_along.stretch, 260.0, 0.2, 0.6, 0, look.viewport);
-    Color indigo_to_warm_paper_2 = ramp_at(indigo_to_warm_paper, bounded(tooth_of_the_paper.tone), footprint_of(tooth_of_the_paper.tone));
-    metal::float4 output_alpha = metal::float4(indigo_to_warm_paper_2.xyz, metal::clamp(indigo_to_warm_paper_2.w, 0.0, 1.0));
+    PaperGrain tooth_of_the_paper = paper_grain_2(pigment_in_them, paper_that_goes_along.place,
+        paper_that_goes_along.stretch, 260.0, 0.2, 0.6, 0, look.viewport);
+    Color indigo_to_warm_paper_2 = ramp_at(indigo_to_warm_paper, bounded(tooth_of_the_paper.tone),
+        footprint_of(tooth_of_the_paper.tone));
+    metal::float4 output_alpha = metal::float4(indigo_to_warm_paper_2.xyz,
+        metal::clamp(indigo_to_warm_paper_2.w, 0.0, 1.0));
     return output(premultiplied(output_alpha));
 }
 
@@ -619,10 +681,12 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 normal [[user(loc0), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -630,7 +694,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.normal };
 }
 
@@ -638,9 +703,11 @@ vertex vs_mainOutput vs_main(
 struct fs_mainInput {
     metal::float3 normal [[user(loc0), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -651,8 +718,12 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.normal };
     metal::float3 facing = normalize_seen(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
-    metal::float3 anchor_on_screen_value = anchor_on_screen((view.camera_from_world * metal::float4(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    Surface surface = Surface {normal, (in.clip.xy * view.screen.xy) + view.screen.zw, {}, anchor_on_screen_value};
+    metal::float3 normal = is_front ? facing : -facing;
+    metal::float3 anchor_on_screen_value = anchor_on_screen((view.camera_from_world
+        * metal::float4(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w,
+        metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y)));
+    Surface surface = Surface {normal, in.clip.xy * view.screen.xy + view.screen.zw, {},
+        anchor_on_screen_value};
     return fs_mainOutput { finite_vec4(shade(surface, look)) };
 }

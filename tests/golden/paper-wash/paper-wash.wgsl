@@ -451,6 +451,7 @@ const indigo_to_warm_paper = Ramp(array(vec4f(0.13, 0.14, 0.33, 1.0), vec4f(0.24
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Reflectance
     let light_and_shade = max((dot(surface.normal, look.key.direction) + 0.5) / 1.5, 0.0);
     let paper_that_goes_along = mark_place_object(0.0, surface.anchor, surface.pixel,
         look.viewport);
@@ -458,6 +459,7 @@ fn shade(surface: Surface) -> vec4f {
         paper_that_goes_along.stretch, 11.0, 0.0, 0.7, 5i, look.viewport);
     let uneven_edge = mix(-0.2, 0.2, bounded(where_water_stood.height) - 0.0);
     let wet = light_and_shade + uneven_edge;
+    // Bands
     let washes = clamp(stairs_filtered(4.0 * clamp(wet, 0.0, 1.0), 4.0,
         length(vec2f(4.0 * footprint_of_2(wet), 0.22))) / 3.0, 0.0, 1.0);
     let pigment_in_them = mix(washes, wet, 0.35);

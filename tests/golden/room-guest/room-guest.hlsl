@@ -159,7 +159,8 @@ struct Varyings {
 };
 
 static const float SMALLEST_NORMAL = 1.1754944e-38;
-static const ProfileShape lamps_eye_tone_shape = {0.87758255, 0.47942555, 8.353367, 2.4874215, 1.0, 0.117860116, 0.05078552, 0u};
+static const ProfileShape lamps_eye_tone_shape = {0.87758255, 0.47942555, 8.353367, 2.4874215, 1.0,
+    0.117860116, 0.05078552, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -182,7 +183,7 @@ struct FragmentInput_fs_main {
 /// never happens.
 bool is_finite(float x)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
+    return (asuint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -191,16 +192,16 @@ bool is_finite(float x)
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) & (largest < 1e30)))) {
+    if (!((largest > 1e-30) & (largest < 1e30))) {
         return otherwise;
     }
-    float3 scaled = (v * (1.0 / largest));
+    float3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -208,7 +209,7 @@ float3 normalize_or(float3 v, float3 otherwise)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -225,7 +226,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -239,22 +240,20 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = (u.half_sin - 0.0);
-    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
-    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
-    return angle_2;
+    float s = u.half_sin - 0.0;
+    float2 upper = u.half_cos <= 0.0 ? float2(1.0, 0.0) : float2(s, u.half_cos);
+    float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned_2(Angle u, float2 t)
 {
-    float s = (u.half_sin - (u.half_cos * 0.0));
-    float c = (u.half_cos + 0.0);
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
-    return angle_3;
+    float s = u.half_sin - u.half_cos * 0.0;
+    float c = u.half_cos + 0.0;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -264,7 +263,7 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -273,8 +272,8 @@ float3 bounded_vec3(float3 v)
     uint3 bits = asuint(v);
     uint3 magnitude = (bits & (2147483647u).xxx);
     float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers = ((magnitude == (2139095040u).xxx) ? largest : (0.0).xxx);
-    return ((magnitude < (2139095040u).xxx) ? v : numbers);
+    float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
+    return magnitude < (2139095040u).xxx ? v : numbers;
 }
 
 /// [`bounded`], component by component.
@@ -283,19 +282,19 @@ float4 bounded_vec4(float4 v)
     uint4 bits = asuint(v);
     uint4 magnitude = (bits & (2147483647u).xxxx);
     float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
-    float4 numbers = ((magnitude == (2139095040u).xxxx) ? largest : (0.0).xxxx);
-    return ((magnitude < (2139095040u).xxxx) ? v : numbers);
+    float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
+    return magnitude < (2139095040u).xxxx ? v : numbers;
 }
 
 /// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
 /// 1 from there on.
 float place_between(float x, float low, float high)
 {
-    float span = (high - low);
-    if ((span < SMALLEST_NORMAL)) {
-        return ((x >= high) ? 1.0 : 0.0);
+    float span = high - low;
+    if (span < SMALLEST_NORMAL) {
+        return x >= high ? 1.0 : 0.0;
     }
-    return bounded(((x - low) / span));
+    return bounded((x - low) / span);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -303,7 +302,7 @@ float place_between(float x, float low, float high)
 float eased(float x, float low, float high)
 {
     float t = clamp(place_between(x, low, high), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -325,15 +324,15 @@ float luminance(float4 color)
 /// yellow and then white. Channels beyond 1e18 count as that.
 float4 limit_color(float4 color, float limit, float softness)
 {
-    float knee = (1.0 - softness);
+    float knee = 1.0 - softness;
     float brightest = max(max(color.x, color.y), color.z);
-    if ((brightest <= knee)) {
+    if (brightest <= knee) {
         return float4(color.xyz, 1.0);
     }
-    float room = (limit - knee);
-    float above = (brightest - knee);
-    float pressed = (knee + (min(above, room) * (max(above, room) / (above + room))));
-    return float4((color.xyz * min((pressed / brightest), 1.0)), 1.0);
+    float room = limit - knee;
+    float above = brightest - knee;
+    float pressed = knee + min(above, room) * (max(above, room) / (above + room));
+    return float4(color.xyz * min(pressed / brightest, 1.0), 1.0);
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -342,9 +341,10 @@ float3x3 axes_around(float3 toward, float3 up)
 {
     float3 leaning = cross(up, toward);
     float square = dot(leaning, leaning);
-    float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
-    const float3 x = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    float3 aside = abs(toward.x) > 0.7 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0);
+    float3 across = square > 1e-8 ? leaning : cross(aside, toward);
+    const float3 x = normalize_moderate(across - dot(across, toward) * toward,
+        float3(1.0, 0.0, 0.0));
     return float3x3(x, cross(toward, x), toward);
 }
 
@@ -353,13 +353,14 @@ float3x3 axes_turned(float3 toward, float spin)
 {
     const float3x3 axes = axes_around(toward, float3(0.0, 1.0, 0.0));
     float2 turn = float2(0.0, 1.0);
-    return float3x3(((turn.y * axes[0]) + (turn.x * axes[1])), ((turn.y * axes[1]) - (turn.x * axes[0])), axes[2]);
+    return float3x3(turn.y * axes[0] + turn.x * axes[1], turn.y * axes[1] - turn.x * axes[0],
+        axes[2]);
 }
 
 /// A place as seen from a center along axes, within a million of it.
 float3 place_along(float3 place, float3 center_, float3x3 axes)
 {
-    float3 away = clamp((place - center_), (-1000000.0).xxx, (1000000.0).xxx);
+    float3 away = clamp(place - center_, (-1000000.0).xxx, (1000000.0).xxx);
     return float3(dot(away, axes[0]), dot(away, axes[1]), dot(away, axes[2]));
 }
 
@@ -368,21 +369,20 @@ float3 place_along(float3 place, float3 center_, float3x3 axes)
 /// flow.
 float share_beside(float m, float softness, float density, bool inverted)
 {
-    float half_ = (0.5 * min(footprint_of(m), 0.25));
-    const float beside = eased(m, (1.0 - half_), (1.0 + half_));
-    return (1.0 - beside);
+    float half_ = 0.5 * min(footprint_of(m), 0.25);
+    const float beside = eased(m, 1.0 - half_, 1.0 + half_);
+    return 1.0 - beside;
 }
 
 /// An angle as a filter before the profile leaves it: tan(u/2) over the share that passes, so that
 /// the dark side grows from its edge as less passes, and everything is dark where nothing does.
 Angle angle_filtered(Angle u, float share)
 {
-    float cosine = (u.half_cos * share);
-    float square = ((u.half_sin * u.half_sin) + (cosine * cosine));
+    float cosine = u.half_cos * share;
+    float square = u.half_sin * u.half_sin + cosine * cosine;
     float scale = rsqrt(max(square, 1e-30));
-    bool is_dark = (square < 1e-30);
-    const Angle angle_4 = ConstructAngle((is_dark ? 1.0 : (u.half_sin * scale)), (is_dark ? 0.0 : (cosine * scale)));
-    return angle_4;
+    bool is_dark = square < 1e-30;
+    return ConstructAngle(is_dark ? 1.0 : u.half_sin * scale, is_dark ? 0.0 : cosine * scale);
 }
 
 /// Attenuation at `distance`: 1 / (1 + (d / half)^2), ended smoothly at the range by (1 - (d /
@@ -391,14 +391,14 @@ float light_fading(float distance_, float2 fading)
 {
     float left = 1.0;
 
-    if ((fading.x > 0.0)) {
-        float d = min((distance_ / fading.x), 1000000000000000.0);
-        left = (1.0 / (1.0 + (d * d)));
+    if (fading.x > 0.0) {
+        float d = min(distance_ / fading.x, 1000000000000000.0);
+        left = 1.0 / (1.0 + d * d);
     }
-    if ((fading.y > 0.0)) {
-        float d_1 = min((distance_ / fading.y), 1.0);
-        float window = max((1.0 - (((d_1 * d_1) * d_1) * d_1)), 0.0);
-        left = (left * (window * window));
+    if (fading.y > 0.0) {
+        float d_1 = min(distance_ / fading.y, 1.0);
+        float window = max(1.0 - d_1 * d_1 * d_1 * d_1, 0.0);
+        left = left * (window * window);
     }
     return left;
 }
@@ -414,34 +414,34 @@ Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
 
 /// A light at `light_position` seen from `position`, both in world space; `fading` is half distance
 /// and range.
-Light light_at(float3 light_position, float3x3 own_from_world, float3 color, float intensity, float2 fading, float3 position)
+Light light_at(float3 light_position, float3x3 own_from_world, float3 color, float intensity,
+    float2 fading, float3 position)
 {
-    float3 offset = (light_position - position);
+    float3 offset = light_position - position;
     const float3 direction = normalize_or(offset, float3(0.0, 0.0, 1.0));
-    float faded = (intensity * light_fading(length(offset), fading));
-    const Light light_4 = ConstructLight(direction, mul(direction, own_from_world), color, faded);
-    return light_4;
+    float faded = intensity * light_fading(length(offset), fading);
+    return ConstructLight(direction, mul(direction, own_from_world), color, faded);
 }
 
 /// Attenuation at an angle from a spot light's aim: smoothstep between the cosines `cone.y` (outer)
 /// and `cone.x` (inner); a hard, inclusive edge where they are equal.
 float light_cone(float cos_angle, float2 cone)
 {
-    if ((cone.x <= cone.y)) {
-        return ((cos_angle >= cone.y) ? 1.0 : 0.0);
+    if (cone.x <= cone.y) {
+        return cos_angle >= cone.y ? 1.0 : 0.0;
     }
-    float t = clamp(((cos_angle - cone.y) / (cone.x - cone.y)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp((cos_angle - cone.y) / (cone.x - cone.y), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
-Light light_spot(float3 light_position, float3 aim, float3x3 own_from_world, float3 color, float intensity, float2 cone, float2 fading, float3 position)
+Light light_spot(float3 light_position, float3 aim, float3x3 own_from_world, float3 color,
+    float intensity, float2 cone, float2 fading, float3 position)
 {
     Light light = (Light)0;
 
     light = light_at(light_position, own_from_world, color, intensity, fading, position);
-    light.intensity = (light.intensity * light_cone(dot(-(light.direction), aim), cone));
-    const Light light_1 = light;
-    return light_1;
+    light.intensity = light.intensity * light_cone(dot(-light.direction, aim), cone);
+    return light;
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -458,8 +458,7 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 LightParts ConstructLightParts(float3 arg0, float4 arg1, float arg2) {
@@ -475,8 +474,7 @@ LightParts ConstructLightParts(float3 arg0, float4 arg1, float arg2) {
 /// Takes a light apart, for shading that the other nodes do not know.
 LightParts light_parts(Light light)
 {
-    const LightParts lightparts = ConstructLightParts(light.direction, float4(light.color, 1.0), light.intensity);
-    return lightparts;
+    return ConstructLightParts(light.direction, float4(light.color, 1.0), light.intensity);
 }
 
 PlaceInLight ConstructPlaceInLight(float2 arg0, float arg1) {
@@ -490,51 +488,51 @@ PlaceInLight place_in_light(float2 at)
 {
     float2 near = clamp(at, (-1000.0).xx, (1000.0).xx);
     const float inside = share_beside(max(abs(near.x), abs(near.y)), 0.0, 1.0, true);
-    const PlaceInLight placeinlight = ConstructPlaceInLight(((0.5).xx + (0.5 * float2(-(near.x), near.y))), inside);
-    return placeinlight;
+    return ConstructPlaceInLight((0.5).xx + 0.5 * float2(-near.x, near.y), inside);
 }
 
 Angle parametrization_diffuse_balanced(Light light, float3 normal)
 {
-    const Angle angle_5 = ConstructAngle((0.5 * length((normal - light.direction))), (0.5 * length((normal + light.direction))));
-    return angle_5;
+    return ConstructAngle(0.5 * length(normal - light.direction), 0.5
+        * length(normal + light.direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
@@ -554,11 +552,11 @@ float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 /// Four panes of a window: 1 through the glass, 0 at its bars and beyond.
 float window(float2 uv, float bars, float softness)
 {
-    float2 from_edge = ((0.5).xx - abs((uv - (0.5).xx)));
-    float2 from_cross = abs((uv - (0.5).xx));
-    float2 within = smoothstep((bars).xx, ((bars + softness)).xx, from_edge);
-    float2 beside = smoothstep(((0.5 * bars)).xx, (((0.5 * bars) + softness)).xx, from_cross);
-    return (((within.x * within.y) * beside.x) * beside.y);
+    float2 from_edge = (0.5).xx - abs(uv - (0.5).xx);
+    float2 from_cross = abs(uv - (0.5).xx);
+    float2 within = smoothstep((bars).xx, (bars + softness).xx, from_edge);
+    float2 beside = smoothstep((0.5 * bars).xx, (0.5 * bars + softness).xx, from_cross);
+    return within.x * within.y * beside.x * beside.y;
 }
 
 FilteredLight ConstructFilteredLight(Light arg0, Angle arg1) {
@@ -571,42 +569,70 @@ FilteredLight ConstructFilteredLight(Light arg0, Angle arg1) {
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    const Light eye = light_at(look.eye_position, look.eye_own_from_world, look.eye_color, look.eye_intensity, look.eye_fading, surface.position);
+    // Lamps eye (Lamps)
+    const Light eye = light_at(look.eye_position, look.eye_own_from_world, look.eye_color,
+        look.eye_intensity, look.eye_fading, surface.position);
     const LightParts eye_2 = light_parts(eye);
-    const float4 lamps_eye_strength = bounded_vec4((eye_2.color * float4((eye_2.intensity).xxx, 1.0)));
+    const float4 lamps_eye_strength = bounded_vec4(eye_2.color
+        * float4((eye_2.intensity).xxx, 1.0));
     const Angle lamps_eye_angle = parametrization_diffuse_balanced(eye, surface.normal);
     const float lamps_eye_tone = profile_balanced(lamps_eye_angle, 0.0, lamps_eye_tone_shape);
-    const float4 lamps_eye_lit = bounded_vec4((lamps_eye_strength * float4((lamps_eye_tone).xxx, 1.0)));
-    const Light rim = light_spot(look.rim_position, look.rim_aim, look.rim_own_from_world, look.rim_color, look.rim_intensity, look.rim_cone, look.rim_fading, surface.position);
+    const float4 lamps_eye_lit = bounded_vec4(lamps_eye_strength
+        * float4((lamps_eye_tone).xxx, 1.0));
+
+    // Lamps rim (Lamps)
+    const Light rim = light_spot(look.rim_position, look.rim_aim, look.rim_own_from_world,
+        look.rim_color, look.rim_intensity, look.rim_cone, look.rim_fading, surface.position);
     const LightParts rim_2 = light_parts(rim);
-    const float4 lamps_rim_strength = bounded_vec4((rim_2.color * float4((rim_2.intensity).xxx, 1.0)));
+    const float4 lamps_rim_strength = bounded_vec4(rim_2.color
+        * float4((rim_2.intensity).xxx, 1.0));
     const Angle lamps_rim_angle = parametrization_diffuse_balanced(rim, surface.normal);
     const float lamps_rim_tone = profile_balanced(lamps_rim_angle, 0.0, lamps_eye_tone_shape);
-    const float4 lamps_rim_lit = bounded_vec4((lamps_rim_strength * float4((lamps_rim_tone).xxx, 1.0)));
-    const Light fill = light_at(look.fill_position, look.fill_own_from_world, look.fill_color, look.fill_intensity, look.fill_fading, surface.position);
+    const float4 lamps_rim_lit = bounded_vec4(lamps_rim_strength
+        * float4((lamps_rim_tone).xxx, 1.0));
+
+    // Lamps fill (Lamps)
+    const Light fill = light_at(look.fill_position, look.fill_own_from_world, look.fill_color,
+        look.fill_intensity, look.fill_fading, surface.position);
     const LightParts fill_2 = light_parts(fill);
-    const float4 lamps_fill_strength = bounded_vec4((fill_2.color * float4((fill_2.intensity).xxx, 1.0)));
+    const float4 lamps_fill_strength = bounded_vec4(fill_2.color
+        * float4((fill_2.intensity).xxx, 1.0));
     const Angle lamps_fill_angle = parametrization_diffuse_balanced(fill, surface.normal);
     const float lamps_fill_tone = profile_balanced(lamps_fill_angle, 0.0, lamps_eye_tone_shape);
-    const float4 lamps_fill_lit = bounded_vec4((lamps_fill_strength * float4((lamps_fill_tone).xxx, 1.0)));
-    const float3 bounded_vec3_value = bounded_vec3(((0.0).xxx + lamps_fill_lit.xyz));
-    float4 lamps_fill_sum = ((fill_2.intensity > 0.0) ? float4(bounded_vec3_value, 1.0) : float4(0.0, 0.0, 0.0, 1.0));
-    const float3 bounded_vec3_value_1 = bounded_vec3((lamps_fill_sum.xyz + lamps_rim_lit.xyz));
-    float4 lamps_rim_sum = ((rim_2.intensity > 0.0) ? float4(bounded_vec3_value_1, 1.0) : lamps_fill_sum);
-    const float3 bounded_vec3_value_2 = bounded_vec3((lamps_rim_sum.xyz + lamps_eye_lit.xyz));
-    float4 lamps_eye_sum = ((eye_2.intensity > 0.0) ? float4(bounded_vec3_value_2, 1.0) : lamps_rim_sum);
-    float4 lamplit = (lamps_eye_sum * float4(0.86, 0.62, 0.44, 1.0));
-    float4 night = (lamplit + float4(0.1, 0.07, 0.15, 1.0));
+    const float4 lamps_fill_lit = bounded_vec4(lamps_fill_strength
+        * float4((lamps_fill_tone).xxx, 1.0));
+    const float3 bounded_vec3_value = bounded_vec3((0.0).xxx + lamps_fill_lit.xyz);
+    float4 lamps_fill_sum = fill_2.intensity
+        > 0.0 ? float4(bounded_vec3_value, 1.0) : float4(0.0, 0.0, 0.0, 1.0);
+    const float3 bounded_vec3_value_1 = bounded_vec3(lamps_fill_sum.xyz + lamps_rim_lit.xyz);
+
+    // Lamps rim
+    float4 lamps_rim_sum = rim_2.intensity
+        > 0.0 ? float4(bounded_vec3_value_1, 1.0) : lamps_fill_sum;
+    const float3 bounded_vec3_value_2 = bounded_vec3(lamps_rim_sum.xyz + lamps_eye_lit.xyz);
+
+    // Lamps eye
+    float4 lamps_eye_sum = eye_2.intensity
+        > 0.0 ? float4(bounded_vec3_value_2, 1.0) : lamps_rim_sum;
+
+    float4 lamplit = lamps_eye_sum * float4(0.86, 0.62, 0.44, 1.0);
+    float4 night = lamplit + float4(0.1, 0.07, 0.15, 1.0);
+    // Base
     float4 ground = float4(night.xyz, 1.0);
     const Angle sun_angle = parametrization_diffuse_balanced(look.sun, surface.normal);
-    const float3 place_along_value = place_along(surface.position, float3(0.1, -0.05, 0.0), axes_turned(-(look.sun_direction), 0.0));
-    const PlaceInLight thrown = place_in_light((place_along_value.xy / (0.95).xx));
+    const float3 place_along_value = place_along(surface.position, float3(0.1, -0.05, 0.0),
+        axes_turned(-look.sun_direction, 0.0));
+    const PlaceInLight thrown = place_in_light(place_along_value.xy / (0.95).xx);
     const float window_2 = window(thrown.uv, 0.05, 0.02);
-    const Angle angle_filtered_value = angle_filtered(sun_angle, (min(window_2, 1.0) * min(luminance((1.0).xxxx), 1.0)));
+    const Angle angle_filtered_value = angle_filtered(sun_angle, min(window_2, 1.0)
+        * min(luminance((1.0).xxxx), 1.0));
+    // Light filter
     FilteredLight filter_2 = ConstructFilteredLight(look.sun, angle_filtered_value);
     const float sun_tone = profile_balanced_2(filter_2.angle, 0.0, lamps_eye_tone_shape);
     const LitLayer sun_lit = light_apply(filter_2.light, float4(0.86, 0.62, 0.44, 1.0), sun_tone);
-    float4 stack = clamp(float4((ground.xyz + (sun_lit.tone * sun_lit.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    // Blend
+    float4 stack = clamp(float4(ground.xyz + sun_lit.tone * sun_lit.color.xyz, 1.0), (0.0).xxxx,
+        (1.0).xxxx);
     return limit_color(stack, 1.0, 0.3);
 }
 
@@ -621,7 +647,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -635,10 +662,11 @@ Surface ConstructSurface(float3 arg0, float3 arg1) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3,
+        fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     Surface surface = ConstructSurface(normal, in_.position);
     return shade(surface);
 }

@@ -407,7 +407,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -446,6 +446,7 @@ const lamps_eye_tone_shape = ProfileShape(0.87758255, 0.47942555, 8.353367, 2.48
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Lamps eye (Lamps)
     let eye = light_at(look.eye_position, look.eye_own_from_world, look.eye_color,
         look.eye_intensity, look.eye_fading, surface.position);
     let eye_2 = light_parts(eye);
@@ -453,6 +454,8 @@ fn shade(surface: Surface) -> vec4f {
     let lamps_eye_angle = parametrization_diffuse_balanced(eye, surface.normal);
     let lamps_eye_tone = profile_balanced(lamps_eye_angle, 0.0, lamps_eye_tone_shape);
     let lamps_eye_lit = bounded_vec4(lamps_eye_strength * vec4f(vec3f(lamps_eye_tone), 1.0));
+
+    // Lamps rim (Lamps)
     let rim = light_spot(look.rim_position, look.rim_aim, look.rim_own_from_world, look.rim_color,
         look.rim_intensity, look.rim_cone, look.rim_fading, surface.position);
     let rim_2 = light_parts(rim);
@@ -460,6 +463,8 @@ fn shade(surface: Surface) -> vec4f {
     let lamps_rim_angle = parametrization_diffuse_balanced(rim, surface.normal);
     let lamps_rim_tone = profile_balanced(lamps_rim_angle, 0.0, lamps_eye_tone_shape);
     let lamps_rim_lit = bounded_vec4(lamps_rim_strength * vec4f(vec3f(lamps_rim_tone), 1.0));
+
+    // Lamps fill (Lamps)
     let fill = light_at(look.fill_position, look.fill_own_from_world, look.fill_color,
         look.fill_intensity, look.fill_fading, surface.position);
     let fill_2 = light_parts(fill);
@@ -469,21 +474,29 @@ fn shade(surface: Surface) -> vec4f {
     let lamps_fill_lit = bounded_vec4(lamps_fill_strength * vec4f(vec3f(lamps_fill_tone), 1.0));
     let lamps_fill_sum = select(vec4f(0.0, 0.0, 0.0, 1.0),
         vec4f(bounded_vec3(0.0 + lamps_fill_lit.xyz), 1.0), fill_2.intensity > 0.0);
+
+    // Lamps rim
     let lamps_rim_sum = select(lamps_fill_sum,
         vec4f(bounded_vec3(lamps_fill_sum.xyz + lamps_rim_lit.xyz), 1.0), rim_2.intensity > 0.0);
+
+    // Lamps eye
     let lamps_eye_sum = select(lamps_rim_sum,
         vec4f(bounded_vec3(lamps_rim_sum.xyz + lamps_eye_lit.xyz), 1.0), eye_2.intensity > 0.0);
+
     let lamplit = lamps_eye_sum * vec4f(0.86, 0.62, 0.44, 1.0);
     let night = lamplit + vec4f(0.1, 0.07, 0.15, 1.0);
+    // Base
     let ground = vec4f(night.xyz, 1.0);
     let sun_angle = parametrization_diffuse_balanced(look.sun, surface.normal);
     let thrown = place_in_light(place_along(surface.position, vec3f(0.1, -0.05, 0.0),
         axes_turned(-look.sun_direction, 0.0)).xy / vec3f(0.95).x);
     let window_2 = window(thrown.uv, 0.05, 0.02);
+    // Light filter
     let filter_2 = FilteredLight(look.sun,
         angle_filtered(sun_angle, min(window_2, 1.0) * min(luminance(vec4f(1.0)), 1.0)));
     let sun_tone = profile_balanced_2(filter_2.angle, 0.0, lamps_eye_tone_shape);
     let sun_lit = light_apply(filter_2.light, vec4f(0.86, 0.62, 0.44, 1.0), sun_tone);
+    // Blend
     let stack = clamp(vec4f(ground.xyz + sun_lit.tone * sun_lit.color.xyz, 1.0), vec4f(0.0),
         vec4f(1.0));
     return limit_color(stack, 1.0, 0.3);

@@ -9,12 +9,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -33,18 +35,23 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const ProfileShape lamps_rim_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.5805954, 1.2600908, 0.2, 0.82074726, 0.32190663, 0u);
-const ProfileShape sun_tone_shape = ProfileShape(0.7960838, 0.6051864, 7.4299555, 2.1069195, 1.3, 0.14104924, 0.05909888, 0u);
+const ProfileShape lamps_rim_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.5805954, 1.2600908,
+    0.2, 0.82074726, 0.32190663, 0u);
+const ProfileShape sun_tone_shape = ProfileShape(0.7960838, 0.6051864, 7.4299555, 2.1069195, 1.3,
+    0.14104924, 0.05909888, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -57,11 +64,10 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_position = _tmp_return.position;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, world.xyz,
+        u_object.world_from_normal * vertex.normal);
+    gl_Position = varyings.clip;
+    v_position = varyings.position;
+    v_normal = varyings.normal;
 }
-

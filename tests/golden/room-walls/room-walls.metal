@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,6 +36,7 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     metal::float3 rim_position;
@@ -52,11 +55,13 @@ struct Look {
     metal::float3 sun_direction;
     Light sun;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 position;
 };
+
 typedef metal::float4 Color;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
@@ -66,6 +71,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -73,6 +79,7 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 struct FilteredLight {
     /// The light behind the filter.
     Light light;
@@ -80,6 +87,7 @@ struct FilteredLight {
     Angle angle;
     char _pad2[8];
 };
+
 struct LightParts {
     /// Unit, toward the light, world space.
     metal::float3 direction;
@@ -89,6 +97,7 @@ struct LightParts {
     float intensity;
     char _pad3[12];
 };
+
 struct PlaceInLight {
     /// From 0,0 at the picture's lower left corner to 1,1 at its upper right one, as the light sees
     /// it.
@@ -97,6 +106,7 @@ struct PlaceInLight {
     float inside;
     char _pad2[4];
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -115,18 +125,23 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
+
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
-constant ProfileShape lamps_rim_tone_shape = ProfileShape {0.9950042, 0.099833414, 1.5805954, 1.2600908, 0.2, 0.82074726, 0.32190663, 0u};
-constant ProfileShape sun_tone_shape = ProfileShape {0.7960838, 0.6051864, 7.4299555, 2.1069195, 1.3, 0.14104924, 0.05909888, 0u};
+constant ProfileShape lamps_rim_tone_shape = ProfileShape {0.9950042, 0.099833414, 1.5805954,
+    1.2600908, 0.2, 0.82074726, 0.32190663, 0u};
+constant ProfileShape sun_tone_shape = ProfileShape {0.7960838, 0.6051864, 7.4299555, 2.1069195,
+    1.3, 0.14104924, 0.05909888, 0u};
 
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
@@ -144,13 +159,14 @@ metal::float3 normalize_or(
     metal::float3 otherwise
 ) {
     float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
-    if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
+    if (!((largest > 0.000000000000000000000000000001)
+        & (largest < 1000000000000000000000000000000.0))) {
         return otherwise;
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
@@ -163,7 +179,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -192,7 +209,8 @@ Angle angle_turned(
     metal::float2 t
 ) {
     float s = u.half_sin - 0.0;
-    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 upper = u.half_cos
+        <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
     metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
@@ -205,7 +223,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -214,8 +232,10 @@ metal::float3 bounded_vec3(
 ) {
     metal::uint3 bits = as_type<metal::uint3>(v);
     metal::uint3 magnitude = bits & metal::uint3(2147483647u);
-    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
-    metal::float3 numbers = metal::select(metal::float3(0.0), largest, magnitude == metal::uint3(2139095040u));
+    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u))
+        | metal::uint3(2139095039u));
+    metal::float3 numbers = metal::select(metal::float3(0.0), largest,
+        magnitude == metal::uint3(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint3(2139095040u));
 }
 
@@ -225,8 +245,10 @@ metal::float4 bounded_vec4(
 ) {
     metal::uint4 bits = as_type<metal::uint4>(v);
     metal::uint4 magnitude = bits & metal::uint4(2147483647u);
-    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
-    metal::float4 numbers = metal::select(metal::float4(0.0), largest, magnitude == metal::uint4(2139095040u));
+    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u))
+        | metal::uint4(2139095039u));
+    metal::float4 numbers = metal::select(metal::float4(0.0), largest,
+        magnitude == metal::uint4(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint4(2139095040u));
 }
 
@@ -239,7 +261,7 @@ float place_between(
 ) {
     float span = high - low;
     if (span < SMALLEST_NORMAL) {
-        return (x >= high) ? 1.0 : 0.0;
+        return x >= high ? 1.0 : 0.0;
     }
     return bounded((x - low) / span);
 }
@@ -252,7 +274,7 @@ float eased(
     float high
 ) {
     float t = metal::clamp(place_between(x, low, high), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -279,7 +301,7 @@ Color limit_color(
     }
     float room = limit - knee;
     float above = brightest - knee;
-    float pressed = knee + (metal::min(above, room) * (metal::max(above, room) / (above + room)));
+    float pressed = knee + metal::min(above, room) * (metal::max(above, room) / (above + room));
     return metal::float4(color.xyz * metal::min(pressed / brightest, 1.0), 1.0);
 }
 
@@ -291,9 +313,11 @@ metal::float3x3 axes_around(
 ) {
     metal::float3 leaning = metal::cross(up, toward);
     float square = metal::dot(leaning, leaning);
-    metal::float3 aside = (metal::abs(toward.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square > 0.00000001) ? leaning : metal::cross(aside, toward);
-    metal::float3 x = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
+    metal::float3 aside = metal::abs(toward.x)
+        > 0.7 ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
+    metal::float3 across = square > 0.00000001 ? leaning : metal::cross(aside, toward);
+    metal::float3 x = normalize_moderate(across - metal::dot(across, toward) * toward,
+        metal::float3(1.0, 0.0, 0.0));
     return metal::float3x3(x, metal::cross(toward, x), toward);
 }
 
@@ -304,7 +328,8 @@ metal::float3x3 axes_turned(
 ) {
     metal::float3x3 axes = axes_around(toward, metal::float3(0.0, 1.0, 0.0));
     metal::float2 turn = metal::float2(0.0, 1.0);
-    return metal::float3x3((turn.y * axes[0]) + (turn.x * axes[1]), (turn.y * axes[1]) - (turn.x * axes[0]), axes[2]);
+    return metal::float3x3(turn.y * axes[0] + turn.x * axes[1], turn.y * axes[1] - turn.x * axes[0],
+        axes[2]);
 }
 
 /// A place as seen from a center along axes, within a million of it.
@@ -313,8 +338,10 @@ metal::float3 place_along(
     metal::float3 center,
     metal::float3x3 axes
 ) {
-    metal::float3 away = metal::clamp(place - center, metal::float3(-1000000.0), metal::float3(1000000.0));
-    return metal::float3(metal::dot(away, axes[0]), metal::dot(away, axes[1]), metal::dot(away, axes[2]));
+    metal::float3 away = metal::clamp(place - center, metal::float3(-1000000.0),
+        metal::float3(1000000.0));
+    return metal::float3(metal::dot(away, axes[0]), metal::dot(away, axes[1]),
+        metal::dot(away, axes[2]));
 }
 
 /// The share of a light that passes a shape at distance m, 1 on its surface, in sizes of the shape:
@@ -340,11 +367,11 @@ float light_fading(
     float left = 1.0;
     if (fading.x > 0.0) {
         float d = metal::min(distance / fading.x, 1000000000000000.0);
-        left = 1.0 / (1.0 + (d * d));
+        left = 1.0 / (1.0 + d * d);
     }
     if (fading.y > 0.0) {
         float d_1 = metal::min(distance / fading.y, 1.0);
-        float window = metal::max(1.0 - (((d_1 * d_1) * d_1) * d_1), 0.0);
+        float window = metal::max(1.0 - d_1 * d_1 * d_1 * d_1, 0.0);
         left = left * (window * window);
     }
     return left;
@@ -373,10 +400,10 @@ float light_cone(
     metal::float2 cone
 ) {
     if (cone.x <= cone.y) {
-        return (cos_angle >= cone.y) ? 1.0 : 0.0;
+        return cos_angle >= cone.y ? 1.0 : 0.0;
     }
     float t = metal::clamp((cos_angle - cone.y) / (cone.x - cone.y), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 Light light_spot(
@@ -391,7 +418,7 @@ Light light_spot(
 ) {
     Light light = {};
     light = light_at(light_position, own_from_world, color, intensity, fading, position);
-    light.intensity = light.intensity * light_cone(metal::dot(-(light.direction), aim), cone);
+    light.intensity = light.intensity * light_cone(metal::dot(-light.direction, aim), cone);
     return light;
 }
 
@@ -404,8 +431,9 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 PlaceInLight place_in_light(
@@ -413,14 +441,15 @@ PlaceInLight place_in_light(
 ) {
     metal::float2 near = metal::clamp(at, metal::float2(-1000.0), metal::float2(1000.0));
     float inside = share_beside(metal::max(metal::abs(near.x), metal::abs(near.y)), 0.0, 1.0, true);
-    return PlaceInLight {metal::float2(0.5) + (0.5 * metal::float2(-(near.x), near.y)), inside};
+    return PlaceInLight {metal::float2(0.5) + 0.5 * metal::float2(-near.x, near.y), inside};
 }
 
 Angle parametrization_diffuse_balanced(
     Light light,
     metal::float3 normal
 ) {
-    return Angle {0.5 * metal::length(normal - light.direction), 0.5 * metal::length(normal + light.direction)};
+    return Angle {0.5 * metal::length(normal - light.direction), 0.5
+        * metal::length(normal + light.direction)};
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -429,7 +458,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -439,10 +468,10 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -452,16 +481,18 @@ float profile_filtered_quick(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -471,20 +502,22 @@ float profile_filtered_quick_2(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -515,9 +548,11 @@ float window(
 ) {
     metal::float2 from_edge = metal::float2(0.5) - metal::abs(uv - metal::float2(0.5));
     metal::float2 from_cross = metal::abs(uv - metal::float2(0.5));
-    metal::float2 within = metal::smoothstep(metal::float2(bars), metal::float2(bars + softness), from_edge);
-    metal::float2 beside = metal::smoothstep(metal::float2(0.5 * bars), metal::float2((0.5 * bars) + softness), from_cross);
-    return ((within.x * within.y) * beside.x) * beside.y;
+    metal::float2 within = metal::smoothstep(metal::float2(bars), metal::float2(bars + softness),
+        from_edge);
+    metal::float2 beside = metal::smoothstep(metal::float2(0.5 * bars),
+        metal::float2(0.5 * bars + softness), from_cross);
+    return within.x * within.y * beside.x * beside.y;
 }
 
 /// The look at one point of the surface.
@@ -525,33 +560,54 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    Light rim = light_spot(look.rim_position, look.rim_aim, look.rim_own_from_world, metal::float3(look.rim_color), look.rim_intensity, look.rim_cone, look.rim_fading, surface.position);
+    // Lamps rim (Lamps)
+    Light rim = light_spot(look.rim_position, look.rim_aim, look.rim_own_from_world,
+        metal::float3(look.rim_color), look.rim_intensity, look.rim_cone, look.rim_fading,
+        surface.position);
     LightParts rim_2 = LightParts {rim.direction, metal::float4(rim.color, 1.0), rim.intensity};
-    metal::float4 lamps_rim_strength = bounded_vec4(rim_2.color * metal::float4(metal::float3(rim_2.intensity), 1.0));
+    metal::float4 lamps_rim_strength = bounded_vec4(rim_2.color
+        * metal::float4(metal::float3(rim_2.intensity), 1.0));
     Angle lamps_rim_angle = parametrization_diffuse_balanced(rim, surface.normal);
     float lamps_rim_tone = profile_balanced(lamps_rim_angle, 0.0, lamps_rim_tone_shape);
-    metal::float4 lamps_rim_lit = bounded_vec4(lamps_rim_strength * metal::float4(metal::float3(lamps_rim_tone), 1.0));
-    Light fill = light_at(look.fill_position, look.fill_own_from_world, metal::float3(look.fill_color), look.fill_intensity, look.fill_fading, surface.position);
+    metal::float4 lamps_rim_lit = bounded_vec4(lamps_rim_strength
+        * metal::float4(metal::float3(lamps_rim_tone), 1.0));
+
+    // Lamps fill (Lamps)
+    Light fill = light_at(look.fill_position, look.fill_own_from_world,
+        metal::float3(look.fill_color), look.fill_intensity, look.fill_fading, surface.position);
     LightParts fill_2 = LightParts {fill.direction, metal::float4(fill.color, 1.0), fill.intensity};
-    metal::float4 lamps_fill_strength = bounded_vec4(fill_2.color * metal::float4(metal::float3(fill_2.intensity), 1.0));
+    metal::float4 lamps_fill_strength = bounded_vec4(fill_2.color
+        * metal::float4(metal::float3(fill_2.intensity), 1.0));
     Angle lamps_fill_angle = parametrization_diffuse_balanced(fill, surface.normal);
     float lamps_fill_tone = profile_balanced(lamps_fill_angle, 0.0, lamps_rim_tone_shape);
-    metal::float4 lamps_fill_lit = bounded_vec4(lamps_fill_strength * metal::float4(metal::float3(lamps_fill_tone), 1.0));
+    metal::float4 lamps_fill_lit = bounded_vec4(lamps_fill_strength
+        * metal::float4(metal::float3(lamps_fill_tone), 1.0));
     metal::float3 bounded_vec3_value = bounded_vec3(metal::float3(0.0) + lamps_fill_lit.xyz);
-    metal::float4 lamps_fill_sum = (fill_2.intensity > 0.0) ? metal::float4(bounded_vec3_value, 1.0) : metal::float4(0.0, 0.0, 0.0, 1.0);
+    metal::float4 lamps_fill_sum = fill_2.intensity
+        > 0.0 ? metal::float4(bounded_vec3_value, 1.0) : metal::float4(0.0, 0.0, 0.0, 1.0);
     metal::float3 bounded_vec3_value_1 = bounded_vec3(lamps_fill_sum.xyz + lamps_rim_lit.xyz);
-    metal::float4 lamps_rim_sum = (rim_2.intensity > 0.0) ? metal::float4(bounded_vec3_value_1, 1.0) : lamps_fill_sum;
+
+    // Lamps rim
+    metal::float4 lamps_rim_sum = rim_2.intensity
+        > 0.0 ? metal::float4(bounded_vec3_value_1, 1.0) : lamps_fill_sum;
+
     metal::float4 lamplit = lamps_rim_sum * metal::float4(0.62, 0.55, 0.6, 1.0);
     metal::float4 night = lamplit + metal::float4(0.07, 0.055, 0.11, 1.0);
+    // Base
     metal::float4 ground = metal::float4(night.xyz, 1.0);
     Angle sun_angle = parametrization_diffuse_balanced(look.sun, surface.normal);
-    metal::float3 place_along_value = place_along(surface.position, metal::float3(0.1, -0.05, 0.0), axes_turned(-(look.sun_direction), 0.0));
+    metal::float3 place_along_value = place_along(surface.position, metal::float3(0.1, -0.05, 0.0),
+        axes_turned(-look.sun_direction, 0.0));
     PlaceInLight thrown = place_in_light(place_along_value.xy / metal::float2(0.95));
     float window_2 = window(thrown.uv, 0.05, 0.02);
-    FilteredLight filter_2 = FilteredLight {Light {look.sun.direction, look.sun.own_direction, metal::float3(look.sun.color), look.sun.intensity * metal::min(window_2, 1.0)}, sun_angle};
+    // Light filter
+    FilteredLight filter_2 = FilteredLight {Light {look.sun.direction, look.sun.own_direction,
+        metal::float3(look.sun.color), look.sun.intensity * metal::min(window_2, 1.0)}, sun_angle};
     float sun_tone = profile_balanced_2(filter_2.angle, 0.0, sun_tone_shape);
     LitLayer sun_lit = light_apply(filter_2.light, metal::float4(0.62, 0.55, 0.6, 1.0), sun_tone);
-    metal::float4 stack = metal::clamp(metal::float4(ground.xyz + (sun_lit.tone * sun_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    // Blend
+    metal::float4 stack = metal::clamp(metal::float4(ground.xyz + sun_lit.tone * sun_lit.color.xyz,
+        1.0), metal::float4(0.0), metal::float4(1.0));
     return limit_color(stack, 1.0, 0.3);
 }
 
@@ -559,11 +615,13 @@ struct vs_mainInput {
     metal::float3 position_2 [[attribute(0)]];
     metal::float3 normal_1 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -571,7 +629,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position_2, varyings.normal_1 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -580,9 +639,11 @@ struct fs_mainInput {
     metal::float3 position_2 [[user(loc0), center_perspective]];
     metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -591,7 +652,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position_2, varyings_1.normal_1 };
     metal::float3 facing = normalize_seen(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     Surface surface = Surface {normal, in.position};
     return fs_mainOutput { shade(surface, look) };
 }

@@ -16,6 +16,7 @@ struct View {
     /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     vec4 screen;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -27,12 +28,14 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light side;
     vec2 viewport;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
@@ -40,6 +43,7 @@ struct Surface {
     float kappa;
     vec2 pixel;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -48,6 +52,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -66,13 +71,16 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const ProfileShape yellow_s_share_shape = ProfileShape(0.9887711, 0.14943813, 2.0858297, 1.7378688, 0.3, 0.54759663, 0.22553022, 0u);
+const ProfileShape yellow_s_share_shape = ProfileShape(0.9887711, 0.14943813, 2.0858297, 1.7378688,
+    0.3, 0.54759663, 0.22553022, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -90,19 +98,22 @@ vec2 sin_cos_quarter(float x) {
     // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
     // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
     // whose cut-off is pi is 0 there, in f64 too.
-    float h = (0.5 * x);
-    float h2 = (h * h);
-    float s = (h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (2.7557319e-6 + (h2 * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-2.4801588e-5 + (h2 * (2.755732e-7 + (h2 * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+    float h = 0.5 * x;
+    float h2 = h * h;
+    float s = h * (1.0 + h2 * (-0.16666667 + h2
+        * (0.008333334 + h2 * (-0.0001984127 + h2 * (2.7557319e-6 + h2 * -2.5052108e-8)))));
+    float one_minus_c = h2 * (0.5 + h2
+        * (-0.041666668 + h2 * (0.0013888889 + h2
+        * (-2.4801588e-5 + h2 * (2.755732e-7 + h2 * -2.0876756e-9)))));
+    float c = 1.0 - one_minus_c;
+    return vec2(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -117,15 +128,15 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = (u.half_sin - 0.0);
-    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
-    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - 0.0;
+    vec2 upper = u.half_cos <= 0.0 ? vec2(1.0, 0.0) : vec2(s, u.half_cos);
+    vec2 turned = (s <= 0.0 && s < u.half_cos) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -135,24 +146,24 @@ float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
 /// 1 from there on.
 float place_between(float x, float low, float high) {
-    float span = (high - low);
-    if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x >= high) ? 1.0 : 0.0);
+    float span = high - low;
+    if (abs(span) < SMALLEST_NORMAL) {
+        return x >= high ? 1.0 : 0.0;
     }
-    return bounded(((x - low) / span));
+    return bounded((x - low) / span);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high) {
     float t = clamp(place_between(x, low, high), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -165,38 +176,39 @@ float footprint_of(float x) {
 vec2 footprint_of_vec2(vec2 v) {
     vec2 dx = dFdx(v);
     vec2 dy = dFdy(v);
-    return sqrt(((dx * dx) + (dy * dy)));
+    return sqrt(dx * dx + dy * dy);
 }
 
 /// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 float step_filtered(float x, float edge, float w) {
-    float d = (x - edge);
-    return ((w < 1e-30) ? ((d >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d / w)), 0.0, 1.0));
+    float d = x - edge;
+    return w < 1e-30 ? (d >= 0.0 ? 1.0 : 0.0) : clamp(0.5 + d / w, 0.0, 1.0);
 }
 
 vec4 mix_colors_multiply(vec4 a, vec4 b, float factor) {
-    return vec4(mix(a.xyz, (a.xyz * b.xyz), factor), 1.0);
+    return vec4(mix(a.xyz, a.xyz * b.xyz, factor), 1.0);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
@@ -207,33 +219,34 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape) {
 /// p turned by an angle in radians, from x to y.
 vec2 turned_by(vec2 p, float angle) {
     vec2 turn = vec2(sin(angle), cos(angle));
-    return vec2(((turn.y * p.x) - (turn.x * p.y)), ((turn.x * p.x) + (turn.y * p.y)));
+    return vec2(turn.y * p.x - turn.x * p.y, turn.x * p.x + turn.y * p.y);
 }
 
 /// A place in pixels, in cells of a half-tone screen that has `lines` lines to the picture's height
 /// and is turned by an angle in radians.
 vec2 screen_cells(vec2 place, vec2 viewport, float lines, float angle) {
     vec2 most = vec2(4194304.0);
-    vec2 upright = (place * (lines / max(viewport.y, 1.0)));
+    vec2 upright = place * (lines / max(viewport.y, 1.0));
     return clamp(turned_by(clamp(upright, vec2(-4194304.0), most), angle), vec2(-4194304.0), most);
 }
 
 /// The integral of lines from 0 to x.
 float lines_integral(float x, float share) {
     float whole = roundEven(x);
-    return ((whole * share) + clamp((x - whole), (-0.5 * share), (0.5 * share)));
+    return whole * share + clamp(x - whole, -0.5 * share, 0.5 * share);
 }
 
 /// Lines that cover `share` of all, from 0 to 1: 1 within half a `share` of every whole number, 0
 /// elsewhere, averaged over a footprint of `w`. Without a footprint the edges are inclusive.
 float lines_filtered(float x, float share, float w) {
-    float t = (x - roundEven(x));
-    if ((w < 1e-30)) {
-        return (((abs(t) <= (0.5 * share)) && (share > 0.0)) ? 1.0 : 0.0);
+    float t = x - roundEven(x);
+    if (w < 1e-30) {
+        return (abs(t) <= 0.5 * share && share > 0.0) ? 1.0 : 0.0;
     }
     // Beyond a thousand lines to the pixel the average does not change any more.
-    float half_ = (0.5 * min(w, 1000.0));
-    return clamp(((lines_integral((t + half_), share) - lines_integral((t - half_), share)) / (2.0 * half_)), 0.0, 1.0);
+    float half_ = 0.5 * min(w, 1000.0);
+    return clamp((lines_integral(t + half_, share) - lines_integral(t - half_, share))
+        / (2.0 * half_), 0.0, 1.0);
 }
 
 /// The radius of disks around whole places that together cover `share` of the plane: beyond pi/4
@@ -241,84 +254,87 @@ float lines_filtered(float x, float share, float w) {
 float dot_radius(float share) {
     float a = 0.0;
     int i = 0;
-    if ((share <= 0.7853982)) {
-        return sqrt((share * 0.31830987));
+    if (share <= 0.7853982) {
+        return sqrt(share * 0.31830987);
     }
-    float s = ((share - 0.7853982) / 0.21460183);
-    a = mix((0.5227232 * sqrt(s)), (0.7853982 - (0.3275682 * sqrt((1.0 - s)))), s);
+    float s = (share - 0.7853982) / 0.21460183;
+    a = mix(0.5227232 * sqrt(s), 0.7853982 - 0.3275682 * sqrt(1.0 - s), s);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if (!((i < 2))) {
+        if (!(i < 2)) {
             break;
         }
         vec2 turn = sin_cos_quarter(clamp(a, 0.0, 0.7853982));
-        float tangent = (turn.x / turn.y);
-        float square = (1.0 / (turn.y * turn.y));
-        float sector = (0.7853982 - a);
-        float slope = (((2.0 * sector) * square) * tangent);
-        a = clamp((a - ((slope > 0.001) ? ((((sector * square) + tangent) - share) / slope) : 0.0)), 0.0, 0.7853982);
+        float tangent = turn.x / turn.y;
+        float square = 1.0 / (turn.y * turn.y);
+        float sector = 0.7853982 - a;
+        float slope = 2.0 * sector * square * tangent;
+        a = clamp(a - (slope > 0.001 ? (sector * square + tangent - share) / slope : 0.0), 0.0,
+            0.7853982);
     }
-    return (0.5 / sin_cos_quarter(a).y);
+    return 0.5 / sin_cos_quarter(a).y;
 }
 
 /// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
 /// over the plane is the disk's own area, however small the disk; without a footprint its edge is
 /// inclusive.
 float disk_filtered(float d, float r, float w) {
-    if ((w < 1e-30)) {
-        return (((d <= r) && (r > 0.0)) ? 1.0 : 0.0);
+    if (w < 1e-30) {
+        return (d <= r && r > 0.0) ? 1.0 : 0.0;
     }
     // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to give that back
     // is drawn fainter.
-    float square = (r * r);
-    float least = ((w * w) / 3.0);
-    float inner = sqrt((max(square, least) - (0.25 * least)));
-    return (clamp((0.5 + ((inner - d) / w)), 0.0, 1.0) * min((square / least), 1.0));
+    float square = r * r;
+    float least = w * w / 3.0;
+    float inner = sqrt(max(square, least) - 0.25 * least);
+    return clamp(0.5 + (inner - d) / w, 0.0, 1.0) * min(square / least, 1.0);
 }
 
 /// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
 /// over the plane is the disk's own area, however small the disk; without a footprint its edge is
 /// inclusive.
 float disk_filtered_2(float d, float r, float w) {
-    if ((w < 1e-30)) {
-        return (((d <= r) && true) ? 1.0 : 0.0);
+    if (w < 1e-30) {
+        return d <= r ? 1.0 : 0.0;
     }
-    float square = (r * r);
-    float least = ((w * w) / 3.0);
-    float inner = sqrt((max(square, least) - (0.25 * least)));
-    return (clamp((0.5 + ((inner - d) / w)), 0.0, 1.0) * min((square / least), 1.0));
+    float square = r * r;
+    float least = w * w / 3.0;
+    float inner = sqrt(max(square, least) - 0.25 * least);
+    return clamp(0.5 + (inner - d) / w, 0.0, 1.0) * min(square / least, 1.0);
 }
 
 /// Ink of round dots that cover `share` of the plane.
 float ink_of_dots(vec2 cell, float share, float w) {
     float ink = 0.0;
     float width = min(w, 1.0);
-    ink = disk_filtered(length((cell - roundEven(cell))), dot_radius(share), width);
-    float hole = sqrt(((1.0 - share) * 0.31830987));
-    float is_star = (smoothstep((0.3 * hole), (0.9 * hole), width) * smoothstep(0.5, 0.7, share));
-    if ((is_star > 0.0)) {
-        ink = mix(ink, (1.0 - disk_filtered_2(length(((cell - floor(cell)) - vec2(0.5))), hole, width)), is_star);
+    ink = disk_filtered(length(cell - roundEven(cell)), dot_radius(share), width);
+    float hole = sqrt((1.0 - share) * 0.31830987);
+    float is_star = smoothstep(0.3 * hole, 0.9 * hole, width) * smoothstep(0.5, 0.7, share);
+    if (is_star > 0.0) {
+        ink = mix(ink, 1.0 - disk_filtered_2(length(cell - floor(cell) - vec2(0.5)), hole, width),
+            is_star);
     }
     float mean = mix(ink, share, smoothstep(0.4, 1.0, w));
-    return (((share <= 0.0) || false) ? share : mean);
+    return share <= 0.0 ? share : mean;
 }
 
 /// Ink of round dots that cover `share` of the plane.
 float ink_of_dots_2(vec2 cell, float share, float w) {
     float ink = 0.0;
     float width = min(w, 1.0);
-    ink = disk_filtered(length((cell - roundEven(cell))), dot_radius(share), width);
-    float hole = sqrt(((1.0 - share) * 0.31830987));
-    float is_star = (eased(width, (0.3 * hole), (0.9 * hole)) * smoothstep(0.5, 0.7, share));
-    if ((is_star > 0.0)) {
-        ink = mix(ink, (1.0 - disk_filtered_2(length(((cell - floor(cell)) - vec2(0.5))), hole, width)), is_star);
+    ink = disk_filtered(length(cell - roundEven(cell)), dot_radius(share), width);
+    float hole = sqrt((1.0 - share) * 0.31830987);
+    float is_star = eased(width, 0.3 * hole, 0.9 * hole) * smoothstep(0.5, 0.7, share);
+    if (is_star > 0.0) {
+        ink = mix(ink, 1.0 - disk_filtered_2(length(cell - floor(cell) - vec2(0.5)), hole, width),
+            is_star);
     }
     float mean = mix(ink, share, smoothstep(0.4, 1.0, w));
-    return (((share <= 0.0) || false) ? share : mean);
+    return share <= 0.0 ? share : mean;
 }
 
 /// Half-tone
@@ -330,7 +346,7 @@ float ink_of_dots_2(vec2 cell, float share, float w) {
 float halftone_dots(float value, vec2 place, float lines, float angle, vec2 viewport) {
     vec2 cell = screen_cells(place, viewport, lines, angle);
     vec2 w = footprint_of_vec2(cell);
-    return (1.0 - ink_of_dots(cell, (1.0 - min(value, 1.0)), max(w.x, w.y)));
+    return 1.0 - ink_of_dots(cell, 1.0 - min(value, 1.0), max(w.x, w.y));
 }
 
 /// Half-tone
@@ -342,40 +358,47 @@ float halftone_dots(float value, vec2 place, float lines, float angle, vec2 view
 float halftone_dots_2(float value, vec2 place, float lines, float angle, vec2 viewport) {
     vec2 cell = screen_cells(place, viewport, lines, angle);
     vec2 w = footprint_of_vec2(cell);
-    return (1.0 - ink_of_dots_2(cell, (1.0 - min(value, 1.0)), max(w.x, w.y)));
+    return 1.0 - ink_of_dots_2(cell, 1.0 - min(value, 1.0), max(w.x, w.y));
 }
 
 float halftone_lines(float value, vec2 place, float lines, float angle, vec2 viewport) {
     vec2 cell = screen_cells(place, viewport, lines, angle);
-    return (1.0 - lines_filtered(cell.y, (1.0 - value), footprint_of(cell.y)));
+    return 1.0 - lines_filtered(cell.y, 1.0 - value, footprint_of(cell.y));
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    Angle side = Angle((0.5 * length((surface.normal - u_look.side.direction))), (0.5 * length((surface.normal + u_look.side.direction))));
+    // Parametrization
+    Angle side = Angle(0.5 * length(surface.normal - u_look.side.direction), 0.5
+        * length(surface.normal + u_look.side.direction));
     float yellow_s_share = profile_balanced(side, 0.0, yellow_s_share_shape);
-    float pale = mix(1.0, 0.25, (yellow_s_share - 0.0));
+    float pale = mix(1.0, 0.25, yellow_s_share - 0.0);
     float yellow_screen = halftone_lines(pale, surface.pixel, 56.0, 0.0, u_look.viewport);
     vec4 p1_ink = mix(vec4(0.9647, 0.8118, 0.2902, 1.0), vec4(1.0), yellow_screen);
     vec4 on_paper = mix_colors_multiply(vec4(0.9686, 0.9373, 0.8784, 1.0), p1_ink, 1.0);
-    float shade_2 = max(((dot(surface.normal, u_look.key.direction) + 0.3) / 1.3), 0.0);
-    float tone = min(((shade_2 - 0.0) / 0.8), 1.0);
-    float coral_s_share = mix(0.12, 1.0, clamp(((tone - 0.25) / 0.7), 0.0, 1.0));
+    // Reflectance
+    float shade_2 = max((dot(surface.normal, u_look.key.direction) + 0.3) / 1.3, 0.0);
+    float tone = min((shade_2 - 0.0) / 0.8, 1.0);
+    float coral_s_share = mix(0.12, 1.0, clamp((tone - 0.25) / 0.7, 0.0, 1.0));
     float coral_screen = halftone_dots(coral_s_share, surface.pixel, 56.0, 0.2618, u_look.viewport);
     vec4 p2_ink = mix(vec4(0.9333, 0.3529, 0.2902, 1.0), vec4(1.0), coral_screen);
-    vec4 printed_over = vec4(mix(on_paper.xyz, (on_paper.xyz * p2_ink.xyz), 1.0), 1.0);
-    float teal_s_share = mix(0.05, 1.0, min(((tone - 0.0) / 0.5), 1.0));
+    vec4 printed_over = vec4(mix(on_paper.xyz, on_paper.xyz * p2_ink.xyz, 1.0), 1.0);
+    float teal_s_share = mix(0.05, 1.0, min((tone - 0.0) / 0.5, 1.0));
     float teal_screen = halftone_dots_2(teal_s_share, surface.pixel, 56.0, 1.309, u_look.viewport);
     vec4 p3_ink = mix(vec4(0.1216, 0.5608, 0.5922, 1.0), vec4(1.0), teal_screen);
-    vec4 printed_over_2 = vec4(mix(printed_over.xyz, (printed_over.xyz * p3_ink.xyz), 1.0), 1.0);
+    vec4 printed_over_2 = vec4(mix(printed_over.xyz, printed_over.xyz * p3_ink.xyz, 1.0), 1.0);
     float curvature = surface.kappa;
-    float hollow = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.25), -20.0, 20.0))))))));
+    // Curvature transition
+    float hollow = 0.5 + 0.5 * (1.0 - 2.0
+        / (1.0 + exp2(2.88539 * clamp(curvature * 0.25, -20.0, 20.0))));
+    // Threshold
     float hollows = step_filtered(hollow, 0.22, length(vec2(footprint_of(hollow), 0.0)));
     float facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
+    // Threshold
     float outline = step_filtered(facing, 0.28, length(vec2(footprint_of(facing), 0.0)));
-    float black_screen = (hollows * outline);
+    float black_screen = hollows * outline;
     vec4 p4_ink = mix(vec4(0.0902, 0.0745, 0.1216, 1.0), vec4(1.0), black_screen);
-    vec4 printed_over_3 = vec4(mix(printed_over_2.xyz, (printed_over_2.xyz * p4_ink.xyz), 1.0), 1.0);
+    vec4 printed_over_3 = vec4(mix(printed_over_2.xyz, printed_over_2.xyz * p4_ink.xyz, 1.0), 1.0);
     return printed_over_3;
 }
 
@@ -383,10 +406,9 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), texel.x, ((in_.clip.xy * u_view.screen.xy) + u_view.screen.zw));
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position),
+        texel.x, in_.clip.xy * u_view.screen.xy + u_view.screen.zw);
     out_color = shade(surface);
-    return;
 }
-

@@ -290,7 +290,7 @@ fn disk_filtered(d: f32, r: f32, w: f32) -> f32 {
 /// inclusive.
 fn disk_filtered_2(d: f32, r: f32, w: f32) -> f32 {
     if w < 1e-30 {
-        return select(0.0, 1.0, (d <= r) & true);
+        return select(0.0, 1.0, d <= r);
     }
     let square = r * r;
     let least = w * w / 3.0;
@@ -309,7 +309,7 @@ fn ink_of_dots(cell: vec2f, share: f32, w: f32) -> f32 {
             is_star);
     }
     let mean = mix(ink, share, smoothstep(0.4, 1.0, w));
-    return select(mean, share, (share <= 0.0) | false);
+    return select(mean, share, share <= 0.0);
 }
 
 /// Ink of round dots that cover `share` of the plane.
@@ -323,7 +323,7 @@ fn ink_of_dots_2(cell: vec2f, share: f32, w: f32) -> f32 {
             is_star);
     }
     let mean = mix(ink, share, smoothstep(0.4, 1.0, w));
-    return select(mean, share, (share <= 0.0) | false);
+    return select(mean, share, share <= 0.0);
 }
 
 /// Half-tone
@@ -359,6 +359,7 @@ const yellow_s_share_shape = ProfileShape(0.9887711, 0.14943813, 2.0858297, 1.73
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Parametrization
     let side = Angle(0.5 * length(surface.normal - look.side.direction), 0.5
         * length(surface.normal + look.side.direction));
     let yellow_s_share = profile_balanced(side, 0.0, yellow_s_share_shape);
@@ -366,6 +367,7 @@ fn shade(surface: Surface) -> vec4f {
     let yellow_screen = halftone_lines(pale, surface.pixel, 56.0, 0.0, look.viewport);
     let p1_ink = mix(vec4f(0.9647, 0.8118, 0.2902, 1.0), vec4f(1.0), yellow_screen);
     let on_paper = mix_colors_multiply(vec4f(0.9686, 0.9373, 0.8784, 1.0), p1_ink, 1.0);
+    // Reflectance
     let shade_2 = max((dot(surface.normal, look.key.direction) + 0.3) / (1.0 + 0.3), 0.0);
     let tone = min((shade_2 - 0.0) / (0.8 - 0.0), 1.0);
     let coral_s_share = mix(0.12, 1.0, clamp((tone - 0.25) / (0.95 - 0.25), 0.0, 1.0));
@@ -377,10 +379,13 @@ fn shade(surface: Surface) -> vec4f {
     let p3_ink = mix(vec4f(0.1216, 0.5608, 0.5922, 1.0), vec4f(1.0), teal_screen);
     let printed_over_2 = vec4f(mix(printed_over.xyz, printed_over.xyz * p3_ink.xyz, 1.0), 1.0);
     let curvature = surface.kappa;
+    // Curvature transition
     let hollow = 0.5 + 0.5 * (1.0 - 2.0
         / (1.0 + exp2(2.8853900817779268 * clamp(curvature * 0.25, -20.0, 20.0))));
+    // Threshold
     let hollows = step_filtered(hollow, 0.22, length(vec2f(footprint_of(hollow), 0.0)));
     let facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
+    // Threshold
     let outline = step_filtered(facing, 0.28, length(vec2f(footprint_of(facing), 0.0)));
     let black_screen = hollows * outline;
     let p4_ink = mix(vec4f(0.0902, 0.0745, 0.1216, 1.0), vec4f(1.0), black_screen);

@@ -14,12 +14,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -33,17 +35,25 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const Ramp from_dusk_to_sun = Ramp(vec4[16](vec4(0.1373, 0.1647, 0.302, 1.0), vec4(0.4196, 0.3725, 0.5255, 1.0), vec4(0.7882, 0.5804, 0.4353, 1.0), vec4(0.9412, 0.8039, 0.5725, 1.0), vec4(1.0, 0.9843, 0.902, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.05, 0.35, 0.55, 0.75), vec4(0.98, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 0u);
+const Ramp from_dusk_to_sun = Ramp(vec4[16](vec4(0.1373, 0.1647, 0.302, 1.0),
+    vec4(0.4196, 0.3725, 0.5255, 1.0), vec4(0.7882, 0.5804, 0.4353, 1.0),
+    vec4(0.9412, 0.8039, 0.5725, 1.0), vec4(1.0, 0.9843, 0.902, 1.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0)), vec4[4](vec4(0.05, 0.35, 0.55, 0.75), vec4(0.98, 0.0, 0.0, 0.0), vec4(0.0),
+    vec4(0.0)), 5u, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -56,11 +66,10 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_position = _tmp_return.position;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, world.xyz,
+        u_object.world_from_normal * vertex.normal);
+    gl_Position = varyings.clip;
+    v_position = varyings.position;
+    v_normal = varyings.normal;
 }
-

@@ -98,7 +98,12 @@ struct Varyings {
 };
 
 static const float SMALLEST_NORMAL = 1.1754944e-38;
-static const Ramp from_dusk_to_sun = {{float4(0.1373, 0.1647, 0.302, 1.0), float4(0.4196, 0.3725, 0.5255, 1.0), float4(0.7882, 0.5804, 0.4353, 1.0), float4(0.9412, 0.8039, 0.5725, 1.0), float4(1.0, 0.9843, 0.902, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.05, 0.35, 0.55, 0.75), float4(0.98, 0.0, 0.0, 0.0), (0.0).xxxx, (0.0).xxxx}, 5u, 0u};
+static const Ramp from_dusk_to_sun = {{float4(0.1373, 0.1647, 0.302, 1.0),
+    float4(0.4196, 0.3725, 0.5255, 1.0), float4(0.7882, 0.5804, 0.4353, 1.0),
+    float4(0.9412, 0.8039, 0.5725, 1.0), float4(1.0, 0.9843, 0.902, 1.0), (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx}, {float4(0.05, 0.35, 0.55, 0.75), float4(0.98, 0.0, 0.0, 0.0), (0.0).xxxx,
+    (0.0).xxxx}, 5u, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -126,9 +131,11 @@ struct FragmentInput_fs_main {
 float exp2_stable(float x)
 {
     float whole = round(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * 0.5);
+    float f = x - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * 0.5;
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -136,14 +143,14 @@ float exp2_stable(float x)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -153,16 +160,16 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// a / b; 0 where b is 0.
 float divided(float a, float b)
 {
-    if ((abs(b) < SMALLEST_NORMAL)) {
+    if (abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((a / b));
+    return bounded(a / b);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -177,8 +184,8 @@ float footprint_of(float x)
 float srgb_of_linear(float light)
 {
     float size = abs(light);
-    float value = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
-    return ((light < 0.0) ? -(value) : value);
+    float value = size <= 0.0031308 ? size * 12.92 : 1.055 * pow(size, 0.41666666) - 0.055;
+    return light < 0.0 ? -value : value;
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -188,23 +195,27 @@ float3 oklab_of_linear(float3 rgb)
     float l = pow(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
     float m = pow(dot(rgb, float3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
     float s = pow(dot(rgb, float3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
-    return float3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
+    return float3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l - 2.4285922 * m
+        + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 float3 linear_of_oklab(float3 lab)
 {
-    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    float3 cubes = float3(((l * l) * l), ((m * m) * m), ((s * s) * s));
-    return float3(dot(cubes, float3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, float3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, float3(-0.0041960864, -0.7034186, 1.7076147)));
+    float l = lab.x + 0.39633778 * lab.y + 0.21580376 * lab.z;
+    float m = lab.x - 0.105561346 * lab.y - 0.06385417 * lab.z;
+    float s = lab.x - 0.08948418 * lab.y - 1.2914855 * lab.z;
+    float3 cubes = float3(l * l * l, m * m * m, s * s * s);
+    return float3(dot(cubes, float3(4.0767417, -3.3077116, 0.23096994)),
+        dot(cubes, float3(-1.268438, 2.6097574, -0.34131938)),
+        dot(cubes, float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 float3 oklab_of_srgb(float3 coded)
 {
-    const float3 oklab_of_linear_value = oklab_of_linear(float3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    const float3 oklab_of_linear_value = oklab_of_linear(float3(pow((coded.x + 0.055) / 1.055, 2.4),
+        pow((coded.y + 0.055) / 1.055, 2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
     return oklab_of_linear_value;
 }
 
@@ -234,7 +245,9 @@ RampPlace ConstructRampPlace(float4 arg0, float4 arg1, float arg2) {
 /// The place of x on a ramp that is not stepped. Transparent black for a ramp without stops.
 RampPlace ramp_place(Ramp ramp, float x)
 {
-    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     uint i = 1u;
     uint at = 0u;
@@ -244,28 +257,30 @@ RampPlace ramp_place(Ramp ramp, float x)
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1u);
+            i = i + 1u;
         }
         loop_init = false;
-        if (!((i < 5u))) {
+        if (!(i < 5u)) {
             break;
         }
         float places_now = places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)];
-        at = ((places_now <= x) ? i : at);
+        at = places_now <= x ? i : at;
     }
-    uint after = min((at + 1u), 4u);
+    uint after = min(at + 1u, 4u);
     float place = places[min(uint(naga_div(at, 4u)), 3u)][min(uint(naga_mod(at, 4u)), 3u)];
-    const float divided_value = divided((x - place), (places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)] - place));
+    const float divided_value = divided(x - place,
+        places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)] - place);
     float t = clamp(divided_value, 0.0, 1.0);
-    const RampPlace rampplace = ConstructRampPlace(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], t);
-    return rampplace;
+    return ConstructRampPlace(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], t);
 }
 
 float4 ramp_oklab(float value, Ramp ramp)
 {
     const RampPlace place = ramp_place(ramp, value);
-    const float3 srgb_of_oklab_value = srgb_of_oklab(lerp(oklab_of_srgb(place.before.xyz), oklab_of_srgb(place.after.xyz), place.t));
-    return ((place.t <= 0.0) ? place.before : ((place.t >= 1.0) ? place.after : float4(srgb_of_oklab_value, 1.0)));
+    const float3 srgb_of_oklab_value = srgb_of_oklab(lerp(oklab_of_srgb(place.before.xyz),
+        oklab_of_srgb(place.after.xyz), place.t));
+    return place.t <= 0.0 ? place.before : (place.t
+        >= 1.0 ? place.after : float4(srgb_of_oklab_value, 1.0));
 }
 
 /// Shading of the detail that a finer normal has beyond a coarser one: -1 where the finer turns
@@ -273,24 +288,27 @@ float4 ramp_oklab(float value, Ramp ramp)
 /// horizon, so that detail is lit as well as can be, however the light falls.
 float detail_lit(float3 finer, float3 coarser, float3 light, float contrast)
 {
-    float3 across = (light - (dot(light, coarser) * coarser));
+    float3 across = light - dot(light, coarser) * coarser;
     // Straight under the light there is no direction along the surface, and detail fades.
-    float3 toward = (across / (max(length(across), 0.05)).xxx);
-    return clamp((contrast * dot(finer, toward)), -1.0, 1.0);
+    float3 toward = across / (max(length(across), 0.05)).xxx;
+    return clamp(contrast * dot(finer, toward), -1.0, 1.0);
 }
 
-float exaggerated_four(Light light, float3 normal, float contrast, float detail, float3 smooth_1, float3 smooth_2, float3 smooth_3, float3 smooth_4)
+float exaggerated_four(Light light, float3 normal, float contrast, float detail, float3 smooth_1,
+    float3 smooth_2, float3 smooth_3, float3 smooth_4)
 {
-    const float r = exp2_stable(-(detail));
+    const float r = exp2_stable(-detail);
     const float3 n1 = normalize_moderate(smooth_1, normal);
     const float3 n2 = normalize_moderate(smooth_2, n1);
     const float3 n3 = normalize_moderate(smooth_3, n2);
     const float3 n4 = normalize_moderate(smooth_4, n3);
     const float detail_lit_value = detail_lit(n3, n4, light.direction, contrast);
-    float coarse = (detail_lit(n2, n3, light.direction, contrast) + (r * (detail_lit_value + (r * dot(n4, light.direction)))));
+    float coarse = detail_lit(n2, n3, light.direction, contrast) + r
+        * (detail_lit_value + r * dot(n4, light.direction));
     const float detail_lit_value_1 = detail_lit(n1, n2, light.direction, contrast);
-    float sum = (detail_lit(normal, n1, light.direction, contrast) + (r * (detail_lit_value_1 + (r * coarse))));
-    return clamp((0.5 + ((0.5 * sum) / (1.0 + (r * (1.0 + (r * (1.0 + (r * (1.0 + r))))))))), 0.0, 1.0);
+    float sum = detail_lit(normal, n1, light.direction, contrast) + r
+        * (detail_lit_value_1 + r * coarse);
+    return clamp(0.5 + 0.5 * sum / (1.0 + r * (1.0 + r * (1.0 + r * (1.0 + r)))), 0.0, 1.0);
 }
 
 /// Outer contour
@@ -300,16 +318,18 @@ float exaggerated_four(Light light, float3 normal, float contrast, float detail,
 float outer_contour(float width, float3 normal, float3 view, float2 viewport)
 {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
-    float distance_ = (facing / max((2.0 * footprint_of(facing)), 1e-6));
-    float near = (1.0 - smoothstep(0.45, 0.75, facing));
-    return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
+    float pixels = width * clamp(viewport.y, 1.0, 100000.0) / 1000.0;
+    float distance_ = facing / max(2.0 * footprint_of(facing), 1e-6);
+    float near = 1.0 - smoothstep(0.45, 0.75, facing);
+    return clamp(pixels + 0.5 - distance_, 0.0, min(pixels, 1.0)) * near;
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    const float every_scale_of_detail = exaggerated_four(look.key, surface.normal, 7.0, 0.1, surface.smooth_normal_1_, surface.smooth_normal_2_, surface.smooth_normal_3_, surface.smooth_normal_4_);
+    const float every_scale_of_detail = exaggerated_four(look.key, surface.normal, 7.0, 0.1,
+        surface.smooth_normal_1_, surface.smooth_normal_2_, surface.smooth_normal_3_,
+        surface.smooth_normal_4_);
     const float4 from_dusk_to_sun_2 = ramp_oklab(every_scale_of_detail, from_dusk_to_sun);
     const float ink = outer_contour(3.0, surface.normal, surface.view, look.viewport);
     float4 inked = lerp(from_dusk_to_sun_2, float4(0.098, 0.1059, 0.2, 1.0), ink);
@@ -327,12 +347,14 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float3 arg4, float3 arg5) {
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float3 arg4,
+    float3 arg5) {
     Surface ret = (Surface)0;
     ret.normal = arg0;
     ret.view = arg1;
@@ -349,14 +371,19 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     float4 texel = smooth_normal_1_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
     float4 texel_1 = smooth_normal_2_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
     float4 texel_2 = smooth_normal_3_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
     float4 texel_3 = smooth_normal_4_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), mul(view.camera_from_world, float4(texel.xyz, 0.0)).xyz, mul(view.camera_from_world, float4(texel_1.xyz, 0.0)).xyz, mul(view.camera_from_world, float4(texel_2.xyz, 0.0)).xyz, mul(view.camera_from_world, float4(texel_3.xyz, 0.0)).xyz);
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        mul(view.camera_from_world, float4(texel.xyz, 0.0)).xyz,
+        mul(view.camera_from_world, float4(texel_1.xyz, 0.0)).xyz,
+        mul(view.camera_from_world, float4(texel_2.xyz, 0.0)).xyz,
+        mul(view.camera_from_world, float4(texel_3.xyz, 0.0)).xyz);
     return shade(surface);
 }

@@ -24,12 +24,14 @@ struct Curvature {
     /// Samples per pixel of the picture.
     float samples;
 };
+
 /// A pixel and its texel of the surface.
 struct SeenPixel {
     metal::int2 at;
     char _pad1[8];
     metal::float4 texel;
 };
+
 /// The plane of the surface at a pixel: it tells which neighbors lie on the same surface. Changes
 /// of depth are along columns and rows of the image.
 struct Plane {
@@ -41,12 +43,14 @@ struct Plane {
     float tolerance;
     char _pad4[4];
 };
+
 /// A pixel whose curvature is measured.
 struct Center {
     metal::int2 at;
     metal::float2 slope;
     Plane plane;
 };
+
 /// Neighbors on the four sides of a center: in the column after it, in the column before it, in the
 /// row after it, and in the row before it.
 struct Ring {
@@ -56,6 +60,7 @@ struct Ring {
     metal::float4 y;
     metal::float4 weights;
 };
+
 /// A pixel before a level smooths it: all 0 beyond the image, and the object where nothing is.
 struct RoughPixel {
     metal::packed_float3 normal;
@@ -80,14 +85,14 @@ metal::float4 surface_texel(
     float number
 ) {
     metal::float2 slope_of_value = slope_of(normal);
-    return metal::float4(slope_of_value, depth, (normal.z < 0.0) ? -(number) : number);
+    return metal::float4(slope_of_value, depth, normal.z < 0.0 ? -number : number);
 }
 
 /// The number of an object in texels, from 1 on.
 float object_number(
     float object
 ) {
-    return (object - (4096.0 * metal::floor(object / 4096.0))) + 1.0;
+    return object - 4096.0 * metal::floor(object / 4096.0) + 1.0;
 }
 
 /// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
@@ -98,9 +103,10 @@ float facet_number(
     float material,
     float id
 ) {
-    float whole = metal::rint((metal::abs(id) <= 1000000.0) ? id : 0.0);
-    float parts = ((128.0 * (material - (32.0 * metal::floor(material / 32.0)))) + whole) - (128.0 * metal::floor(whole / 128.0));
-    return object_number(object) + (parts / 4096.0);
+    float whole = metal::rint(metal::abs(id) <= 1000000.0 ? id : 0.0);
+    float parts = 128.0 * (material - 32.0 * metal::floor(material / 32.0)) + whole - 128.0
+        * metal::floor(whole / 128.0);
+    return object_number(object) + parts / 4096.0;
 }
 
 /// The normal that a texel was made from.
@@ -111,16 +117,18 @@ metal::float3 normal_of(
     // elsewhere that is no less than LEAST_NZ, and the normal points along the slope and 1.
     metal::float2 aside = 0.2 * texel.xy;
     float rest = metal::sqrt(metal::max(1.0 - metal::dot(aside, aside), 0.0));
-    float nz = (texel.w < 0.0) ? -(rest) : rest;
-    metal::float3 facing = metal::float3(texel.xy, 1.0) / metal::float3(metal::sqrt(1.0 + metal::dot(texel.xy, texel.xy)));
-    return (nz >= 0.2) ? facing : metal::float3(aside, nz);
+    float nz = texel.w < 0.0 ? -rest : rest;
+    metal::float3 facing = metal::float3(texel.xy, 1.0)
+        / metal::float3(metal::sqrt(1.0 + metal::dot(texel.xy, texel.xy)));
+    return nz >= 0.2 ? facing : metal::float3(aside, nz);
 }
 
 /// A triangle over the whole picture.
 metal::float4 whole_picture(
     uint index
 ) {
-    return metal::float4((static_cast<float>(index & 1u) * 4.0) - 1.0, (static_cast<float>(index >> 1u) * 4.0) - 1.0, 0.0, 1.0);
+    return metal::float4(static_cast<float>(index & 1u) * 4.0 - 1.0,
+        static_cast<float>(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
@@ -139,16 +147,18 @@ int step_pixels(
 float row_direction(
     constant Curvature& curvature
 ) {
-    return (curvature.rows_up > 0.5) ? 1.0 : -1.0;
+    return curvature.rows_up > 0.5 ? 1.0 : -1.0;
 }
 
 /// Offset to one of the eight pixels around a pixel, by an index from 0 to 7; the nearest first.
 metal::int2 around(
     int index
 ) {
-    int side = as_type<int>(as_type<uint>(1) - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(index & 1))));
-    metal::int2 straight = (index < 2) ? metal::int2(side, 0) : metal::int2(0, side);
-    return (index > 3) ? metal::int2(side, as_type<int>(as_type<uint>(1) - as_type<uint>(index & 2))) : straight;
+    int side = as_type<int>(as_type<uint>(1)
+        - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(index & 1))));
+    metal::int2 straight = index < 2 ? metal::int2(side, 0) : metal::int2(0, side);
+    return index > 3 ? metal::int2(side,
+        as_type<int>(as_type<uint>(1) - as_type<uint>(index & 2))) : straight;
 }
 
 /// The pixel whose surface a pixel has: its own, or that of a neighbor.
@@ -164,7 +174,8 @@ SeenPixel seen_pixel(
     bool local = {};
     int index = {};
     seen = SeenPixel {pixel, {}, surface.read(metal::uint2(pixel), 0)};
-    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
+        surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
     if (curvature.samples >= 2.0) {
         local = seen.texel.w == 0.0;
     } else {
@@ -184,7 +195,8 @@ SeenPixel seen_pixel(
         }
         {
             metal::int2 around_value = around(index);
-            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(around_value)), metal::int2(0), last);
+            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel)
+                + as_type<metal::uint2>(around_value)), metal::int2(0), last);
             metal::float4 texel = surface.read(metal::uint2(near), 0);
             if (texel.w != 0.0) {
                 seen = SeenPixel {near, {}, texel};
@@ -203,7 +215,8 @@ Plane plane_of(
     float pixel = curvature.pixel * metal::mix(1.0, depth, curvature.perspective);
     metal::float2 gradient = normal.xy / metal::float2(metal::max(normal.z, 0.02));
     float row_direction_value = row_direction(curvature);
-    return Plane {object, depth, (pixel * gradient) * metal::float2(1.0, row_direction_value), (2.0 * pixel) * (1.0 + metal::length(gradient))};
+    return Plane {object, depth, pixel * gradient * metal::float2(1.0, row_direction_value), 2.0
+        * pixel * (1.0 + metal::length(gradient))};
 }
 
 /// Weights of four neighbors that are `distance` pixels away, 0 to 1, by their objects, their
@@ -215,10 +228,11 @@ metal::float4 neighbor_weights(
     metal::float4 rises,
     float distance
 ) {
-    metal::float4 error = metal::abs((depths - metal::float4(plane.depth)) - rises);
+    metal::float4 error = metal::abs(depths - metal::float4(plane.depth) - rises);
     float scale = 1.0 / metal::max(plane.tolerance * distance, 0.000000000000000000000000000001);
     // The weight fades, so that the last bit of a depth does not decide between all and nothing.
-    metal::float4 weights = metal::clamp(metal::float4(2.0) - (error * scale), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 weights = metal::clamp(metal::float4(2.0) - error * scale, metal::float4(0.0),
+        metal::float4(1.0));
     return metal::select(metal::float4(0.0), weights, objects == metal::float4(plane.object));
 }
 
@@ -230,7 +244,8 @@ Center center_at(
 ) {
     SeenPixel seen = seen_pixel(pixel, surface, curvature);
     metal::float4 texel = seen.texel;
-    return Center {seen.at, texel.xy, plane_of(metal::abs(seen.texel.w), seen.texel.z, normal_of(texel), curvature)};
+    return Center {seen.at, texel.xy,
+        plane_of(metal::abs(seen.texel.w), seen.texel.z, normal_of(texel), curvature)};
 }
 
 /// The ring that is so many steps away, with its weight.
@@ -244,19 +259,31 @@ Ring ring_at(
     int reach = as_type<int>(as_type<uint>(steps) * as_type<uint>(step_pixels(curvature)));
     float distance = static_cast<float>(reach);
     metal::int2 at = center.at;
-    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
-    metal::float4 a = surface.read(metal::uint2(metal::int2(metal::min(as_type<int>(as_type<uint>(center.at.x) + as_type<uint>(reach)), last.x), center.at.y)), 0);
-    metal::float4 b = surface.read(metal::uint2(metal::int2(metal::max(as_type<int>(as_type<uint>(center.at.x) - as_type<uint>(reach)), 0), center.at.y)), 0);
-    metal::float4 c = surface.read(metal::uint2(metal::int2(center.at.x, metal::min(as_type<int>(as_type<uint>(center.at.y) + as_type<uint>(reach)), last.y))), 0);
-    metal::float4 d = surface.read(metal::uint2(metal::int2(center.at.x, metal::max(as_type<int>(as_type<uint>(center.at.y) - as_type<uint>(reach)), 0))), 0);
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
+        surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::float4 a = surface.read(metal::uint2(metal::int2(metal::min(as_type<int>(as_type<uint>(center.at.x) + as_type<uint>(reach)),
+        last.x), center.at.y)), 0);
+    metal::float4 b = surface.read(metal::uint2(metal::int2(metal::max(as_type<int>(as_type<uint>(center.at.x) - as_type<uint>(reach)),
+        0), center.at.y)), 0);
+    metal::float4 c = surface.read(metal::uint2(metal::int2(center.at.x,
+        metal::min(as_type<int>(as_type<uint>(center.at.y) + as_type<uint>(reach)), last.y))), 0);
+    metal::float4 d = surface.read(metal::uint2(metal::int2(center.at.x,
+        metal::max(as_type<int>(as_type<uint>(center.at.y) - as_type<uint>(reach)), 0))), 0);
     // Beyond the image nothing is.
-    metal::bool4 is_inside = metal::int4(as_type<int>(as_type<uint>(last.x) - as_type<uint>(center.at.x)), center.at.x, as_type<int>(as_type<uint>(last.y) - as_type<uint>(center.at.y)), center.at.y) >= metal::int4(reach);
-    metal::float4 objects = metal::select(metal::float4(0.0), metal::abs(metal::float4(a.w, b.w, c.w, d.w)), is_inside);
+    metal::bool4 is_inside = metal::int4(as_type<int>(as_type<uint>(last.x)
+        - as_type<uint>(center.at.x)), center.at.x,
+        as_type<int>(as_type<uint>(last.y) - as_type<uint>(center.at.y)), center.at.y)
+        >= metal::int4(reach);
+    metal::float4 objects = metal::select(metal::float4(0.0),
+        metal::abs(metal::float4(a.w, b.w, c.w, d.w)), is_inside);
     metal::float2 rise = distance * center.plane.rise;
-    metal::float4 rises = metal::float4(rise.x, -(rise.x), rise.y, -(rise.y));
-    metal::float4 neighbor_weights_value = neighbor_weights(center.plane, objects, metal::float4(a.z, b.z, c.z, d.z), rises, distance);
-    metal::float4 shares = (weight * distance) * neighbor_weights_value;
-    return Ring {shares * (metal::float4(a.x, b.x, c.x, d.x) - metal::float4(center.slope.x)), shares * (metal::float4(a.y, b.y, c.y, d.y) - metal::float4(center.slope.y)), shares * distance};
+    metal::float4 rises = metal::float4(rise.x, -rise.x, rise.y, -rise.y);
+    metal::float4 neighbor_weights_value = neighbor_weights(center.plane, objects,
+        metal::float4(a.z, b.z, c.z, d.z), rises, distance);
+    metal::float4 shares = weight * distance * neighbor_weights_value;
+    return Ring {shares * (metal::float4(a.x, b.x, c.x, d.x) - metal::float4(center.slope.x)),
+        shares * (metal::float4(a.y, b.y, c.y, d.y) - metal::float4(center.slope.y)), shares
+        * distance};
 }
 
 /// Two rings as one.
@@ -273,7 +300,8 @@ Ring rings_at(
     metal::texture2d<float, metal::access::sample> surface,
     constant Curvature& curvature
 ) {
-    Ring near = joined(ring_at(center, 1, 1.0, surface, curvature), ring_at(center, 2, 0.85, surface, curvature));
+    Ring near = joined(ring_at(center, 1, 1.0, surface, curvature),
+        ring_at(center, 2, 0.85, surface, curvature));
     return joined(near, ring_at(center, 3, 0.5, surface, curvature));
 }
 
@@ -286,8 +314,9 @@ metal::float2 derivatives(
 ) {
     // A side that hardly counts any more is left to the other one, gradually.
     metal::float4 trust = metal::smoothstep(metal::float4(0.0), metal::float4(0.5), weights);
-    metal::float4 sides = (changes / metal::max(weights, metal::float4(0.000001))) * trust;
-    metal::float2 along = (sides.xz - sides.yw) / metal::max(trust.xz + trust.yw, metal::float2(0.000001));
+    metal::float4 sides = changes / metal::max(weights, metal::float4(0.000001)) * trust;
+    metal::float2 along = (sides.xz - sides.yw)
+        / metal::max(trust.xz + trust.yw, metal::float2(0.000001));
     return along * metal::float2(1.0, row_direction(curvature));
 }
 
@@ -297,7 +326,7 @@ float mean_curvature(
     constant Curvature& curvature
 ) {
     metal::float2 along = derivatives(metal::float4(ring.x.xy, ring.y.zw), ring.weights, curvature);
-    return metal::clamp((0.5 * (along.x + along.y)) * curvature.viewport_height, -10000.0, 10000.0);
+    return metal::clamp(0.5 * (along.x + along.y) * curvature.viewport_height, -10000.0, 10000.0);
 }
 
 RoughPixel rough_pixel(
@@ -307,8 +336,9 @@ RoughPixel rough_pixel(
     metal::texture2d<float, metal::access::sample> normals
 ) {
     bool local_1 = {};
-    metal::int2 size = static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()));
-    if (!(metal::any(at < metal::int2(0)))) {
+    metal::int2 size = static_cast<metal::int2>(metal::uint2(surface.get_width(),
+        surface.get_height()));
+    if (!metal::any(at < metal::int2(0))) {
         local_1 = metal::any(at >= size);
     } else {
         local_1 = true;
@@ -336,17 +366,24 @@ metal::float3 pairs_of(
     metal::texture2d<float, metal::access::sample> surface,
     metal::texture2d<float, metal::access::sample> normals
 ) {
-    RoughPixel a = rough_pixel(as_type<metal::int2>(as_type<metal::uint2>(at) + as_type<metal::uint2>(first)), level, surface, normals);
-    RoughPixel b = rough_pixel(as_type<metal::int2>(as_type<metal::uint2>(at) - as_type<metal::uint2>(first)), level, surface, normals);
-    RoughPixel c = rough_pixel(as_type<metal::int2>(as_type<metal::uint2>(at) + as_type<metal::uint2>(second)), level, surface, normals);
-    RoughPixel d = rough_pixel(as_type<metal::int2>(as_type<metal::uint2>(at) - as_type<metal::uint2>(second)), level, surface, normals);
+    RoughPixel a = rough_pixel(as_type<metal::int2>(as_type<metal::uint2>(at)
+        + as_type<metal::uint2>(first)), level, surface, normals);
+    RoughPixel b = rough_pixel(as_type<metal::int2>(as_type<metal::uint2>(at)
+        - as_type<metal::uint2>(first)), level, surface, normals);
+    RoughPixel c = rough_pixel(as_type<metal::int2>(as_type<metal::uint2>(at)
+        + as_type<metal::uint2>(second)), level, surface, normals);
+    RoughPixel d = rough_pixel(as_type<metal::int2>(as_type<metal::uint2>(at)
+        - as_type<metal::uint2>(second)), level, surface, normals);
     metal::float4 objects = metal::float4(a.object, b.object, c.object, d.object);
     metal::float4 depths = metal::float4(a.depth, b.depth, c.depth, d.depth);
-    metal::float2 rise = metal::float2(metal::dot(plane.rise, static_cast<metal::float2>(first)), metal::dot(plane.rise, static_cast<metal::float2>(second)));
-    metal::float4 rises = metal::float4(rise.x, -(rise.x), rise.y, -(rise.y));
-    metal::float4 weights = neighbor_weights(plane, objects, depths, rises, metal::length(static_cast<metal::float2>(first)));
+    metal::float2 rise = metal::float2(metal::dot(plane.rise, static_cast<metal::float2>(first)),
+        metal::dot(plane.rise, static_cast<metal::float2>(second)));
+    metal::float4 rises = metal::float4(rise.x, -rise.x, rise.y, -rise.y);
+    metal::float4 weights = neighbor_weights(plane, objects, depths, rises,
+        metal::length(static_cast<metal::float2>(first)));
     metal::float2 share = metal::min(weights.xz, weights.yw);
-    return (((share.x * (a.normal + b.normal)) + (((1.0 - share.x) * 2.0) * normal)) + (share.y * (c.normal + d.normal))) + (((1.0 - share.y) * 2.0) * normal);
+    return share.x * (a.normal + b.normal) + (1.0 - share.x) * 2.0 * normal + share.y
+        * (c.normal + d.normal) + (1.0 - share.y) * 2.0 * normal;
 }
 
 int naga_neg(int val) {
@@ -372,21 +409,27 @@ metal::float4 smoothed_at(
         return metal::float4(0.0);
     }
     Plane plane = plane_of(center.object, center.depth, center.normal, curvature);
-    int reach = as_type<int>(as_type<uint>(1 << static_cast<uint>(level)) * as_type<uint>(step_pixels(curvature)));
-    metal::float3 straight = pairs_of(center.normal, plane, at, metal::int2(reach, 0), metal::int2(0, reach), level, surface, normals);
-    metal::float3 slanted = pairs_of(center.normal, plane, at, metal::int2(reach), metal::int2(reach, naga_neg(reach)), level, surface, normals);
-    metal::float3 sum = ((4.0 * center.normal) + (2.0 * straight)) + slanted;
+    int reach = as_type<int>(as_type<uint>(1 << static_cast<uint>(level))
+        * as_type<uint>(step_pixels(curvature)));
+    metal::float3 straight = pairs_of(center.normal, plane, at, metal::int2(reach, 0),
+        metal::int2(0, reach), level, surface, normals);
+    metal::float3 slanted = pairs_of(center.normal, plane, at, metal::int2(reach),
+        metal::int2(reach, naga_neg(reach)), level, surface, normals);
+    metal::float3 sum = 4.0 * center.normal + 2.0 * straight + slanted;
     float size = metal::length(sum);
-    metal::float3 normal = (size > 0.000001) ? (sum / metal::float3(metal::max(size, 0.000001))) : center.normal;
+    metal::float3 normal = size > 0.000001 ? sum
+        / metal::float3(metal::max(size, 0.000001)) : center.normal;
     // A pixel that has its neighbor's normal shows no object itself.
     return metal::float4(normal, metal::all(at == pixel) ? center.object : 0.0);
 }
 
 struct vs_mainInput {
 };
+
 struct vs_mainOutput {
     metal::float4 member [[position]];
 };
+
 vertex vs_mainOutput vs_main(
   uint index [[vertex_id]]
 ) {
@@ -400,9 +443,11 @@ metal::int2 naga_f2i32(metal::float2 value) {
 
 struct fs_mainInput {
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   metal::float4 position [[position]]
 , metal::texture2d<float, metal::access::sample> surface [[texture(0)]]

@@ -116,9 +116,12 @@ struct Varyings {
 };
 
 static const uint NOISE_PERLIN = 1u;
-static const ProfileShape lit_side_shape = {0.9950042, 0.099833414, 1.1883951, 1.7298278, 0.2, 1.0107075, 0.4419037, 0u};
-static const ProfileShape band_shape = {0.9998875, 0.014999437, 9.541332, 4.980432, 0.03, 0.07759806, 0.03648918, 0u};
-static const ProfileShape second_band_shape = {1.0, 0.0, 6.6917324, 12.899528, 0.0, 0.07171497, 0.035865854, 0u};
+static const ProfileShape lit_side_shape = {0.9950042, 0.099833414, 1.1883951, 1.7298278, 0.2,
+    1.0107075, 0.4419037, 0u};
+static const ProfileShape band_shape = {0.9998875, 0.014999437, 9.541332, 4.980432, 0.03,
+    0.07759806, 0.03648918, 0u};
+static const ProfileShape second_band_shape = {1.0, 0.0, 6.6917324, 12.899528, 0.0, 0.07171497,
+    0.035865854, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -143,7 +146,7 @@ struct FragmentInput_fs_main {
 /// never happens.
 bool is_finite(float x)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
+    return (asuint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -152,16 +155,16 @@ bool is_finite(float x)
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) & (largest < 1e30)))) {
+    if (!((largest > 1e-30) & (largest < 1e30))) {
         return otherwise;
     }
-    float3 scaled = (v * (1.0 / largest));
+    float3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -169,23 +172,25 @@ float3 normalize_or(float3 v, float3 otherwise)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9
 /// beside rounding), exact at 0.
 float2 sin_cos_quick(float x)
 {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 2.6347564e-6)))))))));
-    float c = (1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (2.477458e-5 - (y * 2.6297516e-7))))))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 2.6347564e-6))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (2.477458e-5 - y * 2.6297516e-7))));
     return float2(s, c);
 }
 
@@ -196,7 +201,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -210,24 +215,22 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    float2 upper = ((c <= 0.0) ? float2(1.0, 0.0) : float2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    float2 upper = c <= 0.0 ? float2(1.0, 0.0) : float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    float2 turned = (((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
-    return angle_2;
+    float2 turned = ((s <= 0.0) & (s < c)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned_2(Angle u, float2 t)
 {
-    float s = (u.half_sin - 0.0);
-    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
-    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
-    return angle_3;
+    float s = u.half_sin - 0.0;
+    float2 upper = u.half_cos <= 0.0 ? float2(1.0, 0.0) : float2(s, u.half_cos);
+    float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -237,15 +240,15 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high)
 {
-    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
@@ -260,9 +263,9 @@ float footprint_of_vec3(float3 v)
 /// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).
 float3 any_orthogonal(float3 n)
 {
-    float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (sign_ + n.z));
-    return float3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
+    float sign_ = n.z >= 0.0 ? 1.0 : -1.0;
+    float a = -1.0 / (sign_ + n.z);
+    return float3(1.0 + sign_ * n.x * n.x * a, sign_ * n.x * n.y * a, -sign_ * n.x);
 }
 
 DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
@@ -278,17 +281,17 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 /// without one is +z.
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    float3 y = (y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30)));
-    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, y, float2(dot(direction, x_axis), dot(direction, y)));
-    return directionparts;
+    float3 y = y_axis * rsqrt(max(dot(y_axis, y_axis), 1e-30));
+    return ConstructDirectionParts(direction, x_axis, y,
+        float2(dot(direction, x_axis), dot(direction, y)));
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 float3 direction_moved(DirectionParts parts, float2 by)
 {
-    float3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
+    float3 moved = parts.direction + by.x * parts.x_axis + by.y * parts.y_axis;
     const float3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? normalize_moderate_value : parts.direction);
+    return dot(moved, moved) > 1e-6 ? normalize_moderate_value : parts.direction;
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -297,9 +300,10 @@ float3x3 axes_around(float3 toward, float3 up)
 {
     float3 leaning = cross(up, toward);
     float square = dot(leaning, leaning);
-    float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square > 1e-8) ? leaning : cross(aside, toward));
-    const float3 x = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    float3 aside = abs(toward.x) > 0.7 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0);
+    float3 across = square > 1e-8 ? leaning : cross(aside, toward);
+    const float3 x = normalize_moderate(across - dot(across, toward) * toward,
+        float3(1.0, 0.0, 0.0));
     return float3x3(x, cross(toward, x), toward);
 }
 
@@ -318,8 +322,7 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
 AxesAround axes(float3 direction, float3 up)
 {
     const float3x3 axes_2 = axes_around(direction, up);
-    const AxesAround axesaround = ConstructAxesAround(axes_2[0], axes_2[1]);
-    return axesaround;
+    return ConstructAxesAround(axes_2[0], axes_2[1]);
 }
 
 /// Half-vector
@@ -329,9 +332,9 @@ AxesAround axes(float3 direction, float3 up)
 /// takes another shape.
 float3 half_vector(Light light, float3 view)
 {
-    float3 half_ = (light.direction + view);
+    float3 half_ = light.direction + view;
     const float3 any_orthogonal_value = any_orthogonal(view);
-    return normalize_or(((dot(half_, half_) > 1e-12) ? half_ : any_orthogonal_value), view);
+    return normalize_or(dot(half_, half_) > 1e-12 ? half_ : any_orthogonal_value, view);
 }
 
 /// Stretch direction
@@ -341,70 +344,73 @@ float3 half_vector(Light light, float3 view)
 float3 stretch_direction(float3 direction, float3 x_axis, float3 y_axis, float x, float y)
 {
     const DirectionParts bent = direction_within(direction, x_axis, y_axis);
-    return direction_moved(bent, (-(float2(x, y)) * bent.place));
+    return direction_moved(bent, -float2(x, y) * bent.place);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
+    return float4(below.xyz + tone * (color.xyz - below.xyz), 1.0);
 }
 
 float4 blend_alpha_2(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
@@ -415,7 +421,7 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape)
 
 float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
 {
-    const Angle warped = angle_turned(angle, sin_cos_quick((0.5 * shift)));
+    const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
@@ -425,21 +431,21 @@ uint3 hash_pcg3d(uint3 seed)
 {
     uint3 v = (uint3)0;
 
-    v = ((seed * 1664525u) + (1013904223u).xxx);
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + (1013904223u).xxx;
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> (16u).xxx));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
 /// The hash of a lattice point.
 uint3 lattice_hash(int3 cell, uint seed)
 {
-    return hash_pcg3d((asuint(cell) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
+    return hash_pcg3d(asuint(cell) + seed * uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 uint naga_mod(uint lhs, uint rhs) {
@@ -451,15 +457,15 @@ uint naga_mod(uint lhs, uint rhs) {
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
-    float a = ((axis == 0u) ? d.y : d.x);
-    float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 float3 fade_quintic(float3 t)
 {
-    return (((t * t) * t) * ((t * ((t * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    return t * t * t * (t * (t * 6.0 - (15.0).xxx) + (10.0).xxx);
 }
 
 int3 naga_f2i32(float3 value) {
@@ -473,7 +479,7 @@ float perlin_noise(float3 p, uint seed)
     int i = int(0);
 
     float3 corner = floor(p);
-    float3 d = (p - corner);
+    float3 d = p - corner;
     const float3 f = fade_quintic(d);
     int3 cell = naga_f2i32(corner);
     bool loop_init = true;
@@ -482,19 +488,20 @@ float perlin_noise(float3 p, uint seed)
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if ((i < int(8))) {
+        if (i < int(8)) {
         } else {
             break;
         }
         {
             int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
-            float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
-            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)), seed), (d - float3(at)));
-            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot_value));
+            float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
+                + asuint(at)), seed), d - float3(at));
+            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -515,50 +522,64 @@ float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed,
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if (!((i < int(2)))) {
+        if (!(i < int(2))) {
             break;
         }
-        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
-        if ((visible > 0.0)) {
-            float3 place = clamp(((p * frequency) + (float(i) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-            octave = lerp(0.5, perlin_noise(place, (0u + uint(i))), visible);
+        if (visible > 0.0) {
+            float3 place = clamp(p * frequency + float(i) * float3(17.31, 5.17, 11.73),
+                (-4194304.0).xxx, (4194304.0).xxx);
+            octave = lerp(0.5, perlin_noise(place, 0u + uint(i)), visible);
         }
-        sum = (sum + (strength * octave));
-        total = (total + strength);
-        strength = (strength * roughness);
-        frequency = (frequency * 2.0);
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    return min((sum / 1.5), 1.0);
+    return min(sum / 1.5, 1.0);
 }
 
 float noise_perlin(float3 position, float scale, int octaves, float roughness, int seed)
 {
-    float3 p = (position * scale);
+    float3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    Angle turned_from_the_key = ConstructAngle((0.5 * length((surface.normal - look.key.direction))), (0.5 * length((surface.normal + look.key.direction))));
+    // Parametrization
+    Angle turned_from_the_key = ConstructAngle(0.5 * length(surface.normal - look.key.direction),
+        0.5 * length(surface.normal + look.key.direction));
     const float lit_side = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
-    const float4 body = blend_alpha(float4(0.2275, 0.102, 0.2431, 1.0), float4(0.4824, 0.1843, 0.3882, 1.0), lit_side, 1.0, true);
+    const float4 body = blend_alpha(float4(0.2275, 0.102, 0.2431, 1.0),
+        float4(0.4824, 0.1843, 0.3882, 1.0), lit_side, 1.0, true);
     float3 normal = surface.normal;
     const float3 half_ = half_vector(look.key, surface.view);
     const AxesAround upright = axes(half_, float3(0.0, 1.0, 0.0));
-    const float3 band_without_end = stretch_direction(normal, upright.x_axis, upright.y_axis, 0.985, 0.0);
-    Angle from_the_band = ConstructAngle((0.5 * length((band_without_end - half_))), (0.5 * length((band_without_end + half_))));
+    const float3 band_without_end = stretch_direction(normal, upright.x_axis, upright.y_axis, 0.985,
+        0.0);
+    // Angle between directions
+    Angle from_the_band = ConstructAngle(0.5 * length(band_without_end - half_), 0.5
+        * length(band_without_end + half_));
     const float strands = noise_perlin(surface.position_object, 14.0, int(2), 0.5, int(0));
-    float waver = lerp(-0.05, 0.05, (strands - 0.0));
+    float waver = lerp(-0.05, 0.05, strands - 0.0);
     const float band = profile_balanced_2(from_the_band, waver, band_shape);
-    const float4 band_on_top = blend_alpha_2(body, float4(0.9529, 0.6627, 0.7059, 1.0), band, 0.95, true);
+    const float4 band_on_top = blend_alpha_2(body, float4(0.9529, 0.6627, 0.7059, 1.0), band, 0.95,
+        true);
     const float3 low_half = half_vector(look.low, surface.view);
     const AxesAround upright_2 = axes(low_half, float3(0.0, 1.0, 0.0));
-    const float3 second_band = stretch_direction(normal, upright_2.x_axis, upright_2.y_axis, 0.985, 0.0);
-    Angle from_the_second = ConstructAngle((0.5 * length((second_band - low_half))), (0.5 * length((second_band + low_half))));
+    const float3 second_band = stretch_direction(normal, upright_2.x_axis, upright_2.y_axis, 0.985,
+        0.0);
+    // Angle between directions
+    Angle from_the_second = ConstructAngle(0.5 * length(second_band - low_half), 0.5
+        * length(second_band + low_half));
     const float second_band_2 = profile_balanced_2(from_the_second, waver, second_band_shape);
-    float4 second_band_on_top = clamp(float4((band_on_top.xyz + (0.8 * ((band_on_top.xyz + (second_band_2 * float3(0.3529, 0.2471, 0.549))) - band_on_top.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    // Blend
+    float4 second_band_on_top = clamp(float4(band_on_top.xyz + 0.8
+        * (band_on_top.xyz + second_band_2 * float3(0.3529, 0.2471, 0.549) - band_on_top.xyz), 1.0),
+        (0.0).xxxx, (1.0).xxxx);
     return second_band_on_top;
 }
 
@@ -574,8 +595,10 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        vertex.position, mul(vertex.normal, object.world_from_normal));
+    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
+        varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
@@ -589,10 +612,12 @@ Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_1 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2,
+        fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), in_.position_object);
+    float3 normal = is_front ? facing : -facing;
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        in_.position_object);
     return shade(surface);
 }

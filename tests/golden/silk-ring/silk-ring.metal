@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,17 +36,20 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light low;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
     metal::float3 position_object;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -55,6 +60,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// A direction with the two axes along which it is bent.
 struct DirectionParts {
     /// Unit.
@@ -65,12 +71,14 @@ struct DirectionParts {
     metal::float2 place;
     char _pad4[8];
 };
+
 struct AxesAround {
     /// Unit, to the right as seen against the direction.
     metal::float3 x_axis;
     /// Unit, upright.
     metal::float3 y_axis;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -89,20 +97,26 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 position_object;
     metal::float3 normal;
 };
+
 constant uint NOISE_PERLIN = 1u;
-constant ProfileShape lit_side_shape = ProfileShape {0.9950042, 0.099833414, 1.1883951, 1.7298278, 0.2, 1.0107075, 0.4419037, 0u};
-constant ProfileShape band_shape = ProfileShape {0.9998875, 0.014999437, 9.541332, 4.980432, 0.03, 0.07759806, 0.03648918, 0u};
-constant ProfileShape second_band_shape = ProfileShape {1.0, 0.0, 6.6917324, 12.899528, 0.0, 0.07171497, 0.035865854, 0u};
+constant ProfileShape lit_side_shape = ProfileShape {0.9950042, 0.099833414, 1.1883951, 1.7298278,
+    0.2, 1.0107075, 0.4419037, 0u};
+constant ProfileShape band_shape = ProfileShape {0.9998875, 0.014999437, 9.541332, 4.980432, 0.03,
+    0.07759806, 0.03648918, 0u};
+constant ProfileShape second_band_shape = ProfileShape {1.0, 0.0, 6.6917324, 12.899528, 0.0,
+    0.07171497, 0.035865854, 0u};
 
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
@@ -120,13 +134,14 @@ metal::float3 normalize_or(
     metal::float3 otherwise
 ) {
     float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
-    if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
+    if (!((largest > 0.000000000000000000000000000001)
+        & (largest < 1000000000000000000000000000000.0))) {
         return otherwise;
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
@@ -139,7 +154,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -156,8 +172,10 @@ metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
-    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 0.0000026347564))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (0.00002477458 - y * 0.00000026297516))));
     return metal::float2(s, c);
 }
 
@@ -178,9 +196,9 @@ Angle angle_turned(
     Angle u,
     metal::float2 t
 ) {
-    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
-    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
@@ -193,7 +211,8 @@ Angle angle_turned_2(
     metal::float2 t
 ) {
     float s = u.half_sin - 0.0;
-    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 upper = u.half_cos
+        <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
     metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
@@ -206,7 +225,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -217,7 +236,7 @@ float eased(
     float high
 ) {
     float t = metal::clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
@@ -234,9 +253,9 @@ float footprint_of_vec3(
 metal::float3 any_orthogonal(
     metal::float3 n
 ) {
-    float sign = (n.z >= 0.0) ? 1.0 : -1.0;
+    float sign = n.z >= 0.0 ? 1.0 : -1.0;
     float a = -1.0 / (sign + n.z);
-    return metal::float3(1.0 + (((sign * n.x) * n.x) * a), ((sign * n.x) * n.y) * a, -(sign) * n.x);
+    return metal::float3(1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x);
 }
 
 /// The direction and its axes, made unit; an axis without a direction does nothing, a direction
@@ -246,8 +265,10 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 y = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis), 0.000000000000000000000000000001));
-    return DirectionParts {direction, x_axis, y, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y))};
+    metal::float3 y = y_axis * metal::rsqrt(metal::max(metal::dot(y_axis, y_axis),
+        0.000000000000000000000000000001));
+    return DirectionParts {direction, x_axis, y,
+        metal::float2(metal::dot(direction, x_axis), metal::dot(direction, y))};
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
@@ -255,9 +276,9 @@ metal::float3 direction_moved(
     DirectionParts parts,
     metal::float2 by
 ) {
-    metal::float3 moved = (parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis);
+    metal::float3 moved = parts.direction + by.x * parts.x_axis + by.y * parts.y_axis;
     metal::float3 normalize_moderate_value = normalize_moderate(moved, parts.direction);
-    return (metal::dot(moved, moved) > 0.000001) ? normalize_moderate_value : parts.direction;
+    return metal::dot(moved, moved) > 0.000001 ? normalize_moderate_value : parts.direction;
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -268,9 +289,11 @@ metal::float3x3 axes_around(
 ) {
     metal::float3 leaning = metal::cross(up, toward);
     float square = metal::dot(leaning, leaning);
-    metal::float3 aside = (metal::abs(toward.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square > 0.00000001) ? leaning : metal::cross(aside, toward);
-    metal::float3 x = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
+    metal::float3 aside = metal::abs(toward.x)
+        > 0.7 ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
+    metal::float3 across = square > 0.00000001 ? leaning : metal::cross(aside, toward);
+    metal::float3 x = normalize_moderate(across - metal::dot(across, toward) * toward,
+        metal::float3(1.0, 0.0, 0.0));
     return metal::float3x3(x, metal::cross(toward, x), toward);
 }
 
@@ -298,7 +321,8 @@ metal::float3 half_vector(
 ) {
     metal::float3 half_ = light.direction + view;
     metal::float3 any_orthogonal_value = any_orthogonal(view);
-    return normalize_or((metal::dot(half_, half_) > 0.000000000001) ? half_ : any_orthogonal_value, view);
+    return normalize_or(metal::dot(half_, half_) > 0.000000000001 ? half_ : any_orthogonal_value,
+        view);
 }
 
 /// Stretch direction
@@ -313,7 +337,7 @@ metal::float3 stretch_direction(
     float y
 ) {
     DirectionParts bent = direction_within(direction, x_axis, y_axis);
-    return direction_moved(bent, -(metal::float2(x, y)) * bent.place);
+    return direction_moved(bent, -metal::float2(x, y) * bent.place);
 }
 
 Composite blend_alpha(
@@ -323,7 +347,7 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0);
+    return metal::float4(below.xyz + tone * (color.xyz - below.xyz), 1.0);
 }
 
 Composite blend_alpha_2(
@@ -333,7 +357,9 @@ Composite blend_alpha_2(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -342,7 +368,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -352,10 +378,10 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -365,16 +391,18 @@ float profile_filtered_quick(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -384,20 +412,22 @@ float profile_filtered_quick_2(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -424,14 +454,14 @@ metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
     metal::uint3 v = {};
-    v = (seed * 1664525u) + metal::uint3(1013904223u);
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v = seed * 1664525u + metal::uint3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = v ^ (v >> metal::uint3(16u));
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -440,7 +470,8 @@ metal::uint3 lattice_hash(
     metal::int3 cell,
     uint seed
 ) {
-    return hash_pcg3d(as_type<metal::uint3>(cell) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+    return hash_pcg3d(as_type<metal::uint3>(cell) + seed
+        * metal::uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 uint naga_mod(uint lhs, uint rhs) {
@@ -454,16 +485,16 @@ float gradient_dot(
     metal::float3 d
 ) {
     uint axis = naga_mod(hash.x >> 8u, 3u);
-    float a = (axis == 0u) ? d.y : d.x;
-    float b = (axis == 2u) ? d.y : d.z;
-    return (((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 metal::float3 fade_quintic(
     metal::float3 t
 ) {
-    return ((t * t) * t) * ((t * ((t * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    return t * t * t * (t * (t * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
@@ -494,12 +525,14 @@ float perlin_noise(
         {
             metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
             metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)), seed);
-            sum = sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at)));
+            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
+                seed);
+            sum = sum + weight.x * weight.y * weight.z
+                * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return metal::clamp(0.5 + (0.48244 * sum), 0.0, 1.0);
+    return metal::clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -525,16 +558,18 @@ float fractal_noise(
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 2))) {
+        if (!(i < 2)) {
             break;
         }
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
-            metal::float3 place = metal::clamp((p * frequency) + (static_cast<float>(i) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            metal::float3 place = metal::clamp(p * frequency + static_cast<float>(i)
+                * metal::float3(17.31, 5.17, 11.73), metal::float3(-4194304.0),
+                metal::float3(4194304.0));
             octave = metal::mix(0.5, perlin_noise(place, 0u + static_cast<uint>(i)), visible);
         }
-        sum = sum + (strength * octave);
+        sum = sum + strength * octave;
         total = total + strength;
         strength = strength * roughness;
         frequency = frequency * 2.0;
@@ -558,24 +593,37 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    Angle turned_from_the_key = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
+    // Parametrization
+    Angle turned_from_the_key = Angle {0.5 * metal::length(surface.normal - look.key.direction),
+        0.5 * metal::length(surface.normal + look.key.direction)};
     float lit_side = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
-    Composite body = blend_alpha(metal::float4(0.2275, 0.102, 0.2431, 1.0), metal::float4(0.4824, 0.1843, 0.3882, 1.0), lit_side, 1.0, true);
+    Composite body = blend_alpha(metal::float4(0.2275, 0.102, 0.2431, 1.0),
+        metal::float4(0.4824, 0.1843, 0.3882, 1.0), lit_side, 1.0, true);
     metal::float3 normal = surface.normal;
     metal::float3 half_ = half_vector(look.key, surface.view);
     AxesAround upright = axes(half_, metal::float3(0.0, 1.0, 0.0));
-    metal::float3 band_without_end = stretch_direction(normal, upright.x_axis, upright.y_axis, 0.985, 0.0);
-    Angle from_the_band = Angle {0.5 * metal::length(band_without_end - half_), 0.5 * metal::length(band_without_end + half_)};
+    metal::float3 band_without_end = stretch_direction(normal, upright.x_axis, upright.y_axis,
+        0.985, 0.0);
+    // Angle between directions
+    Angle from_the_band = Angle {0.5 * metal::length(band_without_end - half_), 0.5
+        * metal::length(band_without_end + half_)};
     float strands = noise_perlin(surface.position_object, 14.0, 2, 0.5, 0);
     float waver = metal::mix(-0.05, 0.05, strands - 0.0);
     float band = profile_balanced_2(from_the_band, waver, band_shape);
-    Composite band_on_top = blend_alpha_2(body, metal::float4(0.9529, 0.6627, 0.7059, 1.0), band, 0.95, true);
+    Composite band_on_top = blend_alpha_2(body, metal::float4(0.9529, 0.6627, 0.7059, 1.0), band,
+        0.95, true);
     metal::float3 low_half = half_vector(look.low, surface.view);
     AxesAround upright_2 = axes(low_half, metal::float3(0.0, 1.0, 0.0));
-    metal::float3 second_band = stretch_direction(normal, upright_2.x_axis, upright_2.y_axis, 0.985, 0.0);
-    Angle from_the_second = Angle {0.5 * metal::length(second_band - low_half), 0.5 * metal::length(second_band + low_half)};
+    metal::float3 second_band = stretch_direction(normal, upright_2.x_axis, upright_2.y_axis, 0.985,
+        0.0);
+    // Angle between directions
+    Angle from_the_second = Angle {0.5 * metal::length(second_band - low_half), 0.5
+        * metal::length(second_band + low_half)};
     float second_band_2 = profile_balanced_2(from_the_second, waver, second_band_shape);
-    metal::float4 second_band_on_top = metal::clamp(metal::float4(band_on_top.xyz + (0.8 * ((band_on_top.xyz + (second_band_2 * metal::float3(0.3529, 0.2471, 0.549))) - band_on_top.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    // Blend
+    metal::float4 second_band_on_top = metal::clamp(metal::float4(band_on_top.xyz + 0.8
+        * (band_on_top.xyz + second_band_2 * metal::float3(0.3529, 0.2471, 0.549)
+        - band_on_top.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     return second_band_on_top;
 }
 
@@ -583,12 +631,14 @@ struct vs_mainInput {
     metal::float3 position_1 [[attribute(0)]];
     metal::float3 normal [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal [[user(loc2), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -596,7 +646,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position_1, varyings.normal };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position,
+        object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -606,9 +657,11 @@ struct fs_mainInput {
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal [[user(loc2), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -616,9 +669,11 @@ fragment fs_mainOutput fs_main(
 , constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object, varyings_1.normal };
+    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object,
+        varyings_1.normal };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object};
+    metal::float3 normal = is_front ? facing : -facing;
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object};
     return fs_mainOutput { shade(surface, look) };
 }

@@ -306,7 +306,7 @@ fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -424,6 +424,7 @@ const second_band_shape = ProfileShape(1.0, 0.0, 6.6917324, 12.899528, 0.0, 0.07
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Parametrization
     let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5
         * length(surface.normal + look.key.direction));
     let lit_side = profile_balanced(turned_from_the_key, 0.0, lit_side_shape);
@@ -433,6 +434,7 @@ fn shade(surface: Surface) -> vec4f {
     let half = half_vector(look.key, surface.view);
     let upright = axes(half, vec3f(0.0, 1.0, 0.0));
     let band_without_end = stretch_direction(normal, upright.x_axis, upright.y_axis, 0.985, 0.0);
+    // Angle between directions
     let from_the_band = Angle(0.5 * length(band_without_end - half), 0.5
         * length(band_without_end + half));
     let strands = noise_perlin(surface.position_object, 14.0, 2i, 0.5, 0i);
@@ -442,9 +444,11 @@ fn shade(surface: Surface) -> vec4f {
     let low_half = half_vector(look.low, surface.view);
     let upright_2 = axes(low_half, vec3f(0.0, 1.0, 0.0));
     let second_band = stretch_direction(normal, upright_2.x_axis, upright_2.y_axis, 0.985, 0.0);
+    // Angle between directions
     let from_the_second = Angle(0.5 * length(second_band - low_half), 0.5
         * length(second_band + low_half));
     let second_band_2 = profile_balanced_2(from_the_second, waver, second_band_shape);
+    // Blend
     let second_band_on_top = clamp(vec4f(band_on_top.xyz + 0.8
         * (band_on_top.xyz + second_band_2 * vec4f(0.3529, 0.2471, 0.549, 1.0).xyz
         - band_on_top.xyz), 1.0), vec4f(0.0), vec4f(1.0));

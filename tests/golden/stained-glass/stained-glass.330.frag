@@ -9,6 +9,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -20,11 +21,13 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light room;
     Light sun;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
@@ -32,6 +35,7 @@ struct Surface {
     vec3 position;
     vec3 position_object;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -40,6 +44,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -53,12 +58,14 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 struct LitLayer {
     /// The color under this light.
     vec4 color;
     /// The tone under this light.
     float tone;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -77,6 +84,7 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Cell {
     /// The distance to the nearest border, in cells.
     float border;
@@ -85,6 +93,7 @@ struct Cell {
     /// The distance to the cell's point.
     float distance_;
 };
+
 struct Cells {
     /// The distance to the nearest border, in cells: 0 at it, rarely above 0.3.
     float border;
@@ -93,22 +102,33 @@ struct Cells {
     /// The distance to the cell's middle, in cells.
     float distance_;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 position_object;
     vec3 normal;
 };
+
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
 /// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
 /// cell from their cell's sides.
 const float CELL_REACH = 1.25;
-const Ramp colors_1 = Ramp(vec4[16](vec4(0.0706, 0.1882, 0.4784, 1.0), vec4(0.1216, 0.4784, 0.6902, 1.0), vec4(0.1137, 0.5412, 0.3529, 1.0), vec4(0.9098, 0.6902, 0.1255, 1.0), vec4(0.8471, 0.3255, 0.1098, 1.0), vec4(0.6902, 0.0706, 0.2196, 1.0), vec4(0.3529, 0.102, 0.4784, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.22, 0.4, 0.58), vec4(0.75, 0.9, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 2u);
-const ProfileShape through_the_glass_shape = ProfileShape(0.9950042, 0.099833414, 1.1883951, 1.4967098, 0.2, 1.0679889, 0.45520553, 0u);
-const ProfileShape on_the_glass_shape = ProfileShape(0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u);
-const ProfileShape gleam_tone_shape = ProfileShape(0.99820054, 0.059964005, 11.126125, 3.022525, 0.12, 0.08196669, 0.036355104, 0u);
-const ProfileShape edge_of_the_lead_tone_shape = ProfileShape(0.9887711, 0.14943813, 3.3838634, 2.4220939, 0.3, 0.29531473, 0.1274162, 0u);
+const Ramp colors_1 = Ramp(vec4[16](vec4(0.0706, 0.1882, 0.4784, 1.0),
+    vec4(0.1216, 0.4784, 0.6902, 1.0), vec4(0.1137, 0.5412, 0.3529, 1.0),
+    vec4(0.9098, 0.6902, 0.1255, 1.0), vec4(0.8471, 0.3255, 0.1098, 1.0),
+    vec4(0.6902, 0.0706, 0.2196, 1.0), vec4(0.3529, 0.102, 0.4784, 1.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)),
+    vec4[4](vec4(0.0, 0.22, 0.4, 0.58), vec4(0.75, 0.9, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 2u);
+const ProfileShape through_the_glass_shape = ProfileShape(0.9950042, 0.099833414, 1.1883951,
+    1.4967098, 0.2, 1.0679889, 0.45520553, 0u);
+const ProfileShape on_the_glass_shape = ProfileShape(0.99875027, 0.04997917, 1.2766062, 1.3888036,
+    0.1, 1.0089166, 0.41697913, 0u);
+const ProfileShape gleam_tone_shape = ProfileShape(0.99820054, 0.059964005, 11.126125, 3.022525,
+    0.12, 0.08196669, 0.036355104, 0u);
+const ProfileShape edge_of_the_lead_tone_shape = ProfileShape(0.9887711, 0.14943813, 3.3838634,
+    2.4220939, 0.3, 0.29531473, 0.1274162, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -122,7 +142,7 @@ layout(location = 0) out vec4 out_color;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+    return (floatBitsToUint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -130,23 +150,23 @@ bool is_finite(float x) {
 /// overflow.
 vec3 normalize_or(vec3 v, vec3 otherwise) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) && (largest < 1e30)))) {
+    if (!(largest > 1e-30 && largest < 1e30)) {
         return otherwise;
     }
-    vec3 scaled = (v * (1.0 / largest));
+    vec3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -161,15 +181,15 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = (u.half_sin - 0.0);
-    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
-    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - 0.0;
+    vec2 upper = u.half_cos <= 0.0 ? vec2(1.0, 0.0) : vec2(s, u.half_cos);
+    vec2 turned = (s <= 0.0 && s < u.half_cos) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -179,23 +199,23 @@ float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high) {
-    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// The length of v, also where its square would over- or underflow.
 float length_of(vec3 v) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if ((largest < SMALLEST_NORMAL)) {
+    if (largest < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((largest * length((v / vec3(largest)))));
+    return bounded(largest * length(v / vec3(largest)));
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -222,14 +242,16 @@ float footprint_of_vec3_2(vec3 v) {
 
 /// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 float step_filtered(float x, float edge, float w) {
-    float d = (x - edge);
-    return ((w < 1e-30) ? ((d >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d / w)), 0.0, 1.0));
+    float d = x - edge;
+    return w < 1e-30 ? (d >= 0.0 ? 1.0 : 0.0) : clamp(0.5 + d / w, 0.0, 1.0);
 }
 
 /// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
 /// Transparent black for a ramp without stops.
 vec4 ramp_at(Ramp ramp, float x, float w) {
-    vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+    vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 color = vec4(0.0);
     uint i = 1u;
@@ -239,13 +261,13 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1u);
+            i = i + 1u;
         }
         loop_init = false;
-        if (!((i < 7u))) {
+        if (!(i < 7u)) {
             break;
         }
-        color = (color + ((colors[i] - colors[(i - 1u)]) * step_filtered(x, places[(i / 4u)][(i % 4u)], w)));
+        color = color + (colors[i] - colors[i - 1u]) * step_filtered(x, places[i / 4u][i % 4u], w);
     }
     return color;
 }
@@ -256,22 +278,23 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
 /// degrees, so that silhouettes do not sparkle.
 vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
     float largest = max(length_of(along_x.xyz), length_of(along_y.xyz));
-    if (((largest < 1e-18) || (largest > 1e18))) {
+    if (largest < 1e-18 || largest > 1e18) {
         return normal;
     }
-    vec3 s = (along_x.xyz / vec3(largest));
-    vec3 t = (along_y.xyz / vec3(largest));
-    vec2 rise = clamp((vec2(along_x.w, along_y.w) / vec2(largest)), vec2(-1000000.0), vec2(1000000.0));
+    vec3 s = along_x.xyz / vec3(largest);
+    vec3 t = along_y.xyz / vec3(largest);
+    vec2 rise = clamp(vec2(along_x.w, along_y.w) / vec2(largest), vec2(-1000000.0),
+        vec2(1000000.0));
     vec3 right = cross(t, normal);
     vec3 up = cross(normal, s);
     float area = dot(s, right);
-    if ((abs(area) < 1e-6)) {
+    if (abs(area) < 1e-6) {
         return normal;
     }
-    vec3 slope = (((rise.x * right) + (rise.y * up)) / vec3(area));
+    vec3 slope = (rise.x * right + rise.y * up) / vec3(area);
     float steepness = length(slope);
-    vec3 limited = (slope * (min(steepness, 10.0) / max(steepness, 1e-20)));
-    return normalize_or((normal - limited), normal);
+    vec3 limited = slope * (min(steepness, 10.0) / max(steepness, 1e-20));
+    return normalize_or(normal - limited, normal);
 }
 
 /// Bump map
@@ -279,7 +302,7 @@ vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
 /// Bends the normal as if the surface were raised by a height: from a picture, a noise or anything
 /// else. It needs no texture coordinates.
 vec3 bump_map(float height, float scale, vec3 normal, vec3 position) {
-    float raised = (height * scale);
+    float raised = height * scale;
     vec4 along_x = vec4(dFdx(position), dFdx(raised));
     vec4 along_y = vec4(dFdy(position), dFdy(raised));
     return bumped_normal(along_x, along_y, normal);
@@ -289,18 +312,20 @@ vec3 bump_map(float height, float scale, vec3 normal, vec3 position) {
 ///
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return max(vec4((below.xyz + (opacity * ((below.xyz + color.xyz) - below.xyz))), 1.0), vec4(0.0));
+    return max(vec4(below.xyz + opacity * (below.xyz + color.xyz - below.xyz), 1.0), vec4(0.0));
 }
 
 /// Blend
 ///
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 vec4 blend_add_2(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * color.xyz)) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4(below.xyz + opacity * (below.xyz + tone * color.xyz - below.xyz), 1.0),
+        vec4(0.0), vec4(1.0));
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), vec4(0.0), vec4(1.0));
 }
 
 /// Light on a layer
@@ -309,61 +334,63 @@ vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
-    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
+    vec3 d = 2.0 * dot(normal, view) * normal - view;
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_2(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false || is_narrow)) {
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = w > 0.0 && w >= 3.4641016 * shape.edge_deviation;
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
@@ -380,39 +407,39 @@ float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
 /// upper bits are the best.
 uvec3 hash_pcg3d(uvec3 seed) {
     uvec3 v = uvec3(0u);
-    v = ((seed * 1664525u) + uvec3(1013904223u));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + uvec3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> uvec3(16u)));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
 /// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 vec3 unit_of_hash(uvec3 hash) {
-    return (vec3((hash >> uvec3(8u))) * 5.9604645e-8);
+    return vec3((hash >> uvec3(8u))) * 5.9604645e-8;
 }
 
 /// The hash of a lattice point.
 uvec3 lattice_hash(ivec3 cell, uint seed) {
-    return hash_pcg3d((uvec3(cell) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
+    return hash_pcg3d(uvec3(cell) + seed * uvec3(2654435769u, 2246822507u, 3266489909u));
 }
 
 /// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
 /// 2002).
 float gradient_dot(uvec3 hash, vec3 d) {
-    uint axis = ((hash.x >> 8u) % 3u);
-    float a = ((axis == 0u) ? d.y : d.x);
-    float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    uint axis = (hash.x >> 8u) % 3u;
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 vec3 fade_quintic(vec3 t) {
-    return (((t * t) * t) * ((t * ((t * 6.0) - vec3(15.0))) + vec3(10.0)));
+    return t * t * t * (t * (t * 6.0 - vec3(15.0)) + vec3(10.0));
 }
 
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
@@ -420,27 +447,28 @@ float perlin_noise(vec3 p, uint seed) {
     float sum = 0.0;
     int i = 0;
     vec3 corner = floor(p);
-    vec3 d = (p - corner);
+    vec3 d = p - corner;
     vec3 f = fade_quintic(d);
     ivec3 cell = ivec3(corner);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if ((i < 8)) {
+        if (i < 8) {
         } else {
             break;
         }
         {
             ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
-            vec3 weight = mix((vec3(1.0) - f), f, equal(at, ivec3(1)));
-            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash((cell + at), seed), (d - vec3(at)))));
+            vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
+            sum = sum + weight.x * weight.y * weight.z
+                * gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// The cell around the nearest of one point per lattice cell, each in the middle half of its own.
@@ -455,47 +483,48 @@ Cell nearest_cell(vec3 p, uint seed) {
     float border = 0.0;
     int i_1 = 0;
     vec3 corner = floor(p);
-    vec3 d = (p - corner);
+    vec3 d = p - corner;
     ivec3 cell = ivec3(corner);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if ((i < 27)) {
+        if (i < 27) {
         } else {
             break;
         }
         {
-            ivec3 at = ivec3(((i % 3) - 1), (((i / 3) % 3) - 1), ((i / 9) - 1));
-            uvec3 own = lattice_hash((cell + at), seed);
-            vec3 offset = (((vec3(at) + vec3(0.25)) + (0.5 * unit_of_hash(own))) - d);
-            if ((dot(offset, offset) < dot(nearest, nearest))) {
+            ivec3 at = ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            uvec3 own = lattice_hash(cell + at, seed);
+            vec3 offset = vec3(at) + vec3(0.25) + 0.5 * unit_of_hash(own) - d;
+            if (dot(offset, offset) < dot(nearest, nearest)) {
                 nearest = offset;
                 hash = own;
             }
         }
     }
     float distance_ = length(nearest);
-    border = max((0.5 * (CELL_REACH - distance_)), 0.0);
+    border = max(0.5 * (CELL_REACH - distance_), 0.0);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            i_1 = (i_1 + 1);
+            i_1 = i_1 + 1;
         }
         loop_init_1 = false;
-        if ((i_1 < 27)) {
+        if (i_1 < 27) {
         } else {
             break;
         }
         {
-            ivec3 at_1 = ivec3(((i_1 % 3) - 1), (((i_1 / 3) % 3) - 1), ((i_1 / 9) - 1));
-            vec3 apart = ((((vec3(at_1) + vec3(0.25)) + (0.5 * unit_of_hash(lattice_hash((cell + at_1), seed)))) - d) - nearest);
+            ivec3 at_1 = ivec3(i_1 % 3 - 1, i_1 / 3 % 3 - 1, i_1 / 9 - 1);
+            vec3 apart = vec3(at_1) + vec3(0.25) + 0.5
+                * unit_of_hash(lattice_hash(cell + at_1, seed)) - d - nearest;
             float between = length(apart);
             // Points are half a cell apart at least; a nearer one is the cell's own.
-            if ((between > 0.25)) {
-                border = min(border, (dot((nearest + (0.5 * apart)), apart) / between));
+            if (between > 0.25) {
+                border = min(border, dot(nearest + 0.5 * apart, apart) / between);
             }
         }
     }
@@ -517,24 +546,25 @@ float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, f
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if (!((i < 2))) {
+        if (!(i < 2)) {
             break;
         }
-        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
-        if ((visible > 0.0)) {
-            vec3 place = clamp(((p * frequency) + (float(i) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
-            octave = mix(0.5, perlin_noise(place, (0u + uint(i))), visible);
+        if (visible > 0.0) {
+            vec3 place = clamp(p * frequency + float(i) * vec3(17.31, 5.17, 11.73),
+                vec3(-4194304.0), vec3(4194304.0));
+            octave = mix(0.5, perlin_noise(place, 0u + uint(i)), visible);
         }
-        sum = (sum + (strength * octave));
-        total = (total + strength);
-        strength = (strength * roughness);
-        frequency = (frequency * 2.0);
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    return min((sum / 1.5), 1.0);
+    return min(sum / 1.5, 1.0);
 }
 
 /// Cells
@@ -543,16 +573,16 @@ float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, f
 /// tiles, cracks. A Threshold of the border draws the seams, a Ramp of the number gives every piece
 /// its color.
 Cells cells(vec3 position, float scale, int seed) {
-    vec3 p = clamp((position * scale), vec3(-4194304.0), vec3(4194304.0));
+    vec3 p = clamp(position * scale, vec3(-4194304.0), vec3(4194304.0));
     Cell cell = nearest_cell(p, 4u);
-    float visible = (1.0 - smoothstep(0.5, 1.0, footprint_of_vec3_2(p)));
+    float visible = 1.0 - smoothstep(0.5, 1.0, footprint_of_vec3_2(p));
     vec3 average = vec3(0.1301, 0.5, 0.491);
     vec3 seen = mix(average, vec3(cell.border, cell.random, cell.distance_), visible);
     return Cells(seen.x, seen.y, seen.z);
 }
 
 float noise_perlin(vec3 position, float scale, int octaves, float roughness, int seed) {
-    vec3 p = (position * scale);
+    vec3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
@@ -563,23 +593,39 @@ vec4 shade(Surface surface) {
     vec4 glass_in_shade = blend_add(vec4(0.0275, 0.0235, 0.0471, 1.0), colors_2, 1.0, 0.3, true);
     float wavering_glass = noise_perlin(surface.position_object, 5.0, 2, 0.5, 0);
     vec3 glass = bump_map(wavering_glass, 0.03, surface.normal, surface.position);
-    Angle sun_turn = Angle((0.5 * length((glass - u_look.sun.direction))), (0.5 * length((glass + u_look.sun.direction))));
+    // Parametrization
+    Angle sun_turn = Angle(0.5 * length(glass - u_look.sun.direction), 0.5
+        * length(glass + u_look.sun.direction));
     float through_the_glass = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
     vec4 light_through_it = blend_add_2(glass_in_shade, colors_2, through_the_glass, 0.95, true);
-    Angle room_turn = Angle((0.5 * length((glass - u_look.room.direction))), (0.5 * length((glass + u_look.room.direction))));
+    // Parametrization
+    Angle room_turn = Angle(0.5 * length(glass - u_look.room.direction), 0.5
+        * length(glass + u_look.room.direction));
     float on_the_glass = profile_balanced(room_turn, 0.0, on_the_glass_shape);
     vec4 light_on_it = blend_add_2(light_through_it, colors_2, on_the_glass, 0.45, true);
+    // Threshold
     float seam = step_filtered(panes.border, 0.035, length(vec2(footprint_of(panes.border), 0.0)));
-    float leading = (1.0 - seam);
-    vec4 leading_2 = clamp(vec4((light_on_it.xyz + (leading * (vec3(0.0824, 0.0863, 0.102) - light_on_it.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float leading = 1.0 - seam;
+    // Blend
+    vec4 leading_2 = clamp(vec4(light_on_it.xyz + leading
+        * (vec3(0.0824, 0.0863, 0.102) - light_on_it.xyz), 1.0), vec4(0.0), vec4(1.0));
+
+    // Gleam (Light layer)
     Angle gleam_angle = parametrization_specular_balanced(u_look.room, glass, surface.view);
     float gleam_tone = profile_balanced_2(gleam_angle, 0.0, gleam_tone_shape);
     LitLayer gleam_lit = light_apply(u_look.room, vec4(1.0, 0.9647, 0.8941, 1.0), gleam_tone);
     vec4 gleam_blend = blend_alpha(leading_2, gleam_lit.color, gleam_lit.tone, 0.7, true);
-    Angle edge_of_the_lead_angle = parametrization_specular_balanced(u_look.room, surface.normal, surface.view);
-    float edge_of_the_lead_tone = profile_balanced_2(edge_of_the_lead_angle, 0.0, edge_of_the_lead_tone_shape);
-    LitLayer edge_of_the_lead_lit = light_apply(u_look.room, vec4(0.1725, 0.1843, 0.2196, 1.0), edge_of_the_lead_tone);
-    vec4 edge_of_the_lead_blend = blend_add_2(gleam_blend, edge_of_the_lead_lit.color, edge_of_the_lead_lit.tone, 0.35, true);
+
+    // Edge of the lead (Light layer)
+    Angle edge_of_the_lead_angle = parametrization_specular_balanced(u_look.room, surface.normal,
+        surface.view);
+    float edge_of_the_lead_tone = profile_balanced_2(edge_of_the_lead_angle, 0.0,
+        edge_of_the_lead_tone_shape);
+    LitLayer edge_of_the_lead_lit = light_apply(u_look.room, vec4(0.1725, 0.1843, 0.2196, 1.0),
+        edge_of_the_lead_tone);
+    vec4 edge_of_the_lead_blend = blend_add_2(gleam_blend, edge_of_the_lead_lit.color,
+        edge_of_the_lead_lit.tone, 0.35, true);
+
     return edge_of_the_lead_blend;
 }
 
@@ -587,9 +633,8 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), in_.position, in_.position_object);
+    vec3 normal = is_front ? facing : -facing;
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position),
+        in_.position, in_.position_object);
     out_color = shade(surface);
-    return;
 }
-

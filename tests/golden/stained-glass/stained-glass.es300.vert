@@ -13,12 +13,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -32,6 +34,7 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -50,26 +53,38 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 position_object;
     vec3 normal;
 };
+
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
 /// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
 /// cell from their cell's sides.
 const float CELL_REACH = 1.25;
-const Ramp colors = Ramp(vec4[16](vec4(0.0706, 0.1882, 0.4784, 1.0), vec4(0.1216, 0.4784, 0.6902, 1.0), vec4(0.1137, 0.5412, 0.3529, 1.0), vec4(0.9098, 0.6902, 0.1255, 1.0), vec4(0.8471, 0.3255, 0.1098, 1.0), vec4(0.6902, 0.0706, 0.2196, 1.0), vec4(0.3529, 0.102, 0.4784, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.22, 0.4, 0.58), vec4(0.75, 0.9, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 2u);
-const ProfileShape through_the_glass_shape = ProfileShape(0.9950042, 0.099833414, 1.1883951, 1.4967098, 0.2, 1.0679889, 0.45520553, 0u);
-const ProfileShape on_the_glass_shape = ProfileShape(0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u);
-const ProfileShape gleam_tone_shape = ProfileShape(0.99820054, 0.059964005, 11.126125, 3.022525, 0.12, 0.08196669, 0.036355104, 0u);
-const ProfileShape edge_of_the_lead_tone_shape = ProfileShape(0.9887711, 0.14943813, 3.3838634, 2.4220939, 0.3, 0.29531473, 0.1274162, 0u);
+const Ramp colors = Ramp(vec4[16](vec4(0.0706, 0.1882, 0.4784, 1.0),
+    vec4(0.1216, 0.4784, 0.6902, 1.0), vec4(0.1137, 0.5412, 0.3529, 1.0),
+    vec4(0.9098, 0.6902, 0.1255, 1.0), vec4(0.8471, 0.3255, 0.1098, 1.0),
+    vec4(0.6902, 0.0706, 0.2196, 1.0), vec4(0.3529, 0.102, 0.4784, 1.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)),
+    vec4[4](vec4(0.0, 0.22, 0.4, 0.58), vec4(0.75, 0.9, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 2u);
+const ProfileShape through_the_glass_shape = ProfileShape(0.9950042, 0.099833414, 1.1883951,
+    1.4967098, 0.2, 1.0679889, 0.45520553, 0u);
+const ProfileShape on_the_glass_shape = ProfileShape(0.99875027, 0.04997917, 1.2766062, 1.3888036,
+    0.1, 1.0089166, 0.41697913, 0u);
+const ProfileShape gleam_tone_shape = ProfileShape(0.99820054, 0.059964005, 11.126125, 3.022525,
+    0.12, 0.08196669, 0.036355104, 0u);
+const ProfileShape edge_of_the_lead_tone_shape = ProfileShape(0.9887711, 0.14943813, 3.3838634,
+    2.4220939, 0.3, 0.29531473, 0.1274162, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -83,12 +98,11 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, vertex.position, (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_position = _tmp_return.position;
-    v_position_object = _tmp_return.position_object;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, world.xyz, vertex.position,
+        u_object.world_from_normal * vertex.normal);
+    gl_Position = varyings.clip;
+    v_position = varyings.position;
+    v_position_object = varyings.position_object;
+    v_normal = varyings.normal;
 }
-

@@ -142,11 +142,20 @@ static const uint NOISE_PERLIN = 1u;
 /// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
 /// cell from their cell's sides.
 static const float CELL_REACH = 1.25;
-static const Ramp colors_1 = {{float4(0.0706, 0.1882, 0.4784, 1.0), float4(0.1216, 0.4784, 0.6902, 1.0), float4(0.1137, 0.5412, 0.3529, 1.0), float4(0.9098, 0.6902, 0.1255, 1.0), float4(0.8471, 0.3255, 0.1098, 1.0), float4(0.6902, 0.0706, 0.2196, 1.0), float4(0.3529, 0.102, 0.4784, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.22, 0.4, 0.58), float4(0.75, 0.9, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx}, 7u, 2u};
-static const ProfileShape through_the_glass_shape = {0.9950042, 0.099833414, 1.1883951, 1.4967098, 0.2, 1.0679889, 0.45520553, 0u};
-static const ProfileShape on_the_glass_shape = {0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u};
-static const ProfileShape gleam_tone_shape = {0.99820054, 0.059964005, 11.126125, 3.022525, 0.12, 0.08196669, 0.036355104, 0u};
-static const ProfileShape edge_of_the_lead_tone_shape = {0.9887711, 0.14943813, 3.3838634, 2.4220939, 0.3, 0.29531473, 0.1274162, 0u};
+static const Ramp colors_1 = {{float4(0.0706, 0.1882, 0.4784, 1.0),
+    float4(0.1216, 0.4784, 0.6902, 1.0), float4(0.1137, 0.5412, 0.3529, 1.0),
+    float4(0.9098, 0.6902, 0.1255, 1.0), float4(0.8471, 0.3255, 0.1098, 1.0),
+    float4(0.6902, 0.0706, 0.2196, 1.0), float4(0.3529, 0.102, 0.4784, 1.0), (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx},
+    {float4(0.0, 0.22, 0.4, 0.58), float4(0.75, 0.9, 1.0, 0.0), (0.0).xxxx, (0.0).xxxx}, 7u, 2u};
+static const ProfileShape through_the_glass_shape = {0.9950042, 0.099833414, 1.1883951, 1.4967098,
+    0.2, 1.0679889, 0.45520553, 0u};
+static const ProfileShape on_the_glass_shape = {0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1,
+    1.0089166, 0.41697913, 0u};
+static const ProfileShape gleam_tone_shape = {0.99820054, 0.059964005, 11.126125, 3.022525, 0.12,
+    0.08196669, 0.036355104, 0u};
+static const ProfileShape edge_of_the_lead_tone_shape = {0.9887711, 0.14943813, 3.3838634,
+    2.4220939, 0.3, 0.29531473, 0.1274162, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -171,7 +180,7 @@ struct FragmentInput_fs_main {
 /// never happens.
 bool is_finite(float x)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
+    return (asuint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -180,16 +189,16 @@ bool is_finite(float x)
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) & (largest < 1e30)))) {
+    if (!((largest > 1e-30) & (largest < 1e30))) {
         return otherwise;
     }
-    float3 scaled = (v * (1.0 / largest));
+    float3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -197,7 +206,7 @@ float3 normalize_or(float3 v, float3 otherwise)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -214,7 +223,7 @@ float angle_footprint(Angle u)
     float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
@@ -228,11 +237,10 @@ Angle ConstructAngle(float arg0, float arg1) {
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, float2 t)
 {
-    float s = (u.half_sin - 0.0);
-    float2 upper = ((u.half_cos <= 0.0) ? float2(1.0, 0.0) : float2(s, u.half_cos));
-    float2 turned = (((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper);
-    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
-    return angle_2;
+    float s = u.half_sin - 0.0;
+    float2 upper = u.half_cos <= 0.0 ? float2(1.0, 0.0) : float2(s, u.half_cos);
+    float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? float2(0.0, 1.0) : upper;
+    return ConstructAngle(turned.x, turned.y);
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -242,25 +250,25 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high)
 {
-    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// The length of v, also where its square would over- or underflow.
 float length_of(float3 v)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if ((largest < SMALLEST_NORMAL)) {
+    if (largest < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((largest * length((v / (largest).xxx))));
+    return bounded(largest * length(v / (largest).xxx));
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -291,8 +299,8 @@ float footprint_of_vec3_2(float3 v)
 /// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 float step_filtered(float x, float edge, float w)
 {
-    float d = (x - edge);
-    return ((w < 1e-30) ? ((d >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d / w)), 0.0, 1.0));
+    float d = x - edge;
+    return w < 1e-30 ? (d >= 0.0 ? 1.0 : 0.0) : clamp(0.5 + d / w, 0.0, 1.0);
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -307,7 +315,9 @@ uint naga_mod(uint lhs, uint rhs) {
 /// Transparent black for a ramp without stops.
 float4 ramp_at(Ramp ramp, float x, float w)
 {
-    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     float4 color = (float4)0;
     uint i = 1u;
@@ -318,14 +328,16 @@ float4 ramp_at(Ramp ramp, float x, float w)
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1u);
+            i = i + 1u;
         }
         loop_init = false;
-        if (!((i < 7u))) {
+        if (!(i < 7u)) {
             break;
         }
-        const float step_filtered_value = step_filtered(x, places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)], w);
-        color = (color + ((colors[min(uint(i), 15u)] - colors[min(uint((i - 1u)), 15u)]) * step_filtered_value));
+        const float step_filtered_value = step_filtered(x,
+            places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)], w);
+        color = color + (colors[min(uint(i), 15u)] - colors[min(uint(i - 1u), 15u)])
+            * step_filtered_value;
     }
     return color;
 }
@@ -340,19 +352,20 @@ float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
     if (((largest < 1e-18) | (largest > 1e18))) {
         return normal;
     }
-    float3 s = (along_x.xyz / (largest).xxx);
-    float3 t = (along_y.xyz / (largest).xxx);
-    float2 rise = clamp((float2(along_x.w, along_y.w) / (largest).xx), (-1000000.0).xx, (1000000.0).xx);
+    float3 s = along_x.xyz / (largest).xxx;
+    float3 t = along_y.xyz / (largest).xxx;
+    float2 rise = clamp(float2(along_x.w, along_y.w) / (largest).xx, (-1000000.0).xx,
+        (1000000.0).xx);
     float3 right = cross(t, normal);
     float3 up = cross(normal, s);
     float area = dot(s, right);
-    if ((abs(area) < 1e-6)) {
+    if (abs(area) < 1e-6) {
         return normal;
     }
-    float3 slope = (((rise.x * right) + (rise.y * up)) / (area).xxx);
+    float3 slope = (rise.x * right + rise.y * up) / (area).xxx;
     float steepness = length(slope);
-    float3 limited = (slope * (min(steepness, 10.0) / max(steepness, 1e-20)));
-    return normalize_or((normal - limited), normal);
+    float3 limited = slope * (min(steepness, 10.0) / max(steepness, 1e-20));
+    return normalize_or(normal - limited, normal);
 }
 
 /// Bump map
@@ -361,7 +374,7 @@ float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
 /// else. It needs no texture coordinates.
 float3 bump_map(float height, float scale, float3 normal, float3 position)
 {
-    float raised = (height * scale);
+    float raised = height * scale;
     float4 along_x = float4(ddx(position), ddx(raised));
     float4 along_y = float4(ddy(position), ddy(raised));
     return bumped_normal(along_x, along_y, normal);
@@ -372,7 +385,7 @@ float3 bump_map(float height, float scale, float3 normal, float3 position)
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return max(float4((below.xyz + (opacity * ((below.xyz + color.xyz) - below.xyz))), 1.0), (0.0).xxxx);
+    return max(float4(below.xyz + opacity * (below.xyz + color.xyz - below.xyz), 1.0), (0.0).xxxx);
 }
 
 /// Blend
@@ -380,12 +393,14 @@ float4 blend_add(float4 below, float4 color, float tone, float opacity, bool cla
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 float4 blend_add_2(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * color.xyz)) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + opacity * (below.xyz + tone * color.xyz - below.xyz), 1.0),
+        (0.0).xxxx, (1.0).xxxx);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -402,68 +417,68 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
 LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
-    return litlayer;
+    return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
 {
-    float3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    const Angle angle_3 = ConstructAngle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
-    return angle_3;
+    float3 d = 2.0 * dot(normal, view) * normal - view;
+    return ConstructAngle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape)
 {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape)
 {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
-    float2 place = float2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) & (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false | is_narrow)) {
+    float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point_;
     }
-    float r = (0.19364917 * w);
-    float2 turn = float2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    const float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    const float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point_)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    float2 turn = float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    const float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    const float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point_ + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape)
@@ -484,27 +499,27 @@ uint3 hash_pcg3d(uint3 seed)
 {
     uint3 v = (uint3)0;
 
-    v = ((seed * 1664525u) + (1013904223u).xxx);
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + (1013904223u).xxx;
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> (16u).xxx));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
 /// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 float3 unit_of_hash(uint3 hash)
 {
-    return (float3((hash >> (8u).xxx)) * 5.9604645e-8);
+    return float3((hash >> (8u).xxx)) * 5.9604645e-8;
 }
 
 /// The hash of a lattice point.
 uint3 lattice_hash(int3 cell, uint seed)
 {
-    return hash_pcg3d((asuint(cell) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
+    return hash_pcg3d(asuint(cell) + seed * uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 /// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
@@ -512,15 +527,15 @@ uint3 lattice_hash(int3 cell, uint seed)
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
-    float a = ((axis == 0u) ? d.y : d.x);
-    float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 float3 fade_quintic(float3 t)
 {
-    return (((t * t) * t) * ((t * ((t * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    return t * t * t * (t * (t * 6.0 - (15.0).xxx) + (10.0).xxx);
 }
 
 int3 naga_f2i32(float3 value) {
@@ -534,7 +549,7 @@ float perlin_noise(float3 p, uint seed)
     int i = int(0);
 
     float3 corner = floor(p);
-    float3 d = (p - corner);
+    float3 d = p - corner;
     const float3 f = fade_quintic(d);
     int3 cell = naga_f2i32(corner);
     bool loop_init = true;
@@ -543,24 +558,25 @@ float perlin_noise(float3 p, uint seed)
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if ((i < int(8))) {
+        if (i < int(8)) {
         } else {
             break;
         }
         {
             int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
-            float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
-            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)), seed), (d - float3(at)));
-            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot_value));
+            float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
+                + asuint(at)), seed), d - float3(at));
+            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 int naga_mod(int lhs, int rhs) {
     int divisor = ((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs;
-    return lhs - (lhs / divisor) * divisor;
+    return lhs - lhs / divisor * divisor;
 }
 
 int naga_div(int lhs, int rhs) {
@@ -589,7 +605,7 @@ Cell nearest_cell(float3 p, uint seed)
     int i_1 = int(0);
 
     float3 corner = floor(p);
-    float3 d = (p - corner);
+    float3 d = p - corner;
     int3 cell = naga_f2i32(corner);
     bool loop_init = true;
     while(true) {
@@ -597,44 +613,50 @@ Cell nearest_cell(float3 p, uint seed)
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if ((i < int(27))) {
+        if (i < int(27)) {
         } else {
             break;
         }
         {
-            int3 at = int3(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(i, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(i, int(9))) - asuint(int(1))));
+            int3 at = int3(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))),
+                asint(asuint(naga_mod(naga_div(i, int(3)), int(3))) - asuint(int(1))),
+                asint(asuint(naga_div(i, int(9))) - asuint(int(1))));
             const uint3 own = lattice_hash(asint(asuint(cell) + asuint(at)), seed);
-            float3 offset = (((float3(at) + (0.25).xxx) + (0.5 * unit_of_hash(own))) - d);
-            if ((dot(offset, offset) < dot(nearest, nearest))) {
+            float3 offset = float3(at) + (0.25).xxx + 0.5 * unit_of_hash(own) - d;
+            if (dot(offset, offset) < dot(nearest, nearest)) {
                 nearest = offset;
                 hash = own;
             }
         }
     }
     float distance_ = length(nearest);
-    border = max((0.5 * (CELL_REACH - distance_)), 0.0);
+    border = max(0.5 * (CELL_REACH - distance_), 0.0);
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
             i_1 = asint(asuint(i_1) + asuint(int(1)));
         }
         loop_init_1 = false;
-        if ((i_1 < int(27))) {
+        if (i_1 < int(27)) {
         } else {
             break;
         }
         {
-            int3 at_1 = int3(asint(asuint(naga_mod(i_1, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(i_1, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(i_1, int(9))) - asuint(int(1))));
-            const float3 unit_of_hash_value = unit_of_hash(lattice_hash(asint(asuint(cell) + asuint(at_1)), seed));
-            float3 apart = ((((float3(at_1) + (0.25).xxx) + (0.5 * unit_of_hash_value)) - d) - nearest);
+            int3 at_1 = int3(asint(asuint(naga_mod(i_1, int(3))) - asuint(int(1))),
+                asint(asuint(naga_mod(naga_div(i_1, int(3)), int(3))) - asuint(int(1))),
+                asint(asuint(naga_div(i_1, int(9))) - asuint(int(1))));
+            const float3 unit_of_hash_value = unit_of_hash(lattice_hash(asint(asuint(cell)
+                + asuint(at_1)), seed));
+            float3 apart = float3(at_1) + (0.25).xxx + 0.5 * unit_of_hash_value - d - nearest;
             float between = length(apart);
             // Points are half a cell apart at least; a nearer one is the cell's own.
-            if ((between > 0.25)) {
-                border = min(border, (dot((nearest + (0.5 * apart)), apart) / between));
+            if (between > 0.25) {
+                border = min(border, dot(nearest + 0.5 * apart, apart) / between);
             }
         }
     }
-    const Cell cell_1 = ConstructCell(max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x, distance_);
+    const Cell cell_1 = ConstructCell(max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x,
+        distance_);
     // The number has a hash other than that of the point's place, or it would tell where in its
     // cell the point lies.
     return cell_1;
@@ -658,21 +680,22 @@ float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed,
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if (!((i < int(2)))) {
+        if (!(i < int(2))) {
             break;
         }
-        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
-        if ((visible > 0.0)) {
-            float3 place = clamp(((p * frequency) + (float(i) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-            octave = lerp(0.5, perlin_noise(place, (0u + uint(i))), visible);
+        if (visible > 0.0) {
+            float3 place = clamp(p * frequency + float(i) * float3(17.31, 5.17, 11.73),
+                (-4194304.0).xxx, (4194304.0).xxx);
+            octave = lerp(0.5, perlin_noise(place, 0u + uint(i)), visible);
         }
-        sum = (sum + (strength * octave));
-        total = (total + strength);
-        strength = (strength * roughness);
-        frequency = (frequency * 2.0);
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    return min((sum / 1.5), 1.0);
+    return min(sum / 1.5, 1.0);
 }
 
 Cells ConstructCells(float arg0, float arg1, float arg2) {
@@ -690,18 +713,17 @@ Cells ConstructCells(float arg0, float arg1, float arg2) {
 /// its color.
 Cells cells(float3 position, float scale, int seed)
 {
-    float3 p = clamp((position * scale), (-4194304.0).xxx, (4194304.0).xxx);
+    float3 p = clamp(position * scale, (-4194304.0).xxx, (4194304.0).xxx);
     const Cell cell = nearest_cell(p, 4u);
-    float visible = (1.0 - smoothstep(0.5, 1.0, footprint_of_vec3_2(p)));
+    float visible = 1.0 - smoothstep(0.5, 1.0, footprint_of_vec3_2(p));
     float3 average = float3(0.1301, 0.5, 0.491);
     float3 seen = lerp(average, float3(cell.border, cell.random, cell.distance_), visible);
-    const Cells cells_1 = ConstructCells(seen.x, seen.y, seen.z);
-    return cells_1;
+    return ConstructCells(seen.x, seen.y, seen.z);
 }
 
 float noise_perlin(float3 position, float scale, int octaves, float roughness, int seed)
 {
-    float3 p = (position * scale);
+    float3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
@@ -710,26 +732,45 @@ float4 shade(Surface surface)
 {
     const Cells panes = cells(surface.position_object, 3.4, int(4));
     const float4 colors_2 = ramp_at(colors_1, panes.random, footprint_of(panes.random));
-    const float4 glass_in_shade = blend_add(float4(0.0275, 0.0235, 0.0471, 1.0), colors_2, 1.0, 0.3, true);
+    const float4 glass_in_shade = blend_add(float4(0.0275, 0.0235, 0.0471, 1.0), colors_2, 1.0, 0.3,
+        true);
     const float wavering_glass = noise_perlin(surface.position_object, 5.0, int(2), 0.5, int(0));
     const float3 glass = bump_map(wavering_glass, 0.03, surface.normal, surface.position);
-    Angle sun_turn = ConstructAngle((0.5 * length((glass - look.sun.direction))), (0.5 * length((glass + look.sun.direction))));
+    // Parametrization
+    Angle sun_turn = ConstructAngle(0.5 * length(glass - look.sun.direction), 0.5
+        * length(glass + look.sun.direction));
     const float through_the_glass = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
-    const float4 light_through_it = blend_add_2(glass_in_shade, colors_2, through_the_glass, 0.95, true);
-    Angle room_turn = ConstructAngle((0.5 * length((glass - look.room.direction))), (0.5 * length((glass + look.room.direction))));
+    const float4 light_through_it = blend_add_2(glass_in_shade, colors_2, through_the_glass, 0.95,
+        true);
+    // Parametrization
+    Angle room_turn = ConstructAngle(0.5 * length(glass - look.room.direction), 0.5
+        * length(glass + look.room.direction));
     const float on_the_glass = profile_balanced(room_turn, 0.0, on_the_glass_shape);
     const float4 light_on_it = blend_add_2(light_through_it, colors_2, on_the_glass, 0.45, true);
-    const float seam = step_filtered(panes.border, 0.035, length(float2(footprint_of(panes.border), 0.0)));
-    float leading = (1.0 - seam);
-    float4 leading_2 = clamp(float4((light_on_it.xyz + (leading * (float3(0.0824, 0.0863, 0.102) - light_on_it.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    // Threshold
+    const float seam = step_filtered(panes.border, 0.035,
+        length(float2(footprint_of(panes.border), 0.0)));
+    float leading = 1.0 - seam;
+    // Blend
+    float4 leading_2 = clamp(float4(light_on_it.xyz + leading
+        * (float3(0.0824, 0.0863, 0.102) - light_on_it.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
+
+    // Gleam (Light layer)
     const Angle gleam_angle = parametrization_specular_balanced(look.room, glass, surface.view);
     const float gleam_tone = profile_balanced_2(gleam_angle, 0.0, gleam_tone_shape);
     const LitLayer gleam_lit = light_apply(look.room, float4(1.0, 0.9647, 0.8941, 1.0), gleam_tone);
     const float4 gleam_blend = blend_alpha(leading_2, gleam_lit.color, gleam_lit.tone, 0.7, true);
-    const Angle edge_of_the_lead_angle = parametrization_specular_balanced(look.room, surface.normal, surface.view);
-    const float edge_of_the_lead_tone = profile_balanced_2(edge_of_the_lead_angle, 0.0, edge_of_the_lead_tone_shape);
-    const LitLayer edge_of_the_lead_lit = light_apply(look.room, float4(0.1725, 0.1843, 0.2196, 1.0), edge_of_the_lead_tone);
-    const float4 edge_of_the_lead_blend = blend_add_2(gleam_blend, edge_of_the_lead_lit.color, edge_of_the_lead_lit.tone, 0.35, true);
+
+    // Edge of the lead (Light layer)
+    const Angle edge_of_the_lead_angle = parametrization_specular_balanced(look.room,
+        surface.normal, surface.view);
+    const float edge_of_the_lead_tone = profile_balanced_2(edge_of_the_lead_angle, 0.0,
+        edge_of_the_lead_tone_shape);
+    const LitLayer edge_of_the_lead_lit = light_apply(look.room,
+        float4(0.1725, 0.1843, 0.2196, 1.0), edge_of_the_lead_tone);
+    const float4 edge_of_the_lead_blend = blend_add_2(gleam_blend, edge_of_the_lead_lit.color,
+        edge_of_the_lead_lit.tone, 0.35, true);
+
     return edge_of_the_lead_blend;
 }
 
@@ -745,8 +786,10 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        vertex.position, mul(vertex.normal, object.world_from_normal));
+    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
+        varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
@@ -761,10 +804,12 @@ Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float3 arg3) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_4, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_4 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_4,
+        fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_4 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), in_.position, in_.position_object);
+    float3 normal = is_front ? facing : -facing;
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        in_.position, in_.position_object);
     return shade(surface);
 }

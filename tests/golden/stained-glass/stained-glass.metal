@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,11 +36,13 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light room;
     Light sun;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
@@ -46,6 +50,7 @@ struct Surface {
     metal::float3 position;
     metal::float3 position_object;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -56,12 +61,15 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct type_5 {
     metal::float4 inner[16];
 };
+
 struct type_6 {
     metal::float4 inner[4];
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -76,6 +84,7 @@ struct Ramp {
     uint interpolation;
     char _pad4[8];
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -83,6 +92,7 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -101,6 +111,7 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Cell {
     /// The distance to the nearest border, in cells.
     float border;
@@ -109,6 +120,7 @@ struct Cell {
     /// The distance to the cell's point.
     float distance;
 };
+
 struct Cells {
     /// The distance to the nearest border, in cells: 0 at it, rarely above 0.3.
     float border;
@@ -117,26 +129,40 @@ struct Cells {
     /// The distance to the cell's middle, in cells.
     float distance;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 position_object;
     metal::float3 normal;
 };
+
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant uint NOISE_PERLIN = 1u;
 /// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
 /// cell from their cell's sides.
 constant float CELL_REACH = 1.25;
-constant Ramp colors_1 = Ramp {type_5 {{metal::float4(0.0706, 0.1882, 0.4784, 1.0), metal::float4(0.1216, 0.4784, 0.6902, 1.0), metal::float4(0.1137, 0.5412, 0.3529, 1.0), metal::float4(0.9098, 0.6902, 0.1255, 1.0), metal::float4(0.8471, 0.3255, 0.1098, 1.0), metal::float4(0.6902, 0.0706, 0.2196, 1.0), metal::float4(0.3529, 0.102, 0.4784, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_6 {{metal::float4(0.0, 0.22, 0.4, 0.58), metal::float4(0.75, 0.9, 1.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 7u, 2u};
-constant ProfileShape through_the_glass_shape = ProfileShape {0.9950042, 0.099833414, 1.1883951, 1.4967098, 0.2, 1.0679889, 0.45520553, 0u};
-constant ProfileShape on_the_glass_shape = ProfileShape {0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u};
-constant ProfileShape gleam_tone_shape = ProfileShape {0.99820054, 0.059964005, 11.126125, 3.022525, 0.12, 0.08196669, 0.036355104, 0u};
-constant ProfileShape edge_of_the_lead_tone_shape = ProfileShape {0.9887711, 0.14943813, 3.3838634, 2.4220939, 0.3, 0.29531473, 0.1274162, 0u};
+constant Ramp colors_1 = Ramp {type_5 {{metal::float4(0.0706, 0.1882, 0.4784, 1.0),
+    metal::float4(0.1216, 0.4784, 0.6902, 1.0), metal::float4(0.1137, 0.5412, 0.3529, 1.0),
+    metal::float4(0.9098, 0.6902, 0.1255, 1.0), metal::float4(0.8471, 0.3255, 0.1098, 1.0),
+    metal::float4(0.6902, 0.0706, 0.2196, 1.0), metal::float4(0.3529, 0.102, 0.4784, 1.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0)}}, type_6 {{metal::float4(0.0, 0.22, 0.4, 0.58),
+    metal::float4(0.75, 0.9, 1.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 7u, 2u};
+constant ProfileShape through_the_glass_shape = ProfileShape {0.9950042, 0.099833414, 1.1883951,
+    1.4967098, 0.2, 1.0679889, 0.45520553, 0u};
+constant ProfileShape on_the_glass_shape = ProfileShape {0.99875027, 0.04997917, 1.2766062,
+    1.3888036, 0.1, 1.0089166, 0.41697913, 0u};
+constant ProfileShape gleam_tone_shape = ProfileShape {0.99820054, 0.059964005, 11.126125, 3.022525,
+    0.12, 0.08196669, 0.036355104, 0u};
+constant ProfileShape edge_of_the_lead_tone_shape = ProfileShape {0.9887711, 0.14943813, 3.3838634,
+    2.4220939, 0.3, 0.29531473, 0.1274162, 0u};
 
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
@@ -154,13 +180,14 @@ metal::float3 normalize_or(
     metal::float3 otherwise
 ) {
     float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
-    if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
+    if (!((largest > 0.000000000000000000000000000001)
+        & (largest < 1000000000000000000000000000000.0))) {
         return otherwise;
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
@@ -173,7 +200,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -202,7 +230,8 @@ Angle angle_turned(
     metal::float2 t
 ) {
     float s = u.half_sin - 0.0;
-    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 upper = u.half_cos
+        <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
     metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
@@ -215,7 +244,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -226,7 +255,7 @@ float eased(
     float high
 ) {
     float t = metal::clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// The length of v, also where its square would over- or underflow.
@@ -275,7 +304,8 @@ float step_filtered(
     float w
 ) {
     float d = x - edge;
-    return (w < 0.000000000000000000000000000001) ? ((d >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d / w), 0.0, 1.0);
+    return w < 0.000000000000000000000000000001 ? (d >= 0.0 ? 1.0 : 0.0) : metal::clamp(0.5 + d / w,
+        0.0, 1.0);
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -306,11 +336,12 @@ Color ramp_at(
             i = i + 1u;
         }
         loop_init = false;
-        if (!((i < 7u))) {
+        if (!(i < 7u)) {
             break;
         }
-        float step_filtered_value = step_filtered(x, places.inner[naga_div(i, 4u)][naga_mod(i, 4u)], w);
-        color = color + ((colors.inner[i] - colors.inner[i - 1u]) * step_filtered_value);
+        float step_filtered_value = step_filtered(x, places.inner[naga_div(i, 4u)][naga_mod(i, 4u)],
+            w);
+        color = color + (colors.inner[i] - colors.inner[i - 1u]) * step_filtered_value;
     }
     return color;
 }
@@ -330,16 +361,18 @@ metal::float3 bumped_normal(
     }
     metal::float3 s = along_x.xyz / metal::float3(largest);
     metal::float3 t = along_y.xyz / metal::float3(largest);
-    metal::float2 rise = metal::clamp(metal::float2(along_x.w, along_y.w) / metal::float2(largest), metal::float2(-1000000.0), metal::float2(1000000.0));
+    metal::float2 rise = metal::clamp(metal::float2(along_x.w, along_y.w) / metal::float2(largest),
+        metal::float2(-1000000.0), metal::float2(1000000.0));
     metal::float3 right = metal::cross(t, normal);
     metal::float3 up = metal::cross(normal, s);
     float area = metal::dot(s, right);
     if (metal::abs(area) < 0.000001) {
         return normal;
     }
-    metal::float3 slope = ((rise.x * right) + (rise.y * up)) / metal::float3(area);
+    metal::float3 slope = (rise.x * right + rise.y * up) / metal::float3(area);
     float steepness = metal::length(slope);
-    metal::float3 limited = slope * (metal::min(steepness, 10.0) / metal::max(steepness, 0.00000000000000000001));
+    metal::float3 limited = slope * (metal::min(steepness, 10.0)
+        / metal::max(steepness, 0.00000000000000000001));
     return normalize_or(normal - limited, normal);
 }
 
@@ -369,7 +402,8 @@ Composite blend_add(
     float opacity,
     bool clamped
 ) {
-    return metal::max(metal::float4(below.xyz + (opacity * ((below.xyz + color.xyz) - below.xyz)), 1.0), metal::float4(0.0));
+    return metal::max(metal::float4(below.xyz + opacity * (below.xyz + color.xyz - below.xyz), 1.0),
+        metal::float4(0.0));
 }
 
 /// Blend
@@ -382,7 +416,8 @@ Composite blend_add_2(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + opacity
+        * (below.xyz + tone * color.xyz - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 Composite blend_alpha(
@@ -392,7 +427,9 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// Light on a layer
@@ -404,8 +441,9 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_specular_balanced(
@@ -413,8 +451,9 @@ Angle parametrization_specular_balanced(
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
+    metal::float3 d = 2.0 * metal::dot(normal, view) * normal - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5
+        * metal::length(d + light.direction)};
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -423,7 +462,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -433,10 +472,10 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -446,16 +485,18 @@ float profile_filtered_quick(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -465,20 +506,22 @@ float profile_filtered_quick_2(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -505,14 +548,14 @@ metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
     metal::uint3 v = {};
-    v = (seed * 1664525u) + metal::uint3(1013904223u);
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v = seed * 1664525u + metal::uint3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = v ^ (v >> metal::uint3(16u));
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -528,7 +571,8 @@ metal::uint3 lattice_hash(
     metal::int3 cell,
     uint seed
 ) {
-    return hash_pcg3d(as_type<metal::uint3>(cell) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+    return hash_pcg3d(as_type<metal::uint3>(cell) + seed
+        * metal::uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 /// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
@@ -538,16 +582,16 @@ float gradient_dot(
     metal::float3 d
 ) {
     uint axis = naga_mod(hash.x >> 8u, 3u);
-    float a = (axis == 0u) ? d.y : d.x;
-    float b = (axis == 2u) ? d.y : d.z;
-    return (((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 metal::float3 fade_quintic(
     metal::float3 t
 ) {
-    return ((t * t) * t) * ((t * ((t * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    return t * t * t * (t * (t * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
@@ -578,17 +622,19 @@ float perlin_noise(
         {
             metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
             metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)), seed);
-            sum = sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at)));
+            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
+                seed);
+            sum = sum + weight.x * weight.y * weight.z
+                * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return metal::clamp(0.5 + (0.48244 * sum), 0.0, 1.0);
+    return metal::clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 int naga_mod(int lhs, int rhs) {
     int divisor = metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-    return lhs - (lhs / divisor) * divisor;
+    return lhs - lhs / divisor * divisor;
 }
 
 int naga_div(int lhs, int rhs) {
@@ -623,9 +669,14 @@ Cell nearest_cell(
             break;
         }
         {
-            metal::int3 at = metal::int3(as_type<int>(as_type<uint>(naga_mod(i, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 9)) - as_type<uint>(1)));
-            metal::uint3 own = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)), seed);
-            metal::float3 offset = ((static_cast<metal::float3>(at) + metal::float3(0.25)) + (0.5 * unit_of_hash(own))) - d;
+            metal::int3 at = metal::int3(as_type<int>(as_type<uint>(naga_mod(i, 3))
+                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i, 3), 3))
+                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 9))
+                - as_type<uint>(1)));
+            metal::uint3 own = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell)
+                + as_type<metal::uint3>(at)), seed);
+            metal::float3 offset = static_cast<metal::float3>(at) + metal::float3(0.25) + 0.5
+                * unit_of_hash(own) - d;
             if (metal::dot(offset, offset) < metal::dot(nearest, nearest)) {
                 nearest = offset;
                 hash = own;
@@ -645,14 +696,19 @@ Cell nearest_cell(
             break;
         }
         {
-            metal::int3 at_1 = metal::int3(as_type<int>(as_type<uint>(naga_mod(i_1, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i_1, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i_1, 9)) - as_type<uint>(1)));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1)), seed);
+            metal::int3 at_1 = metal::int3(as_type<int>(as_type<uint>(naga_mod(i_1, 3))
+                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i_1, 3), 3))
+                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i_1, 9))
+                - as_type<uint>(1)));
+            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1)),
+                seed);
             metal::float3 unit_of_hash_value = unit_of_hash(lattice_hash_value);
-            metal::float3 apart = (((static_cast<metal::float3>(at_1) + metal::float3(0.25)) + (0.5 * unit_of_hash_value)) - d) - nearest;
+            metal::float3 apart = static_cast<metal::float3>(at_1) + metal::float3(0.25) + 0.5
+                * unit_of_hash_value - d - nearest;
             float between = metal::length(apart);
             // Points are half a cell apart at least; a nearer one is the cell's own.
             if (between > 0.25) {
-                border = metal::min(border, metal::dot(nearest + (0.5 * apart), apart) / between);
+                border = metal::min(border, metal::dot(nearest + 0.5 * apart, apart) / between);
             }
         }
     }
@@ -684,16 +740,18 @@ float fractal_noise(
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 2))) {
+        if (!(i < 2)) {
             break;
         }
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
-            metal::float3 place = metal::clamp((p * frequency) + (static_cast<float>(i) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            metal::float3 place = metal::clamp(p * frequency + static_cast<float>(i)
+                * metal::float3(17.31, 5.17, 11.73), metal::float3(-4194304.0),
+                metal::float3(4194304.0));
             octave = metal::mix(0.5, perlin_noise(place, 0u + static_cast<uint>(i)), visible);
         }
-        sum = sum + (strength * octave);
+        sum = sum + strength * octave;
         total = total + strength;
         strength = strength * roughness;
         frequency = frequency * 2.0;
@@ -711,11 +769,13 @@ Cells cells(
     float scale,
     int seed
 ) {
-    metal::float3 p = metal::clamp(position * scale, metal::float3(-4194304.0), metal::float3(4194304.0));
+    metal::float3 p = metal::clamp(position * scale, metal::float3(-4194304.0),
+        metal::float3(4194304.0));
     Cell cell = nearest_cell(p, 4u);
     float visible = 1.0 - metal::smoothstep(0.5, 1.0, footprint_of_vec3_2(p));
     metal::float3 average = metal::float3(0.1301, 0.5, 0.491);
-    metal::float3 seen = metal::mix(average, metal::float3(cell.border, cell.random, cell.distance), visible);
+    metal::float3 seen = metal::mix(average, metal::float3(cell.border, cell.random, cell.distance),
+        visible);
     return Cells {seen.x, seen.y, seen.z};
 }
 
@@ -737,26 +797,47 @@ metal::float4 shade(
 ) {
     Cells panes = cells(surface.position_object, 3.4, 4);
     Color colors_2 = ramp_at(colors_1, panes.random, footprint_of(panes.random));
-    Composite glass_in_shade = blend_add(metal::float4(0.0275, 0.0235, 0.0471, 1.0), colors_2, 1.0, 0.3, true);
+    Composite glass_in_shade = blend_add(metal::float4(0.0275, 0.0235, 0.0471, 1.0), colors_2, 1.0,
+        0.3, true);
     float wavering_glass = noise_perlin(surface.position_object, 5.0, 2, 0.5, 0);
     metal::float3 glass = bump_map(wavering_glass, 0.03, surface.normal, surface.position);
-    Angle sun_turn = Angle {0.5 * metal::length(glass - look.sun.direction), 0.5 * metal::length(glass + look.sun.direction)};
+    // Parametrization
+    Angle sun_turn = Angle {0.5 * metal::length(glass - look.sun.direction), 0.5
+        * metal::length(glass + look.sun.direction)};
     float through_the_glass = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
-    Composite light_through_it = blend_add_2(glass_in_shade, colors_2, through_the_glass, 0.95, true);
-    Angle room_turn = Angle {0.5 * metal::length(glass - look.room.direction), 0.5 * metal::length(glass + look.room.direction)};
+    Composite light_through_it = blend_add_2(glass_in_shade, colors_2, through_the_glass, 0.95,
+        true);
+    // Parametrization
+    Angle room_turn = Angle {0.5 * metal::length(glass - look.room.direction), 0.5
+        * metal::length(glass + look.room.direction)};
     float on_the_glass = profile_balanced(room_turn, 0.0, on_the_glass_shape);
     Composite light_on_it = blend_add_2(light_through_it, colors_2, on_the_glass, 0.45, true);
-    float seam = step_filtered(panes.border, 0.035, metal::length(metal::float2(footprint_of(panes.border), 0.0)));
+    // Threshold
+    float seam = step_filtered(panes.border, 0.035,
+        metal::length(metal::float2(footprint_of(panes.border), 0.0)));
     float leading = 1.0 - seam;
-    metal::float4 leading_2 = metal::clamp(metal::float4(light_on_it.xyz + (leading * (metal::float3(0.0824, 0.0863, 0.102) - light_on_it.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    // Blend
+    metal::float4 leading_2 = metal::clamp(metal::float4(light_on_it.xyz + leading
+        * (metal::float3(0.0824, 0.0863, 0.102) - light_on_it.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
+
+    // Gleam (Light layer)
     Angle gleam_angle = parametrization_specular_balanced(look.room, glass, surface.view);
     float gleam_tone = profile_balanced_2(gleam_angle, 0.0, gleam_tone_shape);
-    LitLayer gleam_lit = light_apply(look.room, metal::float4(1.0, 0.9647, 0.8941, 1.0), gleam_tone);
+    LitLayer gleam_lit = light_apply(look.room, metal::float4(1.0, 0.9647, 0.8941, 1.0),
+        gleam_tone);
     Composite gleam_blend = blend_alpha(leading_2, gleam_lit.color, gleam_lit.tone, 0.7, true);
-    Angle edge_of_the_lead_angle = parametrization_specular_balanced(look.room, surface.normal, surface.view);
-    float edge_of_the_lead_tone = profile_balanced_2(edge_of_the_lead_angle, 0.0, edge_of_the_lead_tone_shape);
-    LitLayer edge_of_the_lead_lit = light_apply(look.room, metal::float4(0.1725, 0.1843, 0.2196, 1.0), edge_of_the_lead_tone);
-    Composite edge_of_the_lead_blend = blend_add_2(gleam_blend, edge_of_the_lead_lit.color, edge_of_the_lead_lit.tone, 0.35, true);
+
+    // Edge of the lead (Light layer)
+    Angle edge_of_the_lead_angle = parametrization_specular_balanced(look.room, surface.normal,
+        surface.view);
+    float edge_of_the_lead_tone = profile_balanced_2(edge_of_the_lead_angle, 0.0,
+        edge_of_the_lead_tone_shape);
+    LitLayer edge_of_the_lead_lit = light_apply(look.room,
+        metal::float4(0.1725, 0.1843, 0.2196, 1.0), edge_of_the_lead_tone);
+    Composite edge_of_the_lead_blend = blend_add_2(gleam_blend, edge_of_the_lead_lit.color,
+        edge_of_the_lead_lit.tone, 0.35, true);
+
     return edge_of_the_lead_blend;
 }
 
@@ -764,12 +845,14 @@ struct vs_mainInput {
     metal::float3 position_3 [[attribute(0)]];
     metal::float3 normal_3 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal [[user(loc2), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -777,7 +860,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position_3, varyings.normal_3 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position,
+        object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -787,9 +871,11 @@ struct fs_mainInput {
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal_3 [[user(loc2), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -797,9 +883,11 @@ fragment fs_mainOutput fs_main(
 , constant View& view [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_3, varyings_1.position_object, varyings_1.normal_3 };
+    const Varyings in = { clip, varyings_1.position_3, varyings_1.position_object,
+        varyings_1.normal_3 };
     metal::float3 facing = normalize_seen(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position, in.position_object};
+    metal::float3 normal = is_front ? facing : -facing;
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position, in.position_object};
     return fs_mainOutput { shade(surface, look) };
 }

@@ -337,7 +337,7 @@ fn profile_filtered_quick_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -539,22 +539,30 @@ fn shade(surface: Surface) -> vec4f {
     let glass_in_shade = blend_add(vec4f(0.0275, 0.0235, 0.0471, 1.0), colors_2, 1.0, 0.3, true);
     let wavering_glass = noise_perlin(surface.position_object, 5.0, 2i, 0.5, 0i);
     let glass = bump_map(wavering_glass, 0.03, surface.normal, surface.position);
+    // Parametrization
     let sun_turn = Angle(0.5 * length(glass - look.sun.direction), 0.5
         * length(glass + look.sun.direction));
     let through_the_glass = profile_balanced(sun_turn, 0.0, through_the_glass_shape);
     let light_through_it = blend_add_2(glass_in_shade, colors_2, through_the_glass, 0.95, true);
+    // Parametrization
     let room_turn = Angle(0.5 * length(glass - look.room.direction), 0.5
         * length(glass + look.room.direction));
     let on_the_glass = profile_balanced(room_turn, 0.0, on_the_glass_shape);
     let light_on_it = blend_add_2(light_through_it, colors_2, on_the_glass, 0.45, true);
+    // Threshold
     let seam = step_filtered(panes.border, 0.035, length(vec2f(footprint_of(panes.border), 0.0)));
     let leading = 1.0 - seam;
+    // Blend
     let leading_2 = clamp(vec4f(light_on_it.xyz + leading
         * (vec4f(0.0824, 0.0863, 0.102, 1.0).xyz - light_on_it.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+
+    // Gleam (Light layer)
     let gleam_angle = parametrization_specular_balanced(look.room, glass, surface.view);
     let gleam_tone = profile_balanced_2(gleam_angle, 0.0, gleam_tone_shape);
     let gleam_lit = light_apply(look.room, vec4f(1.0, 0.9647, 0.8941, 1.0), gleam_tone);
     let gleam_blend = blend_alpha(leading_2, gleam_lit.color, gleam_lit.tone, 0.7, true);
+
+    // Edge of the lead (Light layer)
     let edge_of_the_lead_angle = parametrization_specular_balanced(look.room, surface.normal,
         surface.view);
     let edge_of_the_lead_tone = profile_balanced_2(edge_of_the_lead_angle, 0.0,
@@ -563,6 +571,7 @@ fn shade(surface: Surface) -> vec4f {
         edge_of_the_lead_tone);
     let edge_of_the_lead_blend = blend_add_2(gleam_blend, edge_of_the_lead_lit.color,
         edge_of_the_lead_lit.tone, 0.35, true);
+
     return edge_of_the_lead_blend;
 }
 

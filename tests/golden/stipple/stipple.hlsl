@@ -111,7 +111,43 @@ struct Varyings {
 
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 static const float MOST_ON_SCREEN = 1000000000000000.0;
-static const uint BLUE_TILE[256] = {667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u};
+static const uint BLUE_TILE[256] = {667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u,
+    3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u,
+    3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u,
+    679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u,
+    3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u,
+    3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u,
+    2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u,
+    1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u,
+    3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u,
+    4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u,
+    3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u,
+    3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u,
+    568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u,
+    2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u,
+    3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u,
+    3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u,
+    3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u,
+    1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u,
+    131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u,
+    243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u,
+    987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u,
+    3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u,
+    2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u,
+    1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u,
+    73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u,
+    2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u,
+    1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u,
+    1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u,
+    4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u,
+    3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u,
+    1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u,
+    3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u,
+    2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u,
+    2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u,
+    2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u,
+    143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u,
+    398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -139,9 +175,11 @@ int naga_f2i32(float value) {
 float exp2_stable(float x)
 {
     float whole = round(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
+    float f = x - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -150,11 +188,11 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (asint(bits - 1060439283u) >> 23u);
+    float mantissa = asfloat(bits - (asuint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -162,7 +200,7 @@ float log2_stable(float x)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -179,15 +217,15 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high)
 {
-    float t = clamp(bounded(((bounded(x) - low) / 0.75)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp(bounded((bounded(x) - low) / 0.75), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
@@ -196,14 +234,14 @@ uint3 hash_pcg3d(uint3 seed)
 {
     uint3 v = (uint3)0;
 
-    v = ((seed * 1664525u) + (1013904223u).xxx);
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + (1013904223u).xxx;
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> (16u).xxx));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -213,22 +251,23 @@ uint3 hash_pcg3d(uint3 seed)
 float size_on_screen(float depth, float perspective, float scale)
 {
     // Clip space is 2 high.
-    return min(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
+    return min(0.5 * scale / lerp(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
 /// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
 float3 anchor_on_screen(float3 origin, float perspective, float scale)
 {
-    const float size = size_on_screen(-(origin.z), perspective, scale);
-    return clamp(float3((origin.x * size), (-(origin.y) * size), size), (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
+    const float size = size_on_screen(-origin.z, perspective, scale);
+    return clamp(float3(origin.x * size, -origin.y * size, size), (-1000000000000000.0).xxx,
+        (1000000000000000.0).xxx);
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 float2 place_in_picture(float2 pixel, float2 viewport)
 {
-    float2 from_middle = (pixel - (0.5 * viewport));
-    return (float2(from_middle.x, -(from_middle.y)) / (max(viewport.y, 1.0)).xx);
+    float2 from_middle = pixel - 0.5 * viewport;
+    return float2(from_middle.x, -from_middle.y) / (max(viewport.y, 1.0)).xx;
 }
 
 /// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
@@ -236,22 +275,22 @@ float2 place_in_picture(float2 pixel, float2 viewport)
 /// inclusive.
 float disk_filtered(float d, float r, float w)
 {
-    if ((w < 1e-30)) {
-        return (((d <= r) & (r > 0.0)) ? 1.0 : 0.0);
+    if (w < 1e-30) {
+        return ((d <= r) & (r > 0.0)) ? 1.0 : 0.0;
     }
     // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to give that back
     // is drawn fainter.
-    float square = (r * r);
-    float least = ((w * w) / 3.0);
-    float inner = sqrt((max(square, least) - (0.25 * least)));
-    return (clamp((0.5 + ((inner - d) / w)), 0.0, 1.0) * min((square / least), 1.0));
+    float square = r * r;
+    float least = w * w / 3.0;
+    float inner = sqrt(max(square, least) - 0.25 * least);
+    return clamp(0.5 + (inner - d) / w, 0.0, 1.0) * min(square / least, 1.0);
 }
 
 /// Index of the number of the repeating tile that holds a cell's rank.
 uint blue_index(int2 cell)
 {
     uint2 at = (asuint(cell) & (31u).xx);
-    return ((8u * at.y) + (at.x >> 2u));
+    return 8u * at.y + (at.x >> 2u);
 }
 
 StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
@@ -266,12 +305,12 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
     float2 turn = float2(0.0, 1.0);
-    float3 x = ((turn.y * along) + (turn.x * across));
-    float3 y = ((turn.y * across) - (turn.x * along));
-    float2 turned = float2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
+    float3 x = turn.y * along + turn.x * across;
+    float3 y = turn.y * across - turn.x * along;
+    float2 turned = float2(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x
+        * place.x);
     float3 stretch = float3(dot(x, x), dot(x, y), dot(y, y));
-    const StretchedPlace stretchedplace = ConstructStretchedPlace(turned, stretch);
-    return stretchedplace;
+    return ConstructStretchedPlace(turned, stretch);
 }
 
 SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
@@ -285,11 +324,10 @@ SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
 /// place without a stretch is one in pixels.
 SpacedPlace spaced(float2 place, float3 stretch, float2 viewport, float count)
 {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
-    float2 p = clamp((place * scale), (-4194304.0).xx, (4194304.0).xx);
-    const SpacedPlace spacedplace = ConstructSpacedPlace(p, (is_pixel ? float3(1.0, 0.0, 1.0) : stretch));
-    return spacedplace;
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / max(viewport.y, 1.0) : count;
+    float2 p = clamp(place * scale, (-4194304.0).xx, (4194304.0).xx);
+    return ConstructSpacedPlace(p, is_pixel ? float3(1.0, 0.0, 1.0) : stretch);
 }
 
 /// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
@@ -297,8 +335,8 @@ SpacedPlace spaced(float2 place, float3 stretch, float2 viewport, float count)
 /// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
 float area_square(float3 stretch)
 {
-    float sum = (stretch.x + stretch.z);
-    return max(((stretch.x * stretch.z) - (stretch.y * stretch.y)), ((sum * sum) / 66.0));
+    float sum = stretch.x + stretch.z;
+    return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
 /// The square of an offset's length along the picture, for an offset in the units of a stretched
@@ -306,13 +344,14 @@ float area_square(float3 stretch)
 float picture_square(float2 offset, float3 stretch)
 {
     float area = max(area_square(stretch), 1e-30);
-    float square = ((((stretch.z * offset.x) * offset.x) - (((2.0 * stretch.y) * offset.x) * offset.y)) + ((stretch.x * offset.y) * offset.y));
-    return (max(square, 0.0) / area);
+    float square = stretch.z * offset.x * offset.x - 2.0 * stretch.y * offset.x * offset.y
+        + stretch.x * offset.y * offset.y;
+    return max(square, 0.0) / area;
 }
 
 int naga_mod(int lhs, int rhs) {
     int divisor = ((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs;
-    return lhs - (lhs / divisor) * divisor;
+    return lhs - lhs / divisor * divisor;
 }
 
 int naga_div(int lhs, int rhs) {
@@ -331,29 +370,35 @@ float dots_of_octave(float2 place, int zoom, float ink, float3 stretch, float w,
     float sum = 0.0;
     uint tile[256] = BLUE_TILE;
 
-    float2 p = clamp((place * asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u))), (-4194304.0).xx, (4194304.0).xx);
+    float2 p = clamp(place * asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u)),
+        (-4194304.0).xx, (4194304.0).xx);
     float2 corner = floor(p);
-    float reach = (1.0 - (0.5 * style.scatter));
+    float reach = 1.0 - 0.5 * style.scatter;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if (!((i < int(9)))) {
+        if (!(i < int(9))) {
             break;
         }
-        int2 cell = asint(asuint(naga_f2i32(corner)) + asuint(int2(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))), asint(asuint(naga_div(i, int(3))) - asuint(int(1))))));
-        float3 chance = (float3((hash_pcg3d((asuint(int3(cell, zoom)) + uint3(0u, 0u, 0u))) >> (8u).xxx)) * 5.9604645e-8);
-        float2 middle = ((float2(cell) + (0.5).xx) + (style.scatter * (chance.xy - (0.5).xx)));
-        float2 offset = (p - middle);
-        int2 turning = asint(asuint(cell) + asuint(int2(int(0), asint(asuint(zoom) * asuint(int(7))))));
+        int2 cell = asint(asuint(naga_f2i32(corner))
+            + asuint(int2(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))),
+            asint(asuint(naga_div(i, int(3))) - asuint(int(1))))));
+        float3 chance = float3((hash_pcg3d(asuint(int3(cell, zoom)) + uint3(0u, 0u, 0u))
+            >> (8u).xxx)) * 5.9604645e-8;
+        float2 middle = float2(cell) + (0.5).xx + style.scatter * (chance.xy - (0.5).xx);
+        float2 offset = p - middle;
+        int2 turning = asint(asuint(cell)
+            + asuint(int2(int(0), asint(asuint(zoom) * asuint(int(7))))));
         uint tile_now = tile[min(uint(blue_index(turning)), 255u)];
-        float turn = (0.96875 * ((float(((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
-        float grown = clamp(((ink - turn) * 32.0), 0.0, 1.0);
-        float radius = ((0.5 * style.size) * sqrt(grown));
-        float far = (length(offset) / reach);
-        float d = max(sqrt(picture_square(offset, stretch)), ((far * far) * radius));
+        float turn = 0.96875 * ((float(((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u))
+            + 0.5) * 0.00390625);
+        float grown = clamp((ink - turn) * 32.0, 0.0, 1.0);
+        float radius = 0.5 * style.size * sqrt(grown);
+        float far = length(offset) / reach;
+        float d = max(sqrt(picture_square(offset, stretch)), far * far * radius);
         sum = max(sum, disk_filtered(d, radius, w));
     }
     return sum;
@@ -366,21 +411,25 @@ float stippled(SpacedPlace at, float ink, Dots style)
 
     float2 dx = ddx(at.place);
     float2 dy = ddy(at.place);
-    const float w = bounded(sqrt(max(picture_square(dx, at.stretch), picture_square(dy, at.stretch))));
-    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    const float w = bounded(sqrt(max(picture_square(dx, at.stretch),
+        picture_square(dy, at.stretch))));
+    float level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     float zoom = floor(level);
-    float f = (level - zoom);
-    const float coarse_cells = exp2_stable((-2.0 * f));
-    float coarse = (1.0 - f);
-    float fine = ((1.0 - (coarse * coarse_cells)) / (4.0 * coarse_cells));
-    const float exp2_stable_value = exp2_stable((2.0 * zoom));
-    dots = dots_of_octave(at.place, naga_f2i32(zoom), (ink * coarse), (at.stretch * exp2_stable_value), w, style);
-    if ((fine > 0.0)) {
-        const float exp2_stable_value_1 = exp2_stable(((2.0 * zoom) + 2.0));
-        const float finer = dots_of_octave(at.place, asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), (ink * fine), (at.stretch * exp2_stable_value_1), w, style);
+    float f = level - zoom;
+    const float coarse_cells = exp2_stable(-2.0 * f);
+    float coarse = 1.0 - f;
+    float fine = (1.0 - coarse * coarse_cells) / (4.0 * coarse_cells);
+    const float exp2_stable_value = exp2_stable(2.0 * zoom);
+    dots = dots_of_octave(at.place, naga_f2i32(zoom), ink * coarse, at.stretch * exp2_stable_value,
+        w, style);
+    if (fine > 0.0) {
+        const float exp2_stable_value_1 = exp2_stable(2.0 * zoom + 2.0);
+        const float finer = dots_of_octave(at.place,
+            asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), ink * fine, at.stretch
+            * exp2_stable_value_1, w, style);
         dots = max(dots, finer);
     }
-    float mean = (ink * ((0.7853982 * style.size) * style.size));
+    float mean = ink * (0.7853982 * style.size * style.size);
     return lerp(dots, mean, eased(w, 0.75, 1.5));
 }
 
@@ -394,10 +443,10 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
 MarkPlace mark_place_object(float angle, float3 anchor, float2 pixel, float2 viewport)
 {
     float size = clamp(anchor.z, 1e-6, 1000000.0);
-    float2 place = ((place_in_picture(pixel, viewport) - float2(anchor.x, -(anchor.y))) / (size).xx);
-    const StretchedPlace m = mark_place_of(place, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle);
-    const MarkPlace markplace = ConstructMarkPlace(m.place, m.stretch);
-    return markplace;
+    float2 place = (place_in_picture(pixel, viewport) - float2(anchor.x, -anchor.y)) / (size).xx;
+    const StretchedPlace m = mark_place_of(place, float3(1.0 / size, 0.0, 0.0),
+        float3(0.0, 1.0 / size, 0.0), angle);
+    return ConstructMarkPlace(m.place, m.stretch);
 }
 
 Dots ConstructDots(float arg0, float arg1, uint arg2) {
@@ -411,14 +460,19 @@ Dots ConstructDots(float arg0, float arg1, uint arg2) {
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float light_and_shade = max(((dot(surface.normal, look.key.direction) + 0.3) / 1.3), 0.0);
+    // Reflectance
+    float light_and_shade = max((dot(surface.normal, look.key.direction) + 0.3) / 1.3, 0.0);
     float facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
-    float darker_at_the_rim = min(((facing - 0.0) / 0.55), 1.0);
-    float tone_to_draw = min((((light_and_shade * darker_at_the_rim) - 0.0) / 0.85), 1.0);
-    const MarkPlace moves_along = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
-    const SpacedPlace spaced_value = spaced(moves_along.place, moves_along.stretch, look.viewport, 210.0);
-    const float dots = stippled(spaced_value, (1.0 - tone_to_draw), ConstructDots(0.85, 0.8, 0u));
-    float4 ink_on_paper = lerp(float4(0.965, 0.95, 0.915, 1.0), float4(0.09, 0.12, 0.22, 1.0), dots);
+    float darker_at_the_rim = min((facing - 0.0) / 0.55, 1.0);
+    float tone_to_draw = min((light_and_shade * darker_at_the_rim - 0.0) / 0.85, 1.0);
+    const MarkPlace moves_along = mark_place_object(0.0, surface.anchor, surface.pixel,
+        look.viewport);
+    const SpacedPlace spaced_value = spaced(moves_along.place, moves_along.stretch, look.viewport,
+        210.0);
+    // Stippling
+    const float dots = stippled(spaced_value, 1.0 - tone_to_draw, ConstructDots(0.85, 0.8, 0u));
+    float4 ink_on_paper = lerp(float4(0.965, 0.95, 0.915, 1.0), float4(0.09, 0.12, 0.22, 1.0),
+        dots);
     return ink_on_paper;
 }
 
@@ -433,7 +487,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -449,11 +504,16 @@ Surface ConstructSurface(float3 arg0, float3 arg1, float2 arg2, float3 arg3) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_1 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    const float3 anchor_on_screen_value = anchor_on_screen(mul(float4(object.world_from_object[3].xyz, 1.0), view.camera_from_world).xyz, view.eye.w, length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), ((in_.clip_.xy * view.screen.xy) + view.screen.zw), anchor_on_screen_value);
+    float3 normal = is_front ? facing : -facing;
+    const float3 anchor_on_screen_value = anchor_on_screen(mul(float4(object.world_from_object[3].xyz,
+        1.0), view.camera_from_world).xyz, view.eye.w,
+        length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y)));
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        in_.clip_.xy * view.screen.xy + view.screen.zw, anchor_on_screen_value);
     return shade(surface);
 }

@@ -18,6 +18,7 @@ struct View {
     /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     metal::float4 screen;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -25,6 +26,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -36,12 +38,14 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     metal::float2 viewport;
     char _pad1[8];
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
@@ -50,9 +54,11 @@ struct Surface {
     char _pad3[8];
     metal::float3 anchor;
 };
+
 struct type_9 {
     uint inner[256];
 };
+
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
@@ -62,12 +68,14 @@ struct StretchedPlace {
     /// picture height.
     metal::float3 stretch;
 };
+
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
 };
+
 /// Style of dots.
 struct Dots {
     /// Diameter of a dot, in spacings.
@@ -76,6 +84,7 @@ struct Dots {
     float scatter;
     uint seed;
 };
+
 struct MarkPlace {
     /// Along the strokes, and across them.
     metal::float2 place;
@@ -83,18 +92,57 @@ struct MarkPlace {
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     metal::float3 stretch;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
+
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 constant float MOST_ON_SCREEN = 1000000000000000.0;
-constant type_9 BLUE_TILE = type_9 {{667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u}};
+constant type_9 BLUE_TILE = type_9 {{667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u,
+    3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u,
+    3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u,
+    679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u,
+    3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u,
+    3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u,
+    2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u,
+    1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u,
+    3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u,
+    4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u,
+    3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u,
+    3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u,
+    568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u,
+    2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u,
+    3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u,
+    3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u,
+    3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u,
+    1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u,
+    131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u,
+    243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u,
+    987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u,
+    3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u,
+    2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u,
+    1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u,
+    73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u,
+    2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u,
+    1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u,
+    1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u,
+    4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u,
+    3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u,
+    1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u,
+    3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u,
+    2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u,
+    2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u,
+    2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u,
+    143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u,
+    398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u}};
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
@@ -107,8 +155,11 @@ float exp2_stable(
 ) {
     float whole = metal::rint(x);
     float f = x - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole))
+        + as_type<uint>(126))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -122,7 +173,8 @@ float log2_stable(
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
-    return static_cast<float>(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379)))))));
+    return static_cast<float>(exponent) + z
+        * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -132,7 +184,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -151,7 +204,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -162,7 +215,7 @@ float eased(
     float high
 ) {
     float t = metal::clamp(bounded((bounded(x) - low) / 0.75), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
@@ -171,14 +224,14 @@ metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
     metal::uint3 v = {};
-    v = (seed * 1664525u) + metal::uint3(1013904223u);
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v = seed * 1664525u + metal::uint3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = v ^ (v >> metal::uint3(16u));
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -191,7 +244,8 @@ float size_on_screen(
     float scale
 ) {
     // Clip space is 2 high.
-    return metal::min((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective), MOST_ON_SCREEN);
+    return metal::min(0.5 * scale / metal::mix(1.0, metal::max(depth, 0.000001), perspective),
+        MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
@@ -201,8 +255,9 @@ metal::float3 anchor_on_screen(
     float perspective,
     float scale
 ) {
-    float size = size_on_screen(-(origin.z), perspective, scale);
-    return metal::clamp(metal::float3(origin.x * size, -(origin.y) * size, size), metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    float size = size_on_screen(-origin.z, perspective, scale);
+    return metal::clamp(metal::float3(origin.x * size, -origin.y * size, size),
+        metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
@@ -210,8 +265,9 @@ metal::float2 place_in_picture(
     metal::float2 pixel,
     metal::float2 viewport
 ) {
-    metal::float2 from_middle = pixel - (0.5 * viewport);
-    return metal::float2(from_middle.x, -(from_middle.y)) / metal::float2(metal::max(viewport.y, 1.0));
+    metal::float2 from_middle = pixel - 0.5 * viewport;
+    return metal::float2(from_middle.x, -from_middle.y)
+        / metal::float2(metal::max(viewport.y, 1.0));
 }
 
 /// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
@@ -228,9 +284,9 @@ float disk_filtered(
     // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to give that back
     // is drawn fainter.
     float square = r * r;
-    float least = (w * w) / 3.0;
-    float inner = metal::sqrt(metal::max(square, least) - (0.25 * least));
-    return metal::clamp(0.5 + ((inner - d) / w), 0.0, 1.0) * metal::min(square / least, 1.0);
+    float least = w * w / 3.0;
+    float inner = metal::sqrt(metal::max(square, least) - 0.25 * least);
+    return metal::clamp(0.5 + (inner - d) / w, 0.0, 1.0) * metal::min(square / least, 1.0);
 }
 
 /// Index of the number of the repeating tile that holds a cell's rank.
@@ -238,7 +294,7 @@ uint blue_index(
     metal::int2 cell
 ) {
     metal::uint2 at = as_type<metal::uint2>(cell) & metal::uint2(31u);
-    return (8u * at.y) + (at.x >> 2u);
+    return 8u * at.y + (at.x >> 2u);
 }
 
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
@@ -250,9 +306,10 @@ StretchedPlace mark_place_of(
     float angle
 ) {
     metal::float2 turn = metal::float2(0.0, 1.0);
-    metal::float3 x = (turn.y * along) + (turn.x * across);
-    metal::float3 y = (turn.y * across) - (turn.x * along);
-    metal::float2 turned = metal::float2((turn.y * place.x) + (turn.x * place.y), (turn.y * place.y) - (turn.x * place.x));
+    metal::float3 x = turn.y * along + turn.x * across;
+    metal::float3 y = turn.y * across - turn.x * along;
+    metal::float2 turned = metal::float2(turn.y * place.x + turn.x * place.y, turn.y * place.y
+        - turn.x * place.x);
     metal::float3 stretch = metal::float3(metal::dot(x, x), metal::dot(x, y), metal::dot(y, y));
     return StretchedPlace {turned, {}, stretch};
 }
@@ -265,9 +322,10 @@ SpacedPlace spaced(
     metal::float2 viewport,
     float count
 ) {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = is_pixel ? (count / metal::max(viewport.y, 1.0)) : count;
-    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0), metal::float2(4194304.0));
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / metal::max(viewport.y, 1.0) : count;
+    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0),
+        metal::float2(4194304.0));
     return SpacedPlace {p, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : stretch};
 }
 
@@ -278,7 +336,7 @@ float area_square(
     metal::float3 stretch
 ) {
     float sum = stretch.x + stretch.z;
-    return metal::max((stretch.x * stretch.z) - (stretch.y * stretch.y), (sum * sum) / 66.0);
+    return metal::max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
 /// The square of an offset's length along the picture, for an offset in the units of a stretched
@@ -288,7 +346,8 @@ float picture_square(
     metal::float3 stretch
 ) {
     float area = metal::max(area_square(stretch), 0.000000000000000000000000000001);
-    float square = (((stretch.z * offset.x) * offset.x) - (((2.0 * stretch.y) * offset.x) * offset.y)) + ((stretch.x * offset.y) * offset.y);
+    float square = stretch.z * offset.x * offset.x - 2.0 * stretch.y * offset.x * offset.y
+        + stretch.x * offset.y * offset.y;
     return metal::max(square, 0.0) / area;
 }
 
@@ -298,7 +357,7 @@ metal::int2 naga_f2i32(metal::float2 value) {
 
 int naga_mod(int lhs, int rhs) {
     int divisor = metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-    return lhs - (lhs / divisor) * divisor;
+    return lhs - lhs / divisor * divisor;
 }
 
 int naga_div(int lhs, int rhs) {
@@ -318,30 +377,40 @@ float dots_of_octave(
     int i = 0;
     float sum = 0.0;
     type_9 tile = BLUE_TILE;
-    metal::float2 p = metal::clamp(place * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u), metal::float2(-4194304.0), metal::float2(4194304.0));
+    metal::float2 p = metal::clamp(place
+        * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127)))
+        << 23u), metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float2 corner = metal::floor(p);
-    float reach = 1.0 - (0.5 * style.scatter);
+    float reach = 1.0 - 0.5 * style.scatter;
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 9))) {
+        if (!(i < 9)) {
             break;
         }
-        metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(naga_f2i32(corner)) + as_type<metal::uint2>(metal::int2(as_type<int>(as_type<uint>(naga_mod(i, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 3)) - as_type<uint>(1)))));
-        metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom)) + metal::uint3(0u, 0u, 0u));
-        metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u)) * 0.000000059604645;
-        metal::float2 middle = (static_cast<metal::float2>(cell) + metal::float2(0.5)) + (style.scatter * (chance.xy - metal::float2(0.5)));
+        metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(naga_f2i32(corner))
+            + as_type<metal::uint2>(metal::int2(as_type<int>(as_type<uint>(naga_mod(i, 3))
+            - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 3)) - as_type<uint>(1)))));
+        metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(cell, zoom))
+            + metal::uint3(0u, 0u, 0u));
+        metal::float3 chance = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u))
+            * 0.000000059604645;
+        metal::float2 middle = static_cast<metal::float2>(cell) + metal::float2(0.5)
+            + style.scatter * (chance.xy - metal::float2(0.5));
         metal::float2 offset = p - middle;
-        metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell) + as_type<metal::uint2>(metal::int2(0, as_type<int>(as_type<uint>(zoom) * as_type<uint>(7)))));
+        metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell)
+            + as_type<metal::uint2>(metal::int2(0,
+            as_type<int>(as_type<uint>(zoom) * as_type<uint>(7)))));
         uint tile_now = tile.inner[blue_index(turning)];
-        float turn = 0.96875 * ((static_cast<float>((tile_now >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
+        float turn = 0.96875 * ((static_cast<float>((tile_now
+            >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
         float grown = metal::clamp((ink - turn) * 32.0, 0.0, 1.0);
-        float radius = (0.5 * style.size) * metal::sqrt(grown);
+        float radius = 0.5 * style.size * metal::sqrt(grown);
         float far = metal::length(offset) / reach;
-        float d = metal::max(metal::sqrt(picture_square(offset, stretch)), (far * far) * radius);
+        float d = metal::max(metal::sqrt(picture_square(offset, stretch)), far * far * radius);
         sum = metal::max(sum, disk_filtered(d, radius, w));
     }
     return sum;
@@ -356,21 +425,26 @@ float stippled(
     float dots = {};
     metal::float2 dx = metal::dfdx(at.place);
     metal::float2 dy = metal::dfdy(at.place);
-    float w = bounded(metal::sqrt(metal::max(picture_square(dx, at.stretch), picture_square(dy, at.stretch))));
-    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)), 0.000000000000000000000000000001));
+    float w = bounded(metal::sqrt(metal::max(picture_square(dx, at.stretch),
+        picture_square(dy, at.stretch))));
+    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)),
+        0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * log2_stable_value, -16.0, 16.0);
     float zoom = metal::floor(level);
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float coarse = 1.0 - f;
-    float fine = (1.0 - (coarse * coarse_cells)) / (4.0 * coarse_cells);
-    dots = dots_of_octave(at.place, naga_f2i32(zoom), ink * coarse, at.stretch * exp2_stable(2.0 * zoom), w, style);
+    float fine = (1.0 - coarse * coarse_cells) / (4.0 * coarse_cells);
+    dots = dots_of_octave(at.place, naga_f2i32(zoom), ink * coarse, at.stretch
+        * exp2_stable(2.0 * zoom), w, style);
     if (fine > 0.0) {
-        float exp2_stable_value = exp2_stable((2.0 * zoom) + 2.0);
-        float finer = dots_of_octave(at.place, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(1)), ink * fine, at.stretch * exp2_stable_value, w, style);
+        float exp2_stable_value = exp2_stable(2.0 * zoom + 2.0);
+        float finer = dots_of_octave(at.place,
+            as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(1)), ink * fine,
+            at.stretch * exp2_stable_value, w, style);
         dots = metal::max(dots, finer);
     }
-    float mean = ink * ((0.7853982 * style.size) * style.size);
+    float mean = ink * (0.7853982 * style.size * style.size);
     return metal::mix(dots, mean, eased(w, 0.75, 1.5));
 }
 
@@ -381,8 +455,10 @@ MarkPlace mark_place_object(
     metal::float2 viewport
 ) {
     float size = metal::clamp(anchor.z, 0.000001, 1000000.0);
-    metal::float2 place = (place_in_picture(pixel, viewport) - metal::float2(anchor.x, -(anchor.y))) / metal::float2(size);
-    StretchedPlace m = mark_place_of(place, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle);
+    metal::float2 place = (place_in_picture(pixel, viewport) - metal::float2(anchor.x, -anchor.y))
+        / metal::float2(size);
+    StretchedPlace m = mark_place_of(place, metal::float3(1.0 / size, 0.0, 0.0),
+        metal::float3(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace {m.place, {}, m.stretch};
 }
 
@@ -391,13 +467,18 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    float light_and_shade = metal::max((metal::dot(surface.normal, look.key.direction) + 0.3) / 1.3, 0.0);
+    // Reflectance
+    float light_and_shade = metal::max((metal::dot(surface.normal, look.key.direction) + 0.3) / 1.3,
+        0.0);
     float facing = metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0);
     float darker_at_the_rim = metal::min((facing - 0.0) / 0.55, 1.0);
-    float tone_to_draw = metal::min(((light_and_shade * darker_at_the_rim) - 0.0) / 0.85, 1.0);
+    float tone_to_draw = metal::min((light_and_shade * darker_at_the_rim - 0.0) / 0.85, 1.0);
     MarkPlace moves_along = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
-    float dots = stippled(spaced(moves_along.place, moves_along.stretch, look.viewport, 210.0), 1.0 - tone_to_draw, Dots {0.85, 0.8, 0u});
-    metal::float4 ink_on_paper = metal::mix(metal::float4(0.965, 0.95, 0.915, 1.0), metal::float4(0.09, 0.12, 0.22, 1.0), dots);
+    // Stippling
+    float dots = stippled(spaced(moves_along.place, moves_along.stretch, look.viewport, 210.0),
+        1.0 - tone_to_draw, Dots {0.85, 0.8, 0u});
+    metal::float4 ink_on_paper = metal::mix(metal::float4(0.965, 0.95, 0.915, 1.0),
+        metal::float4(0.09, 0.12, 0.22, 1.0), dots);
     return ink_on_paper;
 }
 
@@ -405,11 +486,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -417,7 +500,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -426,9 +510,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -439,8 +525,12 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal };
     metal::float3 facing = normalize_seen(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
-    metal::float3 anchor_on_screen_value = anchor_on_screen((view.camera_from_world * metal::float4(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), (in.clip.xy * view.screen.xy) + view.screen.zw, {}, anchor_on_screen_value};
+    metal::float3 normal = is_front ? facing : -facing;
+    metal::float3 anchor_on_screen_value = anchor_on_screen((view.camera_from_world
+        * metal::float4(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w,
+        metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y)));
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        in.clip.xy * view.screen.xy + view.screen.zw, {}, anchor_on_screen_value};
     return fs_mainOutput { shade(surface, look) };
 }

@@ -360,11 +360,13 @@ struct MarkPlace {
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Reflectance
     let light_and_shade = max((dot(surface.normal, look.key.direction) + 0.3) / (1.0 + 0.3), 0.0);
     let facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
     let darker_at_the_rim = min((facing - 0.0) / (0.55 - 0.0), 1.0);
     let tone_to_draw = min((light_and_shade * darker_at_the_rim - 0.0) / (0.85 - 0.0), 1.0);
     let moves_along = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
+    // Stippling
     let dots = stippled(spaced(moves_along.place, moves_along.stretch, look.viewport, 210.0), 1.0
         - tone_to_draw, Dots(0.85, 0.8, 0u));
     let ink_on_paper = mix(vec4f(0.965, 0.95, 0.915, 1.0), vec4f(0.09, 0.12, 0.22, 1.0), dots);

@@ -11,6 +11,7 @@ struct EachLight {
     vec3 position;
     vec2 fading;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -22,16 +23,19 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light moon;
     EachLight lights[36];
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 position;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -40,6 +44,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LightParts {
     /// Unit, toward the light, world space.
     vec3 direction;
@@ -48,6 +53,7 @@ struct LightParts {
     /// With the light's distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -66,13 +72,17 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
-const ProfileShape lamps_tone_shape = ProfileShape(0.90044713, 0.43496552, 10.016686, 2.4912605, 0.9, 0.09820393, 0.042312488, 0u);
-const ProfileShape moon_tone_shape = ProfileShape(0.90044713, 0.43496552, 2.9163208, 3.0838382, 0.9, 0.3121117, 0.13987324, 0u);
+
+const ProfileShape lamps_tone_shape = ProfileShape(0.90044713, 0.43496552, 10.016686, 2.4912605,
+    0.9, 0.09820393, 0.042312488, 0u);
+const ProfileShape moon_tone_shape = ProfileShape(0.90044713, 0.43496552, 2.9163208, 3.0838382, 0.9,
+    0.3121117, 0.13987324, 0u);
 
 layout(std140) uniform LookBlock { Look u_look; };
 
@@ -83,7 +93,7 @@ layout(location = 0) out vec4 out_color;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+    return (floatBitsToUint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -91,22 +101,22 @@ bool is_finite(float x) {
 /// overflow.
 vec3 normalize_or(vec3 v, vec3 otherwise) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) && (largest < 1e30)))) {
+    if (!(largest > 1e-30 && largest < 1e30)) {
         return otherwise;
     }
-    vec3 scaled = (v * (1.0 / largest));
+    vec3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -115,15 +125,15 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = (u.half_sin - 0.0);
-    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
-    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - 0.0;
+    vec2 upper = u.half_cos <= 0.0 ? vec2(1.0, 0.0) : vec2(s, u.half_cos);
+    vec2 turned = (s <= 0.0 && s < u.half_cos) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -133,22 +143,22 @@ float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high) {
-    float t = clamp(bounded(((bounded(x) - low) / (high - low))), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp(bounded((bounded(x) - low) / (high - low)), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
 /// size.
 float srgb_of_linear(float light) {
     float size = abs(light);
-    float value = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
-    return ((light < 0.0) ? -(value) : value);
+    float value = size <= 0.0031308 ? size * 12.92 : 1.055 * pow(size, 0.41666666) - 0.055;
+    return light < 0.0 ? -value : value;
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -157,21 +167,25 @@ vec3 oklab_of_linear(vec3 rgb) {
     float l = pow(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
     float m = pow(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
     float s = pow(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
-    return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
+    return vec3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l - 2.4285922 * m
+        + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 vec3 linear_of_oklab(vec3 lab) {
-    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    vec3 cubes = vec3(((l * l) * l), ((m * m) * m), ((s * s) * s));
-    return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
+    float l = lab.x + 0.39633778 * lab.y + 0.21580376 * lab.z;
+    float m = lab.x - 0.105561346 * lab.y - 0.06385417 * lab.z;
+    float s = lab.x - 0.08948418 * lab.y - 1.2914855 * lab.z;
+    vec3 cubes = vec3(l * l * l, m * m * m, s * s * s);
+    return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)),
+        dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)),
+        dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 vec3 oklab_of_srgb(vec3 coded) {
-    vec3 oklab_of_linear_value = oklab_of_linear(vec3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    vec3 oklab_of_linear_value = oklab_of_linear(vec3(pow((coded.x + 0.055) / 1.055, 2.4),
+        pow((coded.y + 0.055) / 1.055, 2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
     return oklab_of_linear_value;
 }
 
@@ -186,15 +200,15 @@ vec3 srgb_of_oklab(vec3 lab) {
 /// Darkens what is too bright, and keeps its hue: channels that are cut one by one turn warm light
 /// yellow and then white. Channels beyond 1e18 count as that.
 vec4 limit_color(vec4 color, float limit, float softness) {
-    float knee = (1.0 - softness);
+    float knee = 1.0 - softness;
     float brightest = max(max(color.x, color.y), color.z);
-    if ((brightest <= knee)) {
+    if (brightest <= knee) {
         return vec4(color.xyz, 1.0);
     }
-    float room = (limit - knee);
-    float above = (brightest - knee);
-    float pressed = (knee + (min(above, room) * (max(above, room) / (above + room))));
-    return vec4((color.xyz * min((pressed / brightest), 1.0)), 1.0);
+    float room = limit - knee;
+    float above = brightest - knee;
+    float pressed = knee + min(above, room) * (max(above, room) / (above + room));
+    return vec4(color.xyz * min(pressed / brightest, 1.0), 1.0);
 }
 
 /// Mix evenly
@@ -202,67 +216,70 @@ vec4 limit_color(vec4 color, float limit, float softness) {
 /// Goes from one color to another in steps that look even, without the gray or the dark that a
 /// plain mix passes through.
 vec4 mix_evenly_oklab(vec4 a, vec4 b, float factor) {
-    vec3 srgb_of_oklab_value = srgb_of_oklab(mix(oklab_of_srgb(a.xyz), oklab_of_srgb(b.xyz), factor));
-    return ((factor <= 0.0) ? a : ((factor >= 1.0) ? b : vec4(srgb_of_oklab_value, 1.0)));
+    vec3 srgb_of_oklab_value = srgb_of_oklab(mix(oklab_of_srgb(a.xyz), oklab_of_srgb(b.xyz),
+        factor));
+    return factor <= 0.0 ? a : (factor >= 1.0 ? b : vec4(srgb_of_oklab_value, 1.0));
 }
 
 /// Attenuation at `distance`: 1 / (1 + (d / half)^2), ended smoothly at the range by (1 - (d /
 /// range)^4)^2. A half distance or range of 0 leaves its factor out.
 float light_fading(float distance_, vec2 fading) {
     float left = 1.0;
-    if ((fading.x > 0.0)) {
-        float d = min((distance_ / fading.x), 1000000000000000.0);
-        left = (1.0 / (1.0 + (d * d)));
+    if (fading.x > 0.0) {
+        float d = min(distance_ / fading.x, 1000000000000000.0);
+        left = 1.0 / (1.0 + d * d);
     }
-    if ((fading.y > 0.0)) {
-        float d_1 = min((distance_ / fading.y), 1.0);
-        float window = max((1.0 - (((d_1 * d_1) * d_1) * d_1)), 0.0);
-        left = (left * (window * window));
+    if (fading.y > 0.0) {
+        float d_1 = min(distance_ / fading.y, 1.0);
+        float window = max(1.0 - d_1 * d_1 * d_1 * d_1, 0.0);
+        left = left * (window * window);
     }
     return left;
 }
 
 /// A light at `light_position` seen from `position`, both in world space; `fading` is half distance
 /// and range.
-Light light_at(vec3 light_position, mat3x3 own_from_world, vec3 color, float intensity, vec2 fading, vec3 position) {
-    vec3 offset = (light_position - position);
+Light light_at(vec3 light_position, mat3x3 own_from_world, vec3 color, float intensity, vec2 fading,
+    vec3 position) {
+    vec3 offset = light_position - position;
     vec3 direction = normalize_or(offset, vec3(0.0, 0.0, 1.0));
-    float faded = (intensity * light_fading(length(offset), fading));
-    return Light(direction, (own_from_world * direction), color, faded);
+    float faded = intensity * light_fading(length(offset), fading);
+    return Light(direction, own_from_world * direction, color, faded);
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
 float profile_soft_quick(float s, ProfileShape shape) {
-    float q = (s * shape.scale);
-    return ((s <= 0.0) ? 1.0 : pow(max((1.0 - (q * q)), 0.0), shape.exponent));
+    float q = s * shape.scale;
+    return s <= 0.0 ? 1.0 : pow(max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
 /// step where the footprint is 0.
 float profile_ramp_quick(float s, float w, ProfileShape shape) {
-    float width = sqrt(((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation)));
-    float from_offset = (s * (2.0 + ((s * s) * 0.33333334)));
-    float ramp = clamp((0.5 + ((shape.edge_mean - from_offset) / width)), 0.0, 1.0);
-    return ((w <= 0.0) ? ((s <= 4e-7) ? 1.0 : 0.0) : ramp);
+    float width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 4e-7 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
 /// points are found by turning the middle one.
 float profile_filtered_quick(Angle u, float w, ProfileShape shape) {
-    vec2 place = vec2(((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset)), ((u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset)));
-    bool is_narrow = ((w > 0.0) && (w >= (3.4641016 * shape.edge_deviation)));
-    if ((false || is_narrow)) {
+    vec2 place = vec2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
+        u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
+    bool is_narrow = w > 0.0 && w >= 3.4641016 * shape.edge_deviation;
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if ((w < (0.1 * shape.edge_deviation))) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
-    float r = (0.19364917 * w);
-    vec2 turn = vec2((r * (1.0 - ((0.16666667 * r) * r))), (1.0 - ((0.5 * r) * r)));
-    float before = profile_soft_quick(((place.x * turn.y) - (place.y * turn.x)), shape);
-    float after = profile_soft_quick(((place.x * turn.y) + (place.y * turn.x)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float r = 0.19364917 * w;
+    vec2 turn = vec2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(Angle angle, float shift, ProfileShape shape) {
@@ -278,37 +295,44 @@ vec4 shade(Surface surface) {
     // For each light: lamp_1, lamp_2, lamp_3, lamp_4, lamp_5, lamp_6 and 30 more.
     while(true) {
         if (!loop_init) {
-            each = (each + 1u);
+            each = each + 1u;
         }
         loop_init = false;
-        if ((each < 36u)) {
+        if (each < 36u) {
         } else {
             break;
         }
         {
-            Light light = light_at(u_look.lights[each].position, u_look.lights[each].own_from_world, u_look.lights[each].color, u_look.lights[each].intensity, u_look.lights[each].fading, surface.position);
-            LightParts light_2 = LightParts(light.direction, vec4(light.color, 1.0), light.intensity);
-            Angle lamps_angle = Angle((0.5 * length((surface.normal - light.direction))), (0.5 * length((surface.normal + light.direction))));
+            // Lamps (Each lamp)
+            Light light = light_at(u_look.lights[each].position, u_look.lights[each].own_from_world,
+                u_look.lights[each].color, u_look.lights[each].intensity,
+                u_look.lights[each].fading, surface.position);
+            LightParts light_2 = LightParts(light.direction, vec4(light.color, 1.0),
+                light.intensity);
+            Angle lamps_angle = Angle(0.5 * length(surface.normal - light.direction), 0.5
+                * length(surface.normal + light.direction));
             float lamps_tone = profile_balanced(lamps_angle, 0.0, lamps_tone_shape);
             float lamps_bands = mix(0.55, 1.0, eased(light_2.intensity, 0.5, 0.55));
-            float lamps_reach = (lamps_tone * (lamps_bands * eased(light_2.intensity, 0.2, 0.24)));
-            vec4 lamps_lit = (light_2.color * vec4(vec3(lamps_reach), 1.0));
-            lamps_brightest = ((light_2.intensity > 0.0) ? vec4(max(lamps_brightest.xyz, lamps_lit.xyz), 1.0) : lamps_brightest);
+            float lamps_reach = lamps_tone * (lamps_bands * eased(light_2.intensity, 0.2, 0.24));
+            vec4 lamps_lit = light_2.color * vec4(vec3(lamps_reach), 1.0);
+            lamps_brightest = light_2.intensity
+                > 0.0 ? vec4(max(lamps_brightest.xyz, lamps_lit.xyz), 1.0) : lamps_brightest;
         }
     }
-    Angle moon_angle = Angle((0.5 * length((surface.normal - u_look.moon.direction))), (0.5 * length((surface.normal + u_look.moon.direction))));
+
+    // Parametrization
+    Angle moon_angle = Angle(0.5 * length(surface.normal - u_look.moon.direction), 0.5
+        * length(surface.normal + u_look.moon.direction));
     float moon_tone = profile_balanced(moon_angle, 0.0, moon_tone_shape);
     vec4 dusk = mix_evenly_oklab(vec4(0.07, 0.08, 0.16, 1.0), vec4(0.2, 0.24, 0.4, 1.0), moon_tone);
-    return limit_color(vec4((lamps_brightest.xyz + dusk.xyz), 1.0), 1.0, 0.3);
+    return limit_color(vec4(lamps_brightest.xyz + dusk.xyz, 1.0), 1.0, 0.3);
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     Surface surface = Surface(normal, in_.position);
     out_color = shade(surface);
-    return;
 }
-

@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// What differs from light to light.
 struct EachLight {
     metal::float3x3 own_from_world;
@@ -32,6 +34,7 @@ struct EachLight {
     metal::float2 fading;
     char _pad5[8];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -43,19 +46,23 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 struct type_6 {
     EachLight inner[36];
 };
+
 /// What is known before the fragment.
 struct Look {
     Light moon;
     type_6 lights;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 position;
 };
+
 typedef metal::float4 Color;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
@@ -65,6 +72,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LightParts {
     /// Unit, toward the light, world space.
     metal::float3 direction;
@@ -74,6 +82,7 @@ struct LightParts {
     float intensity;
     char _pad3[12];
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -92,17 +101,22 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
-constant ProfileShape lamps_tone_shape = ProfileShape {0.90044713, 0.43496552, 10.016686, 2.4912605, 0.9, 0.09820393, 0.042312488, 0u};
-constant ProfileShape moon_tone_shape = ProfileShape {0.90044713, 0.43496552, 2.9163208, 3.0838382, 0.9, 0.3121117, 0.13987324, 0u};
+
+constant ProfileShape lamps_tone_shape = ProfileShape {0.90044713, 0.43496552, 10.016686, 2.4912605,
+    0.9, 0.09820393, 0.042312488, 0u};
+constant ProfileShape moon_tone_shape = ProfileShape {0.90044713, 0.43496552, 2.9163208, 3.0838382,
+    0.9, 0.3121117, 0.13987324, 0u};
 
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
@@ -120,13 +134,14 @@ metal::float3 normalize_or(
     metal::float3 otherwise
 ) {
     float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
-    if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
+    if (!((largest > 0.000000000000000000000000000001)
+        & (largest < 1000000000000000000000000000000.0))) {
         return otherwise;
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
@@ -158,7 +173,8 @@ Angle angle_turned(
     metal::float2 t
 ) {
     float s = u.half_sin - 0.0;
-    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 upper = u.half_cos
+        <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
     metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
@@ -171,7 +187,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -182,7 +198,7 @@ float eased(
     float high
 ) {
     float t = metal::clamp(bounded((bounded(x) - low) / (high - low)), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
@@ -191,8 +207,8 @@ float srgb_of_linear(
     float light
 ) {
     float size = metal::abs(light);
-    float value = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * metal::pow(size, 0.41666666)) - 0.055);
-    return (light < 0.0) ? -(value) : value;
+    float value = size <= 0.0031308 ? size * 12.92 : 1.055 * metal::pow(size, 0.41666666) - 0.055;
+    return light < 0.0 ? -value : value;
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -200,28 +216,36 @@ float srgb_of_linear(
 metal::float3 oklab_of_linear(
     metal::float3 rgb
 ) {
-    float l = metal::pow(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
-    float m = metal::pow(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
-    float s = metal::pow(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
-    return metal::float3(((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s), ((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s), ((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s));
+    float l = metal::pow(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995)),
+        0.33333334);
+    float m = metal::pow(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696)),
+        0.33333334);
+    float s = metal::pow(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787)),
+        0.33333334);
+    return metal::float3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l
+        - 2.4285922 * m + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 metal::float3 linear_of_oklab(
     metal::float3 lab
 ) {
-    float l = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
-    float m = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
-    float s = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
-    metal::float3 cubes = metal::float3((l * l) * l, (m * m) * m, (s * s) * s);
-    return metal::float3(metal::dot(cubes, metal::float3(4.0767417, -3.3077116, 0.23096994)), metal::dot(cubes, metal::float3(-1.268438, 2.6097574, -0.34131938)), metal::dot(cubes, metal::float3(-0.0041960864, -0.7034186, 1.7076147)));
+    float l = lab.x + 0.39633778 * lab.y + 0.21580376 * lab.z;
+    float m = lab.x - 0.105561346 * lab.y - 0.06385417 * lab.z;
+    float s = lab.x - 0.08948418 * lab.y - 1.2914855 * lab.z;
+    metal::float3 cubes = metal::float3(l * l * l, m * m * m, s * s * s);
+    return metal::float3(metal::dot(cubes, metal::float3(4.0767417, -3.3077116, 0.23096994)),
+        metal::dot(cubes, metal::float3(-1.268438, 2.6097574, -0.34131938)),
+        metal::dot(cubes, metal::float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 metal::float3 oklab_of_srgb(
     metal::float3 coded
 ) {
-    metal::float3 oklab_of_linear_value = oklab_of_linear(metal::float3(metal::pow((coded.x + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4), metal::pow((coded.z + 0.055) / 1.055, 2.4)));
+    metal::float3 oklab_of_linear_value = oklab_of_linear(metal::float3(metal::pow((coded.x
+        + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4),
+        metal::pow((coded.z + 0.055) / 1.055, 2.4)));
     return oklab_of_linear_value;
 }
 
@@ -249,7 +273,7 @@ Color limit_color(
     }
     float room = limit - knee;
     float above = brightest - knee;
-    float pressed = knee + (metal::min(above, room) * (metal::max(above, room) / (above + room)));
+    float pressed = knee + metal::min(above, room) * (metal::max(above, room) / (above + room));
     return metal::float4(color.xyz * metal::min(pressed / brightest, 1.0), 1.0);
 }
 
@@ -262,8 +286,9 @@ Color mix_evenly_oklab(
     Color b,
     float factor
 ) {
-    metal::float3 srgb_of_oklab_value = srgb_of_oklab(metal::mix(oklab_of_srgb(a.xyz), oklab_of_srgb(b.xyz), factor));
-    return (factor <= 0.0) ? a : ((factor >= 1.0) ? b : metal::float4(srgb_of_oklab_value, 1.0));
+    metal::float3 srgb_of_oklab_value = srgb_of_oklab(metal::mix(oklab_of_srgb(a.xyz),
+        oklab_of_srgb(b.xyz), factor));
+    return factor <= 0.0 ? a : (factor >= 1.0 ? b : metal::float4(srgb_of_oklab_value, 1.0));
 }
 
 /// Attenuation at `distance`: 1 / (1 + (d / half)^2), ended smoothly at the range by (1 - (d /
@@ -275,11 +300,11 @@ float light_fading(
     float left = 1.0;
     if (fading.x > 0.0) {
         float d = metal::min(distance / fading.x, 1000000000000000.0);
-        left = 1.0 / (1.0 + (d * d));
+        left = 1.0 / (1.0 + d * d);
     }
     if (fading.y > 0.0) {
         float d_1 = metal::min(distance / fading.y, 1.0);
-        float window = metal::max(1.0 - (((d_1 * d_1) * d_1) * d_1), 0.0);
+        float window = metal::max(1.0 - d_1 * d_1 * d_1 * d_1, 0.0);
         left = left * (window * window);
     }
     return left;
@@ -307,7 +332,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -317,10 +342,10 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -330,20 +355,22 @@ float profile_filtered_quick(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -374,19 +401,31 @@ metal::float4 shade(
             break;
         }
         {
-            Light light = light_at(look.lights.inner[each].position, look.lights.inner[each].own_from_world, look.lights.inner[each].color, look.lights.inner[each].intensity, look.lights.inner[each].fading, surface.position);
-            LightParts light_2 = LightParts {light.direction, metal::float4(light.color, 1.0), light.intensity};
-            Angle lamps_angle = Angle {0.5 * metal::length(surface.normal - light.direction), 0.5 * metal::length(surface.normal + light.direction)};
+            // Lamps (Each lamp)
+            Light light = light_at(look.lights.inner[each].position,
+                look.lights.inner[each].own_from_world, look.lights.inner[each].color,
+                look.lights.inner[each].intensity, look.lights.inner[each].fading,
+                surface.position);
+            LightParts light_2 = LightParts {light.direction, metal::float4(light.color, 1.0),
+                light.intensity};
+            Angle lamps_angle = Angle {0.5 * metal::length(surface.normal - light.direction), 0.5
+                * metal::length(surface.normal + light.direction)};
             float lamps_tone = profile_balanced(lamps_angle, 0.0, lamps_tone_shape);
             float lamps_bands = metal::mix(0.55, 1.0, eased(light_2.intensity, 0.5, 0.55));
             float lamps_reach = lamps_tone * (lamps_bands * eased(light_2.intensity, 0.2, 0.24));
             Color lamps_lit = light_2.color * metal::float4(metal::float3(lamps_reach), 1.0);
-            lamps_brightest = (light_2.intensity > 0.0) ? metal::float4(metal::max(lamps_brightest.xyz, lamps_lit.xyz), 1.0) : lamps_brightest;
+            lamps_brightest = light_2.intensity
+                > 0.0 ? metal::float4(metal::max(lamps_brightest.xyz, lamps_lit.xyz),
+                1.0) : lamps_brightest;
         }
     }
-    Angle moon_angle = Angle {0.5 * metal::length(surface.normal - look.moon.direction), 0.5 * metal::length(surface.normal + look.moon.direction)};
+
+    // Parametrization
+    Angle moon_angle = Angle {0.5 * metal::length(surface.normal - look.moon.direction), 0.5
+        * metal::length(surface.normal + look.moon.direction)};
     float moon_tone = profile_balanced(moon_angle, 0.0, moon_tone_shape);
-    Color dusk = mix_evenly_oklab(metal::float4(0.07, 0.08, 0.16, 1.0), metal::float4(0.2, 0.24, 0.4, 1.0), moon_tone);
+    Color dusk = mix_evenly_oklab(metal::float4(0.07, 0.08, 0.16, 1.0),
+        metal::float4(0.2, 0.24, 0.4, 1.0), moon_tone);
     return limit_color(metal::float4(lamps_brightest.xyz + dusk.xyz, 1.0), 1.0, 0.3);
 }
 
@@ -394,11 +433,13 @@ struct vs_mainInput {
     metal::float3 position_1 [[attribute(0)]];
     metal::float3 normal [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -406,7 +447,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position_1, varyings.normal };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -415,9 +457,11 @@ struct fs_mainInput {
     metal::float3 position_1 [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -426,7 +470,7 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position_1, varyings_1.normal };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     Surface surface = Surface {normal, in.position};
     return fs_mainOutput { shade(surface, look) };
 }

@@ -278,7 +278,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -305,6 +305,7 @@ fn shade(surface: Surface) -> vec4f {
     var lamps_brightest = vec4f(0.0, 0.0, 0.0, 1.0);
     // For each light: lamp_1, lamp_2, lamp_3, lamp_4, lamp_5, lamp_6 and 30 more.
     for (var each = 0u; each < 36u; each++) {
+        // Lamps (Each lamp)
         let light = light_at(look.lights[each].position, look.lights[each].own_from_world,
             look.lights[each].color, look.lights[each].intensity, look.lights[each].fading,
             surface.position);
@@ -318,6 +319,8 @@ fn shade(surface: Surface) -> vec4f {
         lamps_brightest = select(lamps_brightest,
             vec4f(max(lamps_brightest.xyz, lamps_lit.xyz), 1.0), light_2.intensity > 0.0);
     }
+
+    // Parametrization
     let moon_angle = Angle(0.5 * length(surface.normal - look.moon.direction), 0.5
         * length(surface.normal + look.moon.direction));
     let moon_tone = profile_balanced(moon_angle, 0.0, moon_tone_shape);

@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,12 +36,14 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light eye;
     metal::float3x3 camera_from_world;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
@@ -47,6 +51,7 @@ struct Surface {
     metal::packed_float3 position_object;
     float kappa;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -57,6 +62,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -64,6 +70,7 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -82,6 +89,7 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct VectorParts {
     /// The first number.
     float x;
@@ -90,24 +98,30 @@ struct VectorParts {
     /// The third number.
     float z;
 };
+
 struct Shaded {
     metal::float4 value;
     metal::float4 color;
     float cutoff;
     char _pad3[12];
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant ProfileShape metal_tone_shape = ProfileShape {0.99820054, 0.059964005, 7.166244, 3.1997643, 0.12, 0.124456726, 0.0556771, 0u};
-constant ProfileShape contour_tone_shape = ProfileShape {0.8253356, 0.5646425, 0.0, 1.0, 1.2, 0.0, 0.0, 1u};
+
+constant ProfileShape metal_tone_shape = ProfileShape {0.99820054, 0.059964005, 7.166244, 3.1997643,
+    0.12, 0.124456726, 0.0556771, 0u};
+constant ProfileShape contour_tone_shape = ProfileShape {0.8253356, 0.5646425, 0.0, 1.0, 1.2, 0.0,
+    0.0, 1u};
 
 /// v with 0 for each component that is NaN or infinite.
 metal::float4 finite_vec4(
@@ -124,7 +138,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -141,8 +156,10 @@ metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
-    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 0.0000026347564))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (0.00002477458 - y * 0.00000026297516))));
     return metal::float2(s, c);
 }
 
@@ -163,9 +180,9 @@ Angle angle_turned(
     Angle u,
     metal::float2 t
 ) {
-    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
-    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
@@ -180,7 +197,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -199,7 +216,7 @@ float step_filtered(
 ) {
     float d = x - edge;
     if (w < 0.000000000000000000000000000001) {
-        return (d >= 0.0) ? 1.0 : 0.0;
+        return d >= 0.0 ? 1.0 : 0.0;
     }
     return metal::clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
@@ -230,14 +247,15 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (convex - concave));
+    return concave + convexity * (convex - concave);
 }
 
 float transition_balanced(
     float kappa,
     float slope
 ) {
-    return 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))))));
+    return 0.5 + 0.5 * (1.0 - 2.0 / (1.0
+        + metal::exp2(2.88539 * metal::clamp(kappa * slope, -20.0, 20.0))));
 }
 
 Composite blend_alpha(
@@ -247,7 +265,9 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + opacity
+        * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// Output
@@ -269,8 +289,9 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), split.x};
 }
 
 /// Light on a layer
@@ -282,7 +303,8 @@ LitLayer light_apply_2(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
     return LitLayer {metal::float4(light.color * split.y, 1.0), tone * split.x};
 }
 
@@ -291,8 +313,9 @@ Angle parametrization_specular_balanced(
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
+    metal::float3 d = 2.0 * metal::dot(normal, view) * normal - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5
+        * metal::length(d + light.direction)};
 }
 
 Angle parametrization_screen_aligned_balanced(
@@ -301,7 +324,8 @@ Angle parametrization_screen_aligned_balanced(
     metal::float3x3 camera_from_world
 ) {
     metal::float3 d = camera_from_world * normal;
-    return Angle {0.5 * metal::length(d - light.own_direction), 0.5 * metal::length(d + light.own_direction)};
+    return Angle {0.5 * metal::length(d - light.own_direction), 0.5
+        * metal::length(d + light.own_direction)};
 }
 
 /// alpha of a soft profile where the half-sine from tau is s.
@@ -310,7 +334,7 @@ float profile_soft_quick(
     ProfileShape shape
 ) {
     float q = s * shape.scale;
-    return (s <= 0.0) ? 1.0 : metal::pow(metal::max(1.0 - (q * q), 0.0), shape.exponent);
+    return s <= 0.0 ? 1.0 : metal::pow(metal::max(1.0 - q * q, 0.0), shape.exponent);
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -320,10 +344,10 @@ float profile_ramp_quick(
     float w,
     ProfileShape shape
 ) {
-    float width = metal::sqrt((w * w) + ((12.0 * shape.edge_deviation) * shape.edge_deviation));
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((shape.edge_mean - from_offset) / width), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float width = metal::sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (shape.edge_mean - from_offset) / width, 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// The ramp of an edge that is narrower than the footprint, from the half-sine s; a hard, inclusive
@@ -334,9 +358,9 @@ float profile_ramp_quick_2(
     ProfileShape shape
 ) {
     float width = metal::sqrt(w * w);
-    float from_offset = s * (2.0 + ((s * s) * 0.33333334));
-    float ramp = metal::clamp(0.5 + ((0.0 - from_offset) / metal::max(width, 0.000001)), 0.0, 1.0);
-    return (w <= 0.0) ? ((s <= 0.0000004) ? 1.0 : 0.0) : ramp;
+    float from_offset = s * (2.0 + s * s * 0.33333334);
+    float ramp = metal::clamp(0.5 + (0.0 - from_offset) / metal::max(width, 0.000001), 0.0, 1.0);
+    return w <= 0.0 ? (s <= 0.0000004 ? 1.0 : 0.0) : ramp;
 }
 
 /// [`profile_filtered`] with the same footprint and quadrature in shorter forms: the two outer
@@ -346,20 +370,22 @@ float profile_filtered_quick(
     float w,
     ProfileShape shape
 ) {
-    metal::float2 place = metal::float2((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset), (u.half_cos * shape.half_cos_offset) + (u.half_sin * shape.half_sin_offset));
-    bool is_narrow = (w > 0.0) & (w >= (3.4641016 * shape.edge_deviation));
-    if (false | is_narrow) {
+    metal::float2 place = metal::float2(u.half_sin * shape.half_cos_offset - u.half_cos
+        * shape.half_sin_offset, u.half_cos * shape.half_cos_offset + u.half_sin
+        * shape.half_sin_offset);
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     float point = profile_soft_quick(place.x, shape);
-    if (w < (0.1 * shape.edge_deviation)) {
+    if (w < 0.1 * shape.edge_deviation) {
         return point;
     }
     float r = 0.19364917 * w;
-    metal::float2 turn = metal::float2(r * (1.0 - ((0.16666667 * r) * r)), 1.0 - ((0.5 * r) * r));
-    float before = profile_soft_quick((place.x * turn.y) - (place.y * turn.x), shape);
-    float after = profile_soft_quick((place.x * turn.y) + (place.y * turn.x), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    metal::float2 turn = metal::float2(r * (1.0 - 0.16666667 * r * r), 1.0 - 0.5 * r * r);
+    float before = profile_soft_quick(place.x * turn.y - place.y * turn.x, shape);
+    float after = profile_soft_quick(place.x * turn.y + place.y * turn.x, shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 float profile_balanced(
@@ -378,7 +404,8 @@ float profile_balanced_2(
 ) {
     Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     float angle_footprint_value = angle_footprint(warped);
-    return profile_ramp_quick_2((warped.half_sin * shape.half_cos_offset) - (warped.half_cos * shape.half_sin_offset), angle_footprint_value, shape);
+    return profile_ramp_quick_2(warped.half_sin * shape.half_cos_offset - warped.half_cos
+        * shape.half_sin_offset, angle_footprint_value, shape);
 }
 
 /// Cool to warm
@@ -394,9 +421,9 @@ Color gooch(
     float cool_amount,
     float warm_amount
 ) {
-    float t = 0.5 + (0.5 * metal::dot(normal, light.direction));
-    metal::float3 far = cool.xyz + (cool_amount * color.xyz);
-    metal::float3 near = warm.xyz + (warm_amount * color.xyz);
+    float t = 0.5 + 0.5 * metal::dot(normal, light.direction);
+    metal::float3 far = cool.xyz + cool_amount * color.xyz;
+    metal::float3 near = warm.xyz + warm_amount * color.xyz;
     return metal::float4(metal::mix(far, near, metal::clamp(t, 0.0, 1.0)), 1.0);
 }
 
@@ -405,31 +432,55 @@ Shaded shade(
     Surface surface,
     constant Look& look
 ) {
-    Color cool_to_warm = gooch(look.key, surface.normal, metal::float4(0.8314, 0.8392, 0.8549, 1.0), metal::float4(0.1725, 0.2902, 0.4863, 1.0), metal::float4(0.4196, 0.3529, 0.1961, 1.0), 0.35, 0.6);
-    metal::float4 cool_to_warm_2 = metal::float4(metal::float3(1.0) + (cool_to_warm.xyz - metal::float3(1.0)), 1.0);
+    Color cool_to_warm = gooch(look.key, surface.normal, metal::float4(0.8314, 0.8392, 0.8549, 1.0),
+        metal::float4(0.1725, 0.2902, 0.4863, 1.0), metal::float4(0.4196, 0.3529, 0.1961, 1.0),
+        0.35, 0.6);
+    // Blend
+    metal::float4 cool_to_warm_2 = metal::float4(metal::float3(1.0)
+        + (cool_to_warm.xyz - metal::float3(1.0)), 1.0);
+
+    // Hollows (Light layer)
     float hollows_convexity = transition_balanced(surface.kappa, 0.25);
-    Color hollows_color = curvature_color(hollows_convexity, metal::float4(1.0), metal::float4(0.5412, 0.5804, 0.6588, 1.0));
+    Color hollows_color = curvature_color(hollows_convexity, metal::float4(1.0),
+        metal::float4(0.5412, 0.5804, 0.6588, 1.0));
     LitLayer hollows_lit = light_apply(look.key, hollows_color, 1.0);
-    metal::float4 hollows_blend = metal::clamp(metal::float4(cool_to_warm_2.xyz + (0.8 * ((cool_to_warm_2.xyz * (hollows_lit.tone * hollows_lit.color.xyz)) - cool_to_warm_2.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 hollows_blend = metal::clamp(metal::float4(cool_to_warm_2.xyz + 0.8
+        * (cool_to_warm_2.xyz * (hollows_lit.tone * hollows_lit.color.xyz) - cool_to_warm_2.xyz),
+        1.0), metal::float4(0.0), metal::float4(1.0));
+
+    // Metal (Light layer)
     Angle metal_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
-    float metal_warp = ((2.0 * transition_balanced(surface.kappa, 0.2)) - 1.0) * 0.05;
+    float metal_warp = (2.0 * transition_balanced(surface.kappa, 0.2) - 1.0) * 0.05;
     float metal_tone = profile_balanced(metal_angle, metal_warp, metal_tone_shape);
     LitLayer metal_lit = light_apply_2(look.key, metal::float4(1.0), metal_tone);
     Composite metal_blend = blend_alpha(hollows_blend, metal_lit.color, metal_lit.tone, 0.8, true);
-    Angle contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal, look.camera_from_world);
-    float contour_warp = ((2.0 * transition_balanced(surface.kappa, 0.12)) - 1.0) * 0.25;
+
+    // Contour (Light layer)
+    Angle contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal,
+        look.camera_from_world);
+    float contour_warp = (2.0 * transition_balanced(surface.kappa, 0.12) - 1.0) * 0.25;
     float contour_tone = profile_balanced_2(contour_angle, contour_warp, contour_tone_shape);
     LitLayer contour_lit = light_apply_2(look.eye, metal::float4(1.0), contour_tone);
-    metal::float4 contour_blend = metal::clamp(metal::float4(metal_blend.xyz * (contour_lit.tone * contour_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 contour_blend = metal::clamp(metal::float4(metal_blend.xyz
+        * (contour_lit.tone * contour_lit.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+
     metal::float3 place = surface.position_object;
-    VectorParts parts = VectorParts {surface.position_object[0], surface.position_object[1], surface.position_object[2]};
+    VectorParts parts = VectorParts {surface.position_object[0], surface.position_object[1],
+        surface.position_object[2]};
     float into_the_corner = metal::min(parts.x, parts.z);
     float footprint_of_value = footprint_of(into_the_corner);
-    float section = step_filtered(into_the_corner, -0.012, metal::length(metal::float2(metal::min(footprint_of_value, 1000000000000000.0), 0.0)));
-    metal::float4 section_line = metal::clamp(metal::float4(contour_blend.xyz + (section * (metal::float3(0.8471, 0.1569, 0.1098) - contour_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    // Threshold
+    float section = step_filtered(into_the_corner, -0.012,
+        metal::length(metal::float2(metal::min(footprint_of_value, 1000000000000000.0), 0.0)));
+    metal::float4 section_line = metal::clamp(metal::float4(contour_blend.xyz + section
+        * (metal::float3(0.8471, 0.1569, 0.1098) - contour_blend.xyz), 1.0), metal::float4(0.0),
+        metal::float4(1.0));
     float footprint_of_value_1 = footprint_of(into_the_corner);
-    float taken_out = step_filtered(into_the_corner, 0.02, metal::length(metal::float2(metal::min(footprint_of_value_1, 1000000000000000.0), 0.0)));
+    // Threshold
+    float taken_out = step_filtered(into_the_corner, 0.02,
+        metal::length(metal::float2(metal::min(footprint_of_value_1, 1000000000000000.0), 0.0)));
     float kept = 1.0 - taken_out;
+    // Set alpha
     metal::float4 cut = metal::float4(section_line.xyz, kept);
     Color output_2 = output(premultiplied(cut));
     return Shaded {output_2, output_2, 0.5};
@@ -439,12 +490,14 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_3 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal [[user(loc2), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -452,7 +505,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_3 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position,
+        object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -466,9 +520,11 @@ struct fs_mainInput {
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal_3 [[user(loc2), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -477,11 +533,13 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.position, varyings_1.position_object, varyings_1.normal_3 };
+    const Varyings in = { clip, varyings_1.position, varyings_1.position_object,
+        varyings_1.normal_3 };
     metal::float3 facing = normalize_seen(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object, texel.x};
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, texel.x};
     Shaded shaded = shade(surface, look);
     if (shaded.color.w < shaded.cutoff) {
         metal::discard_fragment();

@@ -264,7 +264,7 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let place = vec2f(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
     let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
-    if false | is_narrow {
+    if is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -323,7 +323,10 @@ struct Shaded {
 fn shade(surface: Surface) -> Shaded {
     let cool_to_warm = gooch(look.key, surface.normal, vec4f(0.8314, 0.8392, 0.8549, 1.0),
         vec4f(0.1725, 0.2902, 0.4863, 1.0), vec4f(0.4196, 0.3529, 0.1961, 1.0), 0.35, 0.6);
+    // Blend
     let cool_to_warm_2 = vec4f(1.0 + (cool_to_warm.xyz - 1.0), 1.0);
+
+    // Hollows (Light layer)
     let hollows_convexity = transition_balanced(surface.kappa, 0.25);
     let hollows_color = curvature_color(hollows_convexity, vec4f(1.0),
         vec4f(0.5412, 0.5804, 0.6588, 1.0));
@@ -331,11 +334,15 @@ fn shade(surface: Surface) -> Shaded {
     let hollows_blend = clamp(vec4f(cool_to_warm_2.xyz + 0.8
         * (cool_to_warm_2.xyz * (hollows_lit.tone * hollows_lit.color.xyz) - cool_to_warm_2.xyz),
         1.0), vec4f(0.0), vec4f(1.0));
+
+    // Metal (Light layer)
     let metal_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let metal_warp = (2.0 * transition_balanced(surface.kappa, 0.2) - 1.0) * 0.05;
     let metal_tone = profile_balanced(metal_angle, metal_warp, metal_tone_shape);
     let metal_lit = light_apply_2(look.key, vec4f(1.0), metal_tone);
     let metal_blend = blend_alpha(hollows_blend, metal_lit.color, metal_lit.tone, 0.8, true);
+
+    // Contour (Light layer)
     let contour_angle = parametrization_screen_aligned_balanced(look.eye, surface.normal,
         look.camera_from_world);
     let contour_warp = (2.0 * transition_balanced(surface.kappa, 0.12) - 1.0) * 0.25;
@@ -343,17 +350,21 @@ fn shade(surface: Surface) -> Shaded {
     let contour_lit = light_apply_2(look.eye, vec4f(1.0), contour_tone);
     let contour_blend = clamp(vec4f(metal_blend.xyz * (contour_lit.tone * contour_lit.color.xyz),
         1.0), vec4f(0.0), vec4f(1.0));
+
     let place = surface.position_object;
     let parts = VectorParts(place.x, place.y, place.z);
     let into_the_corner = min(parts.x, parts.z);
+    // Threshold
     let section = step_filtered(into_the_corner, -0.012,
         length(vec2f(min(footprint_of(into_the_corner), 1e15), 0.0)));
     let section_line = clamp(vec4f(contour_blend.xyz + section
         * (vec4f(0.8471, 0.1569, 0.1098, 1.0).xyz - contour_blend.xyz), 1.0), vec4f(0.0),
         vec4f(1.0));
+    // Threshold
     let taken_out = step_filtered(into_the_corner, 0.02,
         length(vec2f(min(footprint_of(into_the_corner), 1e15), 0.0)));
     let kept = 1.0 - taken_out;
+    // Set alpha
     let cut = vec4f(section_line.xyz, kept);
     let output_2 = output(premultiplied(cut));
     return Shaded(output_2, output_2, 0.5);

@@ -10,12 +10,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -29,6 +31,7 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -47,21 +50,32 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const ProfileShape evening_sun_tone_shape = ProfileShape(1.0, 0.0, 1.0955735, 1.6395584, 0.0, 1.1385497, 0.5052584, 0u);
-const ProfileShape sky_tone_shape = ProfileShape(1.0, 0.0, 1.229384, 1.2860026, 0.0, 1.0836705, 0.44442755, 0u);
-const ProfileShape glow_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.425296, 2.5857167, 0.1, 0.4039123, 0.17722374, 0u);
-const Ramp seven_inks = Ramp(vec4[16](vec4(0.0863, 0.1333, 0.2471, 1.0), vec4(0.1725, 0.3176, 0.3882, 1.0), vec4(0.4863, 0.2275, 0.2706, 1.0), vec4(0.7686, 0.3294, 0.2471, 1.0), vec4(0.8784, 0.5412, 0.298, 1.0), vec4(0.9412, 0.7608, 0.4824, 1.0), vec4(0.9843, 0.9333, 0.7961, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.15, 0.3, 0.45), vec4(0.6, 0.8, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 0u);
+const ProfileShape evening_sun_tone_shape = ProfileShape(1.0, 0.0, 1.0955735, 1.6395584, 0.0,
+    1.1385497, 0.5052584, 0u);
+const ProfileShape sky_tone_shape = ProfileShape(1.0, 0.0, 1.229384, 1.2860026, 0.0, 1.0836705,
+    0.44442755, 0u);
+const ProfileShape glow_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.425296, 2.5857167, 0.1,
+    0.4039123, 0.17722374, 0u);
+const Ramp seven_inks = Ramp(vec4[16](vec4(0.0863, 0.1333, 0.2471, 1.0),
+    vec4(0.1725, 0.3176, 0.3882, 1.0), vec4(0.4863, 0.2275, 0.2706, 1.0),
+    vec4(0.7686, 0.3294, 0.2471, 1.0), vec4(0.8784, 0.5412, 0.298, 1.0),
+    vec4(0.9412, 0.7608, 0.4824, 1.0), vec4(0.9843, 0.9333, 0.7961, 1.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)),
+    vec4[4](vec4(0.0, 0.15, 0.3, 0.45), vec4(0.6, 0.8, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 0u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
 
@@ -74,11 +88,10 @@ layout(location = 1) smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_position = _tmp_return.position;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, world.xyz,
+        u_object.world_from_normal * vertex.normal);
+    gl_Position = varyings.clip;
+    v_position = varyings.position;
+    v_normal = varyings.normal;
 }
-

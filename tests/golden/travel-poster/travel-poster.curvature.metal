@@ -24,12 +24,14 @@ struct Curvature {
     /// Samples per pixel of the picture.
     float samples;
 };
+
 /// A pixel and its texel of the surface.
 struct SeenPixel {
     metal::int2 at;
     char _pad1[8];
     metal::float4 texel;
 };
+
 /// The plane of the surface at a pixel: it tells which neighbors lie on the same surface. Changes
 /// of depth are along columns and rows of the image.
 struct Plane {
@@ -41,12 +43,14 @@ struct Plane {
     float tolerance;
     char _pad4[4];
 };
+
 /// A pixel whose curvature is measured.
 struct Center {
     metal::int2 at;
     metal::float2 slope;
     Plane plane;
 };
+
 /// Neighbors on the four sides of a center: in the column after it, in the column before it, in the
 /// row after it, and in the row before it.
 struct Ring {
@@ -73,14 +77,14 @@ metal::float4 surface_texel(
     float number
 ) {
     metal::float2 slope_of_value = slope_of(normal);
-    return metal::float4(slope_of_value, depth, (normal.z < 0.0) ? -(number) : number);
+    return metal::float4(slope_of_value, depth, normal.z < 0.0 ? -number : number);
 }
 
 /// The number of an object in texels, from 1 on.
 float object_number(
     float object
 ) {
-    return (object - (4096.0 * metal::floor(object / 4096.0))) + 1.0;
+    return object - 4096.0 * metal::floor(object / 4096.0) + 1.0;
 }
 
 /// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
@@ -91,9 +95,10 @@ float facet_number(
     float material,
     float id
 ) {
-    float whole = metal::rint((metal::abs(id) <= 1000000.0) ? id : 0.0);
-    float parts = ((128.0 * (material - (32.0 * metal::floor(material / 32.0)))) + whole) - (128.0 * metal::floor(whole / 128.0));
-    return object_number(object) + (parts / 4096.0);
+    float whole = metal::rint(metal::abs(id) <= 1000000.0 ? id : 0.0);
+    float parts = 128.0 * (material - 32.0 * metal::floor(material / 32.0)) + whole - 128.0
+        * metal::floor(whole / 128.0);
+    return object_number(object) + parts / 4096.0;
 }
 
 /// The normal that a texel was made from.
@@ -104,16 +109,18 @@ metal::float3 normal_of(
     // elsewhere that is no less than LEAST_NZ, and the normal points along the slope and 1.
     metal::float2 aside = 0.2 * texel.xy;
     float rest = metal::sqrt(metal::max(1.0 - metal::dot(aside, aside), 0.0));
-    float nz = (texel.w < 0.0) ? -(rest) : rest;
-    metal::float3 facing = metal::float3(texel.xy, 1.0) / metal::float3(metal::sqrt(1.0 + metal::dot(texel.xy, texel.xy)));
-    return (nz >= 0.2) ? facing : metal::float3(aside, nz);
+    float nz = texel.w < 0.0 ? -rest : rest;
+    metal::float3 facing = metal::float3(texel.xy, 1.0)
+        / metal::float3(metal::sqrt(1.0 + metal::dot(texel.xy, texel.xy)));
+    return nz >= 0.2 ? facing : metal::float3(aside, nz);
 }
 
 /// A triangle over the whole picture.
 metal::float4 whole_picture(
     uint index
 ) {
-    return metal::float4((static_cast<float>(index & 1u) * 4.0) - 1.0, (static_cast<float>(index >> 1u) * 4.0) - 1.0, 0.0, 1.0);
+    return metal::float4(static_cast<float>(index & 1u) * 4.0 - 1.0,
+        static_cast<float>(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
@@ -132,16 +139,18 @@ int step_pixels(
 float row_direction(
     constant Curvature& curvature
 ) {
-    return (curvature.rows_up > 0.5) ? 1.0 : -1.0;
+    return curvature.rows_up > 0.5 ? 1.0 : -1.0;
 }
 
 /// Offset to one of the eight pixels around a pixel, by an index from 0 to 7; the nearest first.
 metal::int2 around(
     int index
 ) {
-    int side = as_type<int>(as_type<uint>(1) - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(index & 1))));
-    metal::int2 straight = (index < 2) ? metal::int2(side, 0) : metal::int2(0, side);
-    return (index > 3) ? metal::int2(side, as_type<int>(as_type<uint>(1) - as_type<uint>(index & 2))) : straight;
+    int side = as_type<int>(as_type<uint>(1)
+        - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(index & 1))));
+    metal::int2 straight = index < 2 ? metal::int2(side, 0) : metal::int2(0, side);
+    return index > 3 ? metal::int2(side,
+        as_type<int>(as_type<uint>(1) - as_type<uint>(index & 2))) : straight;
 }
 
 /// The pixel whose surface a pixel has: its own, or that of a neighbor.
@@ -157,7 +166,8 @@ SeenPixel seen_pixel(
     bool local = {};
     int index = {};
     seen = SeenPixel {pixel, {}, surface.read(metal::uint2(pixel), 0)};
-    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
+        surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
     if (curvature.samples >= 2.0) {
         local = seen.texel.w == 0.0;
     } else {
@@ -177,7 +187,8 @@ SeenPixel seen_pixel(
         }
         {
             metal::int2 around_value = around(index);
-            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(around_value)), metal::int2(0), last);
+            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel)
+                + as_type<metal::uint2>(around_value)), metal::int2(0), last);
             metal::float4 texel = surface.read(metal::uint2(near), 0);
             if (texel.w != 0.0) {
                 seen = SeenPixel {near, {}, texel};
@@ -196,7 +207,8 @@ Plane plane_of(
     float pixel = curvature.pixel * metal::mix(1.0, depth, curvature.perspective);
     metal::float2 gradient = normal.xy / metal::float2(metal::max(normal.z, 0.02));
     float row_direction_value = row_direction(curvature);
-    return Plane {object, depth, (pixel * gradient) * metal::float2(1.0, row_direction_value), (2.0 * pixel) * (1.0 + metal::length(gradient))};
+    return Plane {object, depth, pixel * gradient * metal::float2(1.0, row_direction_value), 2.0
+        * pixel * (1.0 + metal::length(gradient))};
 }
 
 /// Weights of four neighbors that are `distance` pixels away, 0 to 1, by their objects, their
@@ -208,10 +220,11 @@ metal::float4 neighbor_weights(
     metal::float4 rises,
     float distance
 ) {
-    metal::float4 error = metal::abs((depths - metal::float4(plane.depth)) - rises);
+    metal::float4 error = metal::abs(depths - metal::float4(plane.depth) - rises);
     float scale = 1.0 / metal::max(plane.tolerance * distance, 0.000000000000000000000000000001);
     // The weight fades, so that the last bit of a depth does not decide between all and nothing.
-    metal::float4 weights = metal::clamp(metal::float4(2.0) - (error * scale), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 weights = metal::clamp(metal::float4(2.0) - error * scale, metal::float4(0.0),
+        metal::float4(1.0));
     return metal::select(metal::float4(0.0), weights, objects == metal::float4(plane.object));
 }
 
@@ -223,7 +236,8 @@ Center center_at(
 ) {
     SeenPixel seen = seen_pixel(pixel, surface, curvature);
     metal::float4 texel = seen.texel;
-    return Center {seen.at, texel.xy, plane_of(metal::abs(seen.texel.w), seen.texel.z, normal_of(texel), curvature)};
+    return Center {seen.at, texel.xy,
+        plane_of(metal::abs(seen.texel.w), seen.texel.z, normal_of(texel), curvature)};
 }
 
 /// The ring that is so many steps away, with its weight.
@@ -237,19 +251,31 @@ Ring ring_at(
     int reach = as_type<int>(as_type<uint>(steps) * as_type<uint>(step_pixels(curvature)));
     float distance = static_cast<float>(reach);
     metal::int2 at = center.at;
-    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
-    metal::float4 a = surface.read(metal::uint2(metal::int2(metal::min(as_type<int>(as_type<uint>(center.at.x) + as_type<uint>(reach)), last.x), center.at.y)), 0);
-    metal::float4 b = surface.read(metal::uint2(metal::int2(metal::max(as_type<int>(as_type<uint>(center.at.x) - as_type<uint>(reach)), 0), center.at.y)), 0);
-    metal::float4 c = surface.read(metal::uint2(metal::int2(center.at.x, metal::min(as_type<int>(as_type<uint>(center.at.y) + as_type<uint>(reach)), last.y))), 0);
-    metal::float4 d = surface.read(metal::uint2(metal::int2(center.at.x, metal::max(as_type<int>(as_type<uint>(center.at.y) - as_type<uint>(reach)), 0))), 0);
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
+        surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::float4 a = surface.read(metal::uint2(metal::int2(metal::min(as_type<int>(as_type<uint>(center.at.x) + as_type<uint>(reach)),
+        last.x), center.at.y)), 0);
+    metal::float4 b = surface.read(metal::uint2(metal::int2(metal::max(as_type<int>(as_type<uint>(center.at.x) - as_type<uint>(reach)),
+        0), center.at.y)), 0);
+    metal::float4 c = surface.read(metal::uint2(metal::int2(center.at.x,
+        metal::min(as_type<int>(as_type<uint>(center.at.y) + as_type<uint>(reach)), last.y))), 0);
+    metal::float4 d = surface.read(metal::uint2(metal::int2(center.at.x,
+        metal::max(as_type<int>(as_type<uint>(center.at.y) - as_type<uint>(reach)), 0))), 0);
     // Beyond the image nothing is.
-    metal::bool4 is_inside = metal::int4(as_type<int>(as_type<uint>(last.x) - as_type<uint>(center.at.x)), center.at.x, as_type<int>(as_type<uint>(last.y) - as_type<uint>(center.at.y)), center.at.y) >= metal::int4(reach);
-    metal::float4 objects = metal::select(metal::float4(0.0), metal::abs(metal::float4(a.w, b.w, c.w, d.w)), is_inside);
+    metal::bool4 is_inside = metal::int4(as_type<int>(as_type<uint>(last.x)
+        - as_type<uint>(center.at.x)), center.at.x,
+        as_type<int>(as_type<uint>(last.y) - as_type<uint>(center.at.y)), center.at.y)
+        >= metal::int4(reach);
+    metal::float4 objects = metal::select(metal::float4(0.0),
+        metal::abs(metal::float4(a.w, b.w, c.w, d.w)), is_inside);
     metal::float2 rise = distance * center.plane.rise;
-    metal::float4 rises = metal::float4(rise.x, -(rise.x), rise.y, -(rise.y));
-    metal::float4 neighbor_weights_value = neighbor_weights(center.plane, objects, metal::float4(a.z, b.z, c.z, d.z), rises, distance);
-    metal::float4 shares = (weight * distance) * neighbor_weights_value;
-    return Ring {shares * (metal::float4(a.x, b.x, c.x, d.x) - metal::float4(center.slope.x)), shares * (metal::float4(a.y, b.y, c.y, d.y) - metal::float4(center.slope.y)), shares * distance};
+    metal::float4 rises = metal::float4(rise.x, -rise.x, rise.y, -rise.y);
+    metal::float4 neighbor_weights_value = neighbor_weights(center.plane, objects,
+        metal::float4(a.z, b.z, c.z, d.z), rises, distance);
+    metal::float4 shares = weight * distance * neighbor_weights_value;
+    return Ring {shares * (metal::float4(a.x, b.x, c.x, d.x) - metal::float4(center.slope.x)),
+        shares * (metal::float4(a.y, b.y, c.y, d.y) - metal::float4(center.slope.y)), shares
+        * distance};
 }
 
 /// Two rings as one.
@@ -266,7 +292,8 @@ Ring rings_at(
     metal::texture2d<float, metal::access::sample> surface,
     constant Curvature& curvature
 ) {
-    Ring near = joined(ring_at(center, 1, 1.0, surface, curvature), ring_at(center, 2, 0.85, surface, curvature));
+    Ring near = joined(ring_at(center, 1, 1.0, surface, curvature),
+        ring_at(center, 2, 0.85, surface, curvature));
     return joined(near, ring_at(center, 3, 0.5, surface, curvature));
 }
 
@@ -279,8 +306,9 @@ metal::float2 derivatives(
 ) {
     // A side that hardly counts any more is left to the other one, gradually.
     metal::float4 trust = metal::smoothstep(metal::float4(0.0), metal::float4(0.5), weights);
-    metal::float4 sides = (changes / metal::max(weights, metal::float4(0.000001))) * trust;
-    metal::float2 along = (sides.xz - sides.yw) / metal::max(trust.xz + trust.yw, metal::float2(0.000001));
+    metal::float4 sides = changes / metal::max(weights, metal::float4(0.000001)) * trust;
+    metal::float2 along = (sides.xz - sides.yw)
+        / metal::max(trust.xz + trust.yw, metal::float2(0.000001));
     return along * metal::float2(1.0, row_direction(curvature));
 }
 
@@ -290,14 +318,16 @@ float mean_curvature(
     constant Curvature& curvature
 ) {
     metal::float2 along = derivatives(metal::float4(ring.x.xy, ring.y.zw), ring.weights, curvature);
-    return metal::clamp((0.5 * (along.x + along.y)) * curvature.viewport_height, -10000.0, 10000.0);
+    return metal::clamp(0.5 * (along.x + along.y) * curvature.viewport_height, -10000.0, 10000.0);
 }
 
 struct vs_mainInput {
 };
+
 struct vs_mainOutput {
     metal::float4 member [[position]];
 };
+
 vertex vs_mainOutput vs_main(
   uint index [[vertex_id]]
 ) {
@@ -311,9 +341,11 @@ metal::int2 naga_f2i32(metal::float2 value) {
 
 struct fs_mainInput {
 };
+
 struct fs_mainOutput {
     float member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   metal::float4 position [[position]]
 , metal::texture2d<float, metal::access::sample> surface [[texture(0)]]

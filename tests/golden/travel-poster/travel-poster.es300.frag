@@ -14,6 +14,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -25,17 +26,20 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light key;
     Light sky;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     float kappa;
 };
+
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -44,6 +48,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -57,12 +62,14 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 struct LitLayer {
     /// The color under this light.
     vec4 color;
     /// The tone under this light.
     float tone;
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -81,17 +88,27 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const ProfileShape evening_sun_tone_shape = ProfileShape(1.0, 0.0, 1.0955735, 1.6395584, 0.0, 1.1385497, 0.5052584, 0u);
-const ProfileShape sky_tone_shape = ProfileShape(1.0, 0.0, 1.229384, 1.2860026, 0.0, 1.0836705, 0.44442755, 0u);
-const ProfileShape glow_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.425296, 2.5857167, 0.1, 0.4039123, 0.17722374, 0u);
-const Ramp seven_inks = Ramp(vec4[16](vec4(0.0863, 0.1333, 0.2471, 1.0), vec4(0.1725, 0.3176, 0.3882, 1.0), vec4(0.4863, 0.2275, 0.2706, 1.0), vec4(0.7686, 0.3294, 0.2471, 1.0), vec4(0.8784, 0.5412, 0.298, 1.0), vec4(0.9412, 0.7608, 0.4824, 1.0), vec4(0.9843, 0.9333, 0.7961, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.15, 0.3, 0.45), vec4(0.6, 0.8, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 0u);
+const ProfileShape evening_sun_tone_shape = ProfileShape(1.0, 0.0, 1.0955735, 1.6395584, 0.0,
+    1.1385497, 0.5052584, 0u);
+const ProfileShape sky_tone_shape = ProfileShape(1.0, 0.0, 1.229384, 1.2860026, 0.0, 1.0836705,
+    0.44442755, 0u);
+const ProfileShape glow_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.425296, 2.5857167, 0.1,
+    0.4039123, 0.17722374, 0u);
+const Ramp seven_inks = Ramp(vec4[16](vec4(0.0863, 0.1333, 0.2471, 1.0),
+    vec4(0.1725, 0.3176, 0.3882, 1.0), vec4(0.4863, 0.2275, 0.2706, 1.0),
+    vec4(0.7686, 0.3294, 0.2471, 1.0), vec4(0.8784, 0.5412, 0.298, 1.0),
+    vec4(0.9412, 0.7608, 0.4824, 1.0), vec4(0.9843, 0.9333, 0.7961, 1.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)),
+    vec4[4](vec4(0.0, 0.15, 0.3, 0.45), vec4(0.6, 0.8, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -107,9 +124,11 @@ layout(location = 0) out vec4 out_color;
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(float x) {
     float whole = roundEven(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+    float f = x - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -117,9 +136,11 @@ float exp2_stable(float x) {
 float exp2_stable_2(float x) {
     float clamped = max(x, -126.0);
     float whole = roundEven(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+    float f = clamped - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -127,25 +148,25 @@ float exp2_stable_2(float x) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (int(bits - 1060439283u) >> 23u);
+    float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
 float log1p_negative_small(float y) {
-    float z = (y / (2.0 - y));
-    float z2 = (z * z);
-    return ((-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111)))))))));
+    float z = y / (2.0 - y);
+    float z2 = z * z;
+    return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
 }
 
 /// [`sin_cos_quarter`] for |x| <= 0.1.
 vec2 sin_cos_tiny(float x) {
-    float y = (x * x);
-    float s = (x * (1.0 + (y * (-0.16666667 + (y * 0.008333334)))));
-    float c = (1.0 - (y * (0.5 + (y * (-0.041666668 + (y * 0.0013888889))))));
+    float y = x * x;
+    float s = x * (1.0 + y * (-0.16666667 + y * 0.008333334));
+    float c = 1.0 - y * (0.5 + y * (-0.041666668 + y * 0.0013888889));
     return vec2(s, c);
 }
 
@@ -153,7 +174,7 @@ vec2 sin_cos_tiny(float x) {
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -168,26 +189,26 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    float w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
     return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned(Angle u, vec2 t) {
-    float s = ((u.half_sin * t.y) - (u.half_cos * t.x));
-    float c = ((u.half_cos * t.y) + (u.half_sin * t.x));
-    vec2 upper = ((c <= 0.0) ? vec2(1.0, 0.0) : vec2(s, c));
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    vec2 upper = c <= 0.0 ? vec2(1.0, 0.0) : vec2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    vec2 turned = (((s <= 0.0) && (s < c)) ? vec2(0.0, 1.0) : upper);
+    vec2 turned = (s <= 0.0 && s < c) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 Angle angle_turned_2(Angle u, vec2 t) {
-    float s = (u.half_sin - 0.0);
-    vec2 upper = ((u.half_cos <= 0.0) ? vec2(1.0, 0.0) : vec2(s, u.half_cos));
-    vec2 turned = (((s <= 0.0) && (s < u.half_cos)) ? vec2(0.0, 1.0) : upper);
+    float s = u.half_sin - 0.0;
+    vec2 upper = u.half_cos <= 0.0 ? vec2(1.0, 0.0) : vec2(s, u.half_cos);
+    vec2 turned = (s <= 0.0 && s < u.half_cos) ? vec2(0.0, 1.0) : upper;
     return Angle(turned.x, turned.y);
 }
 
@@ -196,8 +217,8 @@ Angle angle_turned_2(Angle u, vec2 t) {
 /// by 0 is; 0^0 is 1.
 float powered(float base, float exponent) {
     float magnitude = abs(base);
-    float raised = exp2_stable((exponent * log2_stable(max(magnitude, SMALLEST_NORMAL))));
-    return ((magnitude < SMALLEST_NORMAL) ? 0.0 : raised);
+    float raised = exp2_stable(exponent * log2_stable(max(magnitude, SMALLEST_NORMAL)));
+    return magnitude < SMALLEST_NORMAL ? 0.0 : raised;
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -210,34 +231,35 @@ float footprint_of(float x) {
 float stairs_integral(float x, float count) {
     float inside = min(x, count);
     float stair = min(floor(inside), 6.0);
-    float beyond = max((x - count), 0.0);
-    return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 6.0));
+    float beyond = max(x - count, 0.0);
+    return stair * (0.5 * (stair - 1.0) + inside - stair) + beyond * 6.0;
 }
 
 /// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
 float stairs_integral_2(float x, float count) {
     float inside = max(x, 0.0);
     float stair = floor(inside);
-    return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + 0.0);
+    return stair * (0.5 * (stair - 1.0) + inside - stair) + 0.0;
 }
 
 /// The stairs floor(x) from 0 to `count` - 1, averaged over a footprint of `w`; x in [0, count],
 /// count at least 2.
 float stairs_filtered(float x, float count, float w) {
-    if ((w <= 1.0)) {
+    if (w <= 1.0) {
         float edge = clamp(roundEven(x), 1.0, 6.0);
-        return ((edge - 1.0) + clamp((0.5 + ((x - edge) / w)), 0.0, 1.0));
+        return edge - 1.0 + clamp(0.5 + (x - edge) / w, 0.0, 1.0);
     }
-    float half_ = (0.5 * w);
-    return ((stairs_integral((x + half_), count) - stairs_integral_2((x - half_), count)) / (2.0 * half_));
+    float half_ = 0.5 * w;
+    return (stairs_integral(x + half_, count) - stairs_integral_2(x - half_, count))
+        / (2.0 * half_);
 }
 
 /// sRGB-coded to linear light (IEC 61966-2-1, the exact curve); a negative number is decoded by its
 /// size.
 float linear_of_srgb(float coded) {
     float size = abs(coded);
-    float exp2_stable_value = exp2_stable((2.4 * log2_stable(((size + 0.055) / 1.055))));
-    float value = ((size <= 0.04045) ? (size / 12.92) : exp2_stable_value);
+    float exp2_stable_value = exp2_stable(2.4 * log2_stable((size + 0.055) / 1.055));
+    float value = size <= 0.04045 ? size / 12.92 : exp2_stable_value;
     return value;
 }
 
@@ -245,7 +267,7 @@ float linear_of_srgb(float coded) {
 /// size.
 float linear_of_srgb_2(float coded) {
     float size = abs(coded);
-    float value = ((size <= 0.04045) ? (size / 12.92) : pow(((size + 0.055) / 1.055), 2.4));
+    float value = size <= 0.04045 ? size / 12.92 : pow((size + 0.055) / 1.055, 2.4);
     return value;
 }
 
@@ -254,8 +276,8 @@ float linear_of_srgb_2(float coded) {
 float srgb_of_linear(float light) {
     float size = abs(light);
     float powered_value = powered(size, 0.41666666);
-    float value = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * powered_value) - 0.055));
-    return ((light < 0.0) ? -(value) : value);
+    float value = size <= 0.0031308 ? size * 12.92 : 1.055 * powered_value - 0.055;
+    return light < 0.0 ? -value : value;
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -264,7 +286,8 @@ vec3 oklab_of_linear(vec3 rgb) {
     float l = powered(abs(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
     float m = powered(abs(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
     float s = powered(abs(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
-    return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
+    return vec3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l - 2.4285922 * m
+        + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -273,7 +296,8 @@ vec3 oklab_of_linear_2(vec3 rgb) {
     float l = pow(abs(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
     float m = pow(abs(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
     float s = pow(abs(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
-    return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
+    return vec3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l - 2.4285922 * m
+        + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -282,21 +306,25 @@ vec3 oklab_of_linear_3(vec3 rgb) {
     float l = pow(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
     float m = pow(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
     float s = pow(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
-    return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
+    return vec3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l - 2.4285922 * m
+        + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 vec3 linear_of_oklab(vec3 lab) {
-    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    vec3 cubes = vec3(((l * l) * l), ((m * m) * m), ((s * s) * s));
-    return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
+    float l = lab.x + 0.39633778 * lab.y + 0.21580376 * lab.z;
+    float m = lab.x - 0.105561346 * lab.y - 0.06385417 * lab.z;
+    float s = lab.x - 0.08948418 * lab.y - 1.2914855 * lab.z;
+    vec3 cubes = vec3(l * l * l, m * m * m, s * s * s);
+    return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)),
+        dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)),
+        dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 vec3 oklab_of_srgb(vec3 coded) {
-    vec3 oklab_of_linear_3_value = oklab_of_linear_3(vec3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    vec3 oklab_of_linear_3_value = oklab_of_linear_3(vec3(pow((coded.x + 0.055) / 1.055, 2.4),
+        pow((coded.y + 0.055) / 1.055, 2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
     return oklab_of_linear_3_value;
 }
 
@@ -309,24 +337,27 @@ vec3 srgb_of_oklab(vec3 lab) {
 /// The color of a palette (the stops of a ramp) that is nearest to `rgb` in Oklab, alone or blended
 /// there with the colors that are up to `softness` farther. Black for a palette without colors.
 vec3 palette_blend(Ramp palette, vec3 rgb, float softness) {
-    vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+    vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0));
     uint i = 0u;
     vec3 found = vec3(0.0);
     float nearest = 1e30;
     colors = palette.colors;
-    vec3 wanted = oklab_of_linear_2(vec3(linear_of_srgb_2(rgb.x), linear_of_srgb_2(rgb.y), linear_of_srgb_2(rgb.z)));
+    vec3 wanted = oklab_of_linear_2(vec3(linear_of_srgb_2(rgb.x), linear_of_srgb_2(rgb.y),
+        linear_of_srgb_2(rgb.z)));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1u);
+            i = i + 1u;
         }
         loop_init = false;
-        if (!((i < 7u))) {
+        if (!(i < 7u)) {
             break;
         }
         vec3 lab = oklab_of_srgb(colors[i].xyz);
-        float far = min(length((lab - wanted)), 1e29);
-        found = ((far < nearest) ? colors[i].xyz : found);
+        float far = min(length(lab - wanted), 1e29);
+        found = far < nearest ? colors[i].xyz : found;
         nearest = min(nearest, far);
     }
     return found;
@@ -338,25 +369,28 @@ vec3 palette_blend(Ramp palette, vec3 rgb, float softness) {
 /// and only light and dark are cut, in steps that look even; by channel the hue shifts too, which
 /// is the look of early computers.
 vec4 posterize_lightness(vec4 color, int steps, float softness) {
-    vec3 lab = oklab_of_linear(vec3(linear_of_srgb(color.x), linear_of_srgb(color.y), linear_of_srgb(color.z)));
-    float stairs_filtered_value = stairs_filtered((7.0 * clamp(lab.x, 0.0, 1.0)), 7.0, length(vec2((7.0 * footprint_of(lab.x)), softness)));
-    float stepped = clamp((stairs_filtered_value / 6.0), 0.0, 1.0);
-    float kept = ((lab.x > 0.0001) ? (stepped / max(lab.x, 0.0001)) : 0.0);
-    return vec4(clamp(srgb_of_oklab(vec3(stepped, (lab.yz * min(kept, 1.0)))), vec3(0.0), vec3(1.0)), 1.0);
+    vec3 lab = oklab_of_linear(vec3(linear_of_srgb(color.x), linear_of_srgb(color.y),
+        linear_of_srgb(color.z)));
+    float stairs_filtered_value = stairs_filtered(7.0 * clamp(lab.x, 0.0, 1.0), 7.0,
+        length(vec2(7.0 * footprint_of(lab.x), softness)));
+    float stepped = clamp(stairs_filtered_value / 6.0, 0.0, 1.0);
+    float kept = lab.x > 0.0001 ? stepped / max(lab.x, 0.0001) : 0.0;
+    return vec4(clamp(srgb_of_oklab(vec3(stepped, lab.yz * min(kept, 1.0))), vec3(0.0), vec3(1.0)),
+        1.0);
 }
 
 /// Convex/concave color
 ///
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
-    return (concave + (convexity * (convex - concave)));
+    return concave + convexity * (convex - concave);
 }
 
 /// Blend
 ///
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + (tone * color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4(below.xyz + tone * color.xyz, 1.0), vec4(0.0), vec4(1.0));
 }
 
 /// Light on a layer
@@ -365,69 +399,69 @@ vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) 
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
+    return LitLayer(vec4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 Angle parametrization_specular_balanced(Light light, vec3 normal, vec3 view) {
-    vec3 d = (((2.0 * dot(normal, view)) * normal) - view);
-    return Angle((0.5 * length((d - light.direction))), (0.5 * length((d + light.direction))));
+    vec3 d = 2.0 * dot(normal, view) * normal - view;
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
 float profile_power(float q, float exponent) {
     float log_base = 0.0;
-    if ((q >= 1.0)) {
+    if (q >= 1.0) {
         return 0.0;
     }
-    if ((q < 0.5)) {
-        log_base = (LOG2_E * log1p_negative_small((q * q)));
+    if (q < 0.5) {
+        log_base = LOG2_E * log1p_negative_small(q * q);
     } else {
-        log_base = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
     }
-    return min(exp2_stable((exponent * log_base)), 1.0);
+    return min(exp2_stable(exponent * log_base), 1.0);
 }
 
 /// alpha at one angle, without antialiasing; `u` is warped already.
 float profile_point(Angle u, ProfileShape shape) {
-    float s = (u.half_sin - (u.half_cos * 0.0));
-    if (((s <= 0.0) || false)) {
+    float s = u.half_sin - u.half_cos * 0.0;
+    if (s <= 0.0) {
         return 1.0;
     }
-    float q = (s * shape.scale);
+    float q = s * shape.scale;
     return profile_power(q, shape.exponent);
 }
 
 /// alpha at one angle, without antialiasing; `u` is warped already.
 float profile_point_2(Angle u, ProfileShape shape) {
-    float s = (u.half_sin - 0.0);
-    if (((s <= 0.0) || false)) {
+    float s = u.half_sin - 0.0;
+    if (s <= 0.0) {
         return 1.0;
     }
-    float q = (s * shape.scale);
+    float q = s * shape.scale;
     return profile_power(q, shape.exponent);
 }
 
 /// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
 float profile_power_2(float q, float exponent) {
     float log_base = 0.0;
-    if ((q >= 1.0)) {
+    if (q >= 1.0) {
         return 0.0;
     }
-    if ((q < 0.5)) {
-        log_base = (LOG2_E * log1p_negative_small((q * q)));
+    if (q < 0.5) {
+        log_base = LOG2_E * log1p_negative_small(q * q);
     } else {
-        log_base = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
     }
-    return min(exp2_stable_2((exponent * log_base)), 1.0);
+    return min(exp2_stable_2(exponent * log_base), 1.0);
 }
 
 /// alpha at one angle, without antialiasing; `u` is warped already.
 float profile_point_3(Angle u, ProfileShape shape) {
-    float s = ((u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset));
-    if (((s <= 0.0) || false)) {
+    float s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
+    if (s <= 0.0) {
         return 1.0;
     }
-    float q = (s * shape.scale);
+    float q = s * shape.scale;
     return profile_power_2(q, shape.exponent);
 }
 
@@ -436,14 +470,14 @@ float profile_point_3(Angle u, ProfileShape shape) {
 /// quadrature where it is narrow, the point value where it is wide.
 float profile_filtered(Angle u, float w, ProfileShape shape) {
     float point = profile_point(u, shape);
-    bool is_wide = (w < (0.1 * shape.edge_deviation));
-    if (((is_wide || (w <= 0.0)) || false)) {
+    bool is_wide = w < 0.1 * shape.edge_deviation;
+    if (is_wide || w <= 0.0) {
         return point;
     }
-    vec2 reach = sin_cos_tiny((0.19364917 * w));
+    vec2 reach = sin_cos_tiny(0.19364917 * w);
     float before = profile_point(angle_turned(u, reach), shape);
-    float after = profile_point(angle_turned(u, vec2(-(reach.x), reach.y)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float after = profile_point(angle_turned(u, vec2(-reach.x, reach.y)), shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
@@ -451,14 +485,14 @@ float profile_filtered(Angle u, float w, ProfileShape shape) {
 /// quadrature where it is narrow, the point value where it is wide.
 float profile_filtered_2(Angle u, float w, ProfileShape shape) {
     float point = profile_point_2(u, shape);
-    bool is_wide = (w < (0.1 * shape.edge_deviation));
-    if (((is_wide || (w <= 0.0)) || false)) {
+    bool is_wide = w < 0.1 * shape.edge_deviation;
+    if (is_wide || w <= 0.0) {
         return point;
     }
-    vec2 reach = sin_cos_tiny((0.19364917 * w));
+    vec2 reach = sin_cos_tiny(0.19364917 * w);
     float before = profile_point_2(angle_turned(u, reach), shape);
-    float after = profile_point(angle_turned(u, vec2(-(reach.x), reach.y)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float after = profile_point(angle_turned(u, vec2(-reach.x, reach.y)), shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
@@ -466,14 +500,14 @@ float profile_filtered_2(Angle u, float w, ProfileShape shape) {
 /// quadrature where it is narrow, the point value where it is wide.
 float profile_filtered_3(Angle u, float w, ProfileShape shape) {
     float point = profile_point_3(u, shape);
-    bool is_wide = (w < (0.1 * shape.edge_deviation));
-    if (((is_wide || (w <= 0.0)) || false)) {
+    bool is_wide = w < 0.1 * shape.edge_deviation;
+    if (is_wide || w <= 0.0) {
         return point;
     }
-    vec2 reach = sin_cos_tiny((0.19364917 * w));
+    vec2 reach = sin_cos_tiny(0.19364917 * w);
     float before = profile_point_3(angle_turned(u, reach), shape);
-    float after = profile_point_3(angle_turned(u, vec2(-(reach.x), reach.y)), shape);
-    return ((((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0);
+    float after = profile_point_3(angle_turned(u, vec2(-reach.x, reach.y)), shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// Profile
@@ -484,7 +518,7 @@ float profile_filtered_3(Angle u, float w, ProfileShape shape) {
 /// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
 /// beyond that the curve is still falling, but it is steepest elsewhere too.
 float profile(Angle angle, float shift, ProfileShape shape) {
-    Angle warped = angle_turned(angle, sin_cos_tiny((0.5 * shift)));
+    Angle warped = angle_turned(angle, sin_cos_tiny(0.5 * shift));
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
@@ -514,21 +548,32 @@ float profile_3(Angle angle, float shift, ProfileShape shape) {
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    float evening_sun_convexity = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((surface.kappa * 0.12), -20.0, 20.0))))))));
-    vec4 evening_sun_color = curvature_color(evening_sun_convexity, vec4(0.93, 0.62, 0.36, 1.0), vec4(0.66, 0.24, 0.24, 1.0));
-    Angle evening_sun_angle = Angle((0.5 * length((surface.normal - u_look.key.direction))), (0.5 * length((surface.normal + u_look.key.direction))));
-    float evening_sun_warp = (((2.0 * evening_sun_convexity) - 1.0) * 0.1);
+    // Evening sun (Light layer)
+    float evening_sun_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(surface.kappa * 0.12, -20.0, 20.0))));
+    vec4 evening_sun_color = curvature_color(evening_sun_convexity, vec4(0.93, 0.62, 0.36, 1.0),
+        vec4(0.66, 0.24, 0.24, 1.0));
+    Angle evening_sun_angle = Angle(0.5 * length(surface.normal - u_look.key.direction), 0.5
+        * length(surface.normal + u_look.key.direction));
+    float evening_sun_warp = (2.0 * evening_sun_convexity - 1.0) * 0.1;
     float evening_sun_tone = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
     LitLayer evening_sun_lit = light_apply(u_look.key, evening_sun_color, evening_sun_tone);
-    vec4 evening_sun_blend = blend_add(vec4(0.07, 0.1, 0.22, 1.0), evening_sun_lit.color, evening_sun_lit.tone, 1.0, true);
-    Angle sky_angle = Angle((0.5 * length((surface.normal - u_look.sky.direction))), (0.5 * length((surface.normal + u_look.sky.direction))));
+    vec4 evening_sun_blend = blend_add(vec4(0.07, 0.1, 0.22, 1.0), evening_sun_lit.color,
+        evening_sun_lit.tone, 1.0, true);
+
+    // Sky (Light layer)
+    Angle sky_angle = Angle(0.5 * length(surface.normal - u_look.sky.direction), 0.5
+        * length(surface.normal + u_look.sky.direction));
     float sky_tone = profile_2(sky_angle, 0.0, sky_tone_shape);
     LitLayer sky_lit = light_apply(u_look.sky, vec4(0.02, 0.24, 0.3, 1.0), sky_tone);
     vec4 sky_blend = blend_add(evening_sun_blend, sky_lit.color, sky_lit.tone, 1.0, true);
+
+    // Glow (Light layer)
     Angle glow_angle = parametrization_specular_balanced(u_look.key, surface.normal, surface.view);
     float glow_tone = profile_3(glow_angle, 0.0, glow_tone_shape);
     LitLayer glow_lit = light_apply(u_look.key, vec4(0.42, 0.38, 0.24, 1.0), glow_tone);
     vec4 glow_blend = blend_add(sky_blend, glow_lit.color, glow_lit.tone, 1.0, true);
+
     vec4 seven_lightnesses = posterize_lightness(glow_blend, 7, 0.02);
     vec4 seven_inks_2 = vec4(palette_blend(seven_inks, seven_lightnesses.xyz, 0.0), 1.0);
     return seven_inks_2;
@@ -538,10 +583,9 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), texel.x);
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position),
+        texel.x);
     out_color = shade(surface);
-    return;
 }
-

@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,17 +36,20 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light key;
     Light sky;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::packed_float3 view;
     float kappa;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -55,12 +60,15 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 struct type_6 {
     metal::float4 inner[16];
 };
+
 struct type_7 {
     metal::float4 inner[4];
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -75,6 +83,7 @@ struct Ramp {
     uint interpolation;
     char _pad4[8];
 };
+
 struct LitLayer {
     /// The color under this light.
     Color color;
@@ -82,6 +91,7 @@ struct LitLayer {
     float tone;
     char _pad2[12];
 };
+
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
 /// are known before the fragment.
 struct ProfileShape {
@@ -100,21 +110,34 @@ struct ProfileShape {
     /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     uint kind;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
+
 constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
-constant ProfileShape evening_sun_tone_shape = ProfileShape {1.0, 0.0, 1.0955735, 1.6395584, 0.0, 1.1385497, 0.5052584, 0u};
-constant ProfileShape sky_tone_shape = ProfileShape {1.0, 0.0, 1.229384, 1.2860026, 0.0, 1.0836705, 0.44442755, 0u};
-constant ProfileShape glow_tone_shape = ProfileShape {0.99875027, 0.04997917, 2.425296, 2.5857167, 0.1, 0.4039123, 0.17722374, 0u};
-constant Ramp seven_inks = Ramp {type_6 {{metal::float4(0.0863, 0.1333, 0.2471, 1.0), metal::float4(0.1725, 0.3176, 0.3882, 1.0), metal::float4(0.4863, 0.2275, 0.2706, 1.0), metal::float4(0.7686, 0.3294, 0.2471, 1.0), metal::float4(0.8784, 0.5412, 0.298, 1.0), metal::float4(0.9412, 0.7608, 0.4824, 1.0), metal::float4(0.9843, 0.9333, 0.7961, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_7 {{metal::float4(0.0, 0.15, 0.3, 0.45), metal::float4(0.6, 0.8, 1.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 7u, 0u};
+constant ProfileShape evening_sun_tone_shape = ProfileShape {1.0, 0.0, 1.0955735, 1.6395584, 0.0,
+    1.1385497, 0.5052584, 0u};
+constant ProfileShape sky_tone_shape = ProfileShape {1.0, 0.0, 1.229384, 1.2860026, 0.0, 1.0836705,
+    0.44442755, 0u};
+constant ProfileShape glow_tone_shape = ProfileShape {0.99875027, 0.04997917, 2.425296, 2.5857167,
+    0.1, 0.4039123, 0.17722374, 0u};
+constant Ramp seven_inks = Ramp {type_6 {{metal::float4(0.0863, 0.1333, 0.2471, 1.0),
+    metal::float4(0.1725, 0.3176, 0.3882, 1.0), metal::float4(0.4863, 0.2275, 0.2706, 1.0),
+    metal::float4(0.7686, 0.3294, 0.2471, 1.0), metal::float4(0.8784, 0.5412, 0.298, 1.0),
+    metal::float4(0.9412, 0.7608, 0.4824, 1.0), metal::float4(0.9843, 0.9333, 0.7961, 1.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0)}}, type_7 {{metal::float4(0.0, 0.15, 0.3, 0.45),
+    metal::float4(0.6, 0.8, 1.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 7u, 0u};
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
@@ -127,8 +150,11 @@ float exp2_stable(
 ) {
     float whole = metal::rint(x);
     float f = x - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole))
+        + as_type<uint>(126))) << 23u);
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -139,8 +165,11 @@ float exp2_stable_2(
     float clamped = metal::max(x, -126.0);
     float whole = metal::rint(clamped);
     float f = clamped - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole))
+        + as_type<uint>(126))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -154,7 +183,8 @@ float log2_stable(
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
-    return static_cast<float>(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379)))))));
+    return static_cast<float>(exponent) + z
+        * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
@@ -163,7 +193,7 @@ float log1p_negative_small(
 ) {
     float z = y / (2.0 - y);
     float z2 = z * z;
-    return (-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111))))))));
+    return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
 }
 
 /// [`sin_cos_quarter`] for |x| <= 0.1.
@@ -171,8 +201,8 @@ metal::float2 sin_cos_tiny(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666667 + (y * 0.008333334))));
-    float c = 1.0 - (y * (0.5 + (y * (-0.041666668 + (y * 0.0013888889)))));
+    float s = x * (1.0 + y * (-0.16666667 + y * 0.008333334));
+    float c = 1.0 - y * (0.5 + y * (-0.041666668 + y * 0.0013888889));
     return metal::float2(s, c);
 }
 
@@ -183,7 +213,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -211,9 +242,9 @@ Angle angle_turned(
     Angle u,
     metal::float2 t
 ) {
-    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
-    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
@@ -226,7 +257,8 @@ Angle angle_turned_2(
     metal::float2 t
 ) {
     float s = u.half_sin - 0.0;
-    metal::float2 upper = (u.half_cos <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
+    metal::float2 upper = u.half_cos
+        <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, u.half_cos);
     metal::float2 turned = ((s <= 0.0) & (s < u.half_cos)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
@@ -240,7 +272,7 @@ float powered(
 ) {
     float magnitude = metal::abs(base);
     float raised = exp2_stable(exponent * log2_stable(metal::max(magnitude, SMALLEST_NORMAL)));
-    return (magnitude < SMALLEST_NORMAL) ? 0.0 : raised;
+    return magnitude < SMALLEST_NORMAL ? 0.0 : raised;
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -259,7 +291,7 @@ float stairs_integral(
     float inside = metal::min(x, count);
     float stair = metal::min(metal::floor(inside), 6.0);
     float beyond = metal::max(x - count, 0.0);
-    return (stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 6.0);
+    return stair * (0.5 * (stair - 1.0) + inside - stair) + beyond * 6.0;
 }
 
 /// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
@@ -269,7 +301,7 @@ float stairs_integral_2(
 ) {
     float inside = metal::max(x, 0.0);
     float stair = metal::floor(inside);
-    return (stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + 0.0;
+    return stair * (0.5 * (stair - 1.0) + inside - stair) + 0.0;
 }
 
 /// The stairs floor(x) from 0 to `count` - 1, averaged over a footprint of `w`; x in [0, count],
@@ -281,10 +313,11 @@ float stairs_filtered(
 ) {
     if (w <= 1.0) {
         float edge = metal::clamp(metal::rint(x), 1.0, 6.0);
-        return (edge - 1.0) + metal::clamp(0.5 + ((x - edge) / w), 0.0, 1.0);
+        return edge - 1.0 + metal::clamp(0.5 + (x - edge) / w, 0.0, 1.0);
     }
     float half_ = 0.5 * w;
-    return (stairs_integral(x + half_, count) - stairs_integral_2(x - half_, count)) / (2.0 * half_);
+    return (stairs_integral(x + half_, count) - stairs_integral_2(x - half_, count))
+        / (2.0 * half_);
 }
 
 /// sRGB-coded to linear light (IEC 61966-2-1, the exact curve); a negative number is decoded by its
@@ -294,7 +327,7 @@ float linear_of_srgb(
 ) {
     float size = metal::abs(coded);
     float exp2_stable_value = exp2_stable(2.4 * log2_stable((size + 0.055) / 1.055));
-    float value = (size <= 0.04045) ? (size / 12.92) : exp2_stable_value;
+    float value = size <= 0.04045 ? size / 12.92 : exp2_stable_value;
     return value;
 }
 
@@ -304,7 +337,7 @@ float linear_of_srgb_2(
     float coded
 ) {
     float size = metal::abs(coded);
-    float value = (size <= 0.04045) ? (size / 12.92) : metal::pow((size + 0.055) / 1.055, 2.4);
+    float value = size <= 0.04045 ? size / 12.92 : metal::pow((size + 0.055) / 1.055, 2.4);
     return value;
 }
 
@@ -315,8 +348,8 @@ float srgb_of_linear(
 ) {
     float size = metal::abs(light);
     float powered_value = powered(size, 0.41666666);
-    float value = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * powered_value) - 0.055);
-    return (light < 0.0) ? -(value) : value;
+    float value = size <= 0.0031308 ? size * 12.92 : 1.055 * powered_value - 0.055;
+    return light < 0.0 ? -value : value;
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -324,10 +357,14 @@ float srgb_of_linear(
 metal::float3 oklab_of_linear(
     metal::float3 rgb
 ) {
-    float l = powered(metal::abs(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
-    float m = powered(metal::abs(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
-    float s = powered(metal::abs(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
-    return metal::float3(((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s), ((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s), ((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s));
+    float l = powered(metal::abs(metal::dot(rgb,
+        metal::float3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
+    float m = powered(metal::abs(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696))),
+        0.33333334);
+    float s = powered(metal::abs(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787))),
+        0.33333334);
+    return metal::float3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l
+        - 2.4285922 * m + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -335,10 +372,14 @@ metal::float3 oklab_of_linear(
 metal::float3 oklab_of_linear_2(
     metal::float3 rgb
 ) {
-    float l = metal::pow(metal::abs(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
-    float m = metal::pow(metal::abs(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
-    float s = metal::pow(metal::abs(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
-    return metal::float3(((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s), ((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s), ((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s));
+    float l = metal::pow(metal::abs(metal::dot(rgb,
+        metal::float3(0.41222146, 0.53633255, 0.051445995))), 0.33333334);
+    float m = metal::pow(metal::abs(metal::dot(rgb,
+        metal::float3(0.2119035, 0.6806995, 0.10739696))), 0.33333334);
+    float s = metal::pow(metal::abs(metal::dot(rgb,
+        metal::float3(0.08830246, 0.28171885, 0.6299787))), 0.33333334);
+    return metal::float3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l
+        - 2.4285922 * m + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -346,28 +387,36 @@ metal::float3 oklab_of_linear_2(
 metal::float3 oklab_of_linear_3(
     metal::float3 rgb
 ) {
-    float l = metal::pow(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
-    float m = metal::pow(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
-    float s = metal::pow(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
-    return metal::float3(((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s), ((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s), ((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s));
+    float l = metal::pow(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995)),
+        0.33333334);
+    float m = metal::pow(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696)),
+        0.33333334);
+    float s = metal::pow(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787)),
+        0.33333334);
+    return metal::float3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l
+        - 2.4285922 * m + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 metal::float3 linear_of_oklab(
     metal::float3 lab
 ) {
-    float l = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
-    float m = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
-    float s = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
-    metal::float3 cubes = metal::float3((l * l) * l, (m * m) * m, (s * s) * s);
-    return metal::float3(metal::dot(cubes, metal::float3(4.0767417, -3.3077116, 0.23096994)), metal::dot(cubes, metal::float3(-1.268438, 2.6097574, -0.34131938)), metal::dot(cubes, metal::float3(-0.0041960864, -0.7034186, 1.7076147)));
+    float l = lab.x + 0.39633778 * lab.y + 0.21580376 * lab.z;
+    float m = lab.x - 0.105561346 * lab.y - 0.06385417 * lab.z;
+    float s = lab.x - 0.08948418 * lab.y - 1.2914855 * lab.z;
+    metal::float3 cubes = metal::float3(l * l * l, m * m * m, s * s * s);
+    return metal::float3(metal::dot(cubes, metal::float3(4.0767417, -3.3077116, 0.23096994)),
+        metal::dot(cubes, metal::float3(-1.268438, 2.6097574, -0.34131938)),
+        metal::dot(cubes, metal::float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 metal::float3 oklab_of_srgb(
     metal::float3 coded
 ) {
-    metal::float3 oklab_of_linear_3_value = oklab_of_linear_3(metal::float3(metal::pow((coded.x + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4), metal::pow((coded.z + 0.055) / 1.055, 2.4)));
+    metal::float3 oklab_of_linear_3_value = oklab_of_linear_3(metal::float3(metal::pow((coded.x
+        + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4),
+        metal::pow((coded.z + 0.055) / 1.055, 2.4)));
     return oklab_of_linear_3_value;
 }
 
@@ -392,19 +441,20 @@ metal::float3 palette_blend(
     float nearest = 1000000000000000000000000000000.0;
     colors = palette.colors;
     float linear_of_srgb_2_value = linear_of_srgb_2(rgb.z);
-    metal::float3 wanted = oklab_of_linear_2(metal::float3(linear_of_srgb_2(rgb.x), linear_of_srgb_2(rgb.y), linear_of_srgb_2_value));
+    metal::float3 wanted = oklab_of_linear_2(metal::float3(linear_of_srgb_2(rgb.x),
+        linear_of_srgb_2(rgb.y), linear_of_srgb_2_value));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
             i = i + 1u;
         }
         loop_init = false;
-        if (!((i < 7u))) {
+        if (!(i < 7u)) {
             break;
         }
         metal::float3 lab = oklab_of_srgb(colors.inner[i].xyz);
         float far = metal::min(metal::length(lab - wanted), 100000000000000000000000000000.0);
-        found = (far < nearest) ? colors.inner[i].xyz : found;
+        found = far < nearest ? colors.inner[i].xyz : found;
         nearest = metal::min(nearest, far);
     }
     return found;
@@ -420,13 +470,17 @@ Color posterize_lightness(
     int steps,
     float softness
 ) {
-    metal::float3 lab = oklab_of_linear(metal::float3(linear_of_srgb(color.x), linear_of_srgb(color.y), linear_of_srgb(color.z)));
+    metal::float3 lab = oklab_of_linear(metal::float3(linear_of_srgb(color.x),
+        linear_of_srgb(color.y), linear_of_srgb(color.z)));
     float footprint_of_value = footprint_of(lab.x);
-    float stairs_filtered_value = stairs_filtered(7.0 * metal::clamp(lab.x, 0.0, 1.0), 7.0, metal::length(metal::float2(7.0 * footprint_of_value, softness)));
+    float stairs_filtered_value = stairs_filtered(7.0 * metal::clamp(lab.x, 0.0, 1.0), 7.0,
+        metal::length(metal::float2(7.0 * footprint_of_value, softness)));
     float stepped = metal::clamp(stairs_filtered_value / 6.0, 0.0, 1.0);
-    float kept = (lab.x > 0.0001) ? (stepped / metal::max(lab.x, 0.0001)) : 0.0;
-    metal::float3 srgb_of_oklab_value = srgb_of_oklab(metal::float3(stepped, lab.yz * metal::min(kept, 1.0)));
-    return metal::float4(metal::clamp(srgb_of_oklab_value, metal::float3(0.0), metal::float3(1.0)), 1.0);
+    float kept = lab.x > 0.0001 ? stepped / metal::max(lab.x, 0.0001) : 0.0;
+    metal::float3 srgb_of_oklab_value = srgb_of_oklab(metal::float3(stepped, lab.yz
+        * metal::min(kept, 1.0)));
+    return metal::float4(metal::clamp(srgb_of_oklab_value, metal::float3(0.0), metal::float3(1.0)),
+        1.0);
 }
 
 /// Convex/concave color
@@ -437,7 +491,7 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (convex - concave));
+    return concave + convexity * (convex - concave);
 }
 
 /// Blend
@@ -450,7 +504,8 @@ Composite blend_add(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + (tone * color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + tone * color.xyz, 1.0), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// Light on a layer
@@ -462,8 +517,9 @@ LitLayer light_apply(
     Color color,
     float tone
 ) {
-    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0),
+        metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4(color.xyz * light.color * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_specular_balanced(
@@ -471,8 +527,9 @@ Angle parametrization_specular_balanced(
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 d = ((2.0 * metal::dot(normal, view)) * normal) - view;
-    return Angle {0.5 * metal::length(d - light.direction), 0.5 * metal::length(d + light.direction)};
+    metal::float3 d = 2.0 * metal::dot(normal, view) * normal - view;
+    return Angle {0.5 * metal::length(d - light.direction), 0.5
+        * metal::length(d + light.direction)};
 }
 
 /// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
@@ -497,8 +554,8 @@ float profile_point(
     Angle u,
     ProfileShape shape
 ) {
-    float s = u.half_sin - (u.half_cos * 0.0);
-    if ((s <= 0.0) | false) {
+    float s = u.half_sin - u.half_cos * 0.0;
+    if (s <= 0.0) {
         return 1.0;
     }
     float q = s * shape.scale;
@@ -511,7 +568,7 @@ float profile_point_2(
     ProfileShape shape
 ) {
     float s = u.half_sin - 0.0;
-    if ((s <= 0.0) | false) {
+    if (s <= 0.0) {
         return 1.0;
     }
     float q = s * shape.scale;
@@ -540,8 +597,8 @@ float profile_point_3(
     Angle u,
     ProfileShape shape
 ) {
-    float s = (u.half_sin * shape.half_cos_offset) - (u.half_cos * shape.half_sin_offset);
-    if ((s <= 0.0) | false) {
+    float s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
+    if (s <= 0.0) {
         return 1.0;
     }
     float q = s * shape.scale;
@@ -557,14 +614,14 @@ float profile_filtered(
     ProfileShape shape
 ) {
     float point = profile_point(u, shape);
-    bool is_wide = w < (0.1 * shape.edge_deviation);
-    if ((is_wide | (w <= 0.0)) | false) {
+    bool is_wide = w < 0.1 * shape.edge_deviation;
+    if (is_wide | (w <= 0.0)) {
         return point;
     }
     metal::float2 reach = sin_cos_tiny(0.19364917 * w);
     float before = profile_point(angle_turned(u, reach), shape);
-    float after = profile_point(angle_turned(u, metal::float2(-(reach.x), reach.y)), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    float after = profile_point(angle_turned(u, metal::float2(-reach.x, reach.y)), shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
@@ -576,14 +633,14 @@ float profile_filtered_2(
     ProfileShape shape
 ) {
     float point = profile_point_2(u, shape);
-    bool is_wide = w < (0.1 * shape.edge_deviation);
-    if ((is_wide | (w <= 0.0)) | false) {
+    bool is_wide = w < 0.1 * shape.edge_deviation;
+    if (is_wide | (w <= 0.0)) {
         return point;
     }
     metal::float2 reach = sin_cos_tiny(0.19364917 * w);
     float before = profile_point_2(angle_turned(u, reach), shape);
-    float after = profile_point(angle_turned(u, metal::float2(-(reach.x), reach.y)), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    float after = profile_point(angle_turned(u, metal::float2(-reach.x, reach.y)), shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
@@ -595,14 +652,14 @@ float profile_filtered_3(
     ProfileShape shape
 ) {
     float point = profile_point_3(u, shape);
-    bool is_wide = w < (0.1 * shape.edge_deviation);
-    if ((is_wide | (w <= 0.0)) | false) {
+    bool is_wide = w < 0.1 * shape.edge_deviation;
+    if (is_wide | (w <= 0.0)) {
         return point;
     }
     metal::float2 reach = sin_cos_tiny(0.19364917 * w);
     float before = profile_point_3(angle_turned(u, reach), shape);
-    float after = profile_point_3(angle_turned(u, metal::float2(-(reach.x), reach.y)), shape);
-    return (((5.0 * before) + (8.0 * point)) + (5.0 * after)) / 18.0;
+    float after = profile_point_3(angle_turned(u, metal::float2(-reach.x, reach.y)), shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
 /// Profile
@@ -658,23 +715,36 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    float evening_sun_convexity = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(surface.kappa * 0.12, -20.0, 20.0))))));
-    Color evening_sun_color = curvature_color(evening_sun_convexity, metal::float4(0.93, 0.62, 0.36, 1.0), metal::float4(0.66, 0.24, 0.24, 1.0));
-    Angle evening_sun_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5 * metal::length(surface.normal + look.key.direction)};
-    float evening_sun_warp = ((2.0 * evening_sun_convexity) - 1.0) * 0.1;
+    // Evening sun (Light layer)
+    float evening_sun_convexity = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + metal::exp2(2.88539
+        * metal::clamp(surface.kappa * 0.12, -20.0, 20.0))));
+    Color evening_sun_color = curvature_color(evening_sun_convexity,
+        metal::float4(0.93, 0.62, 0.36, 1.0), metal::float4(0.66, 0.24, 0.24, 1.0));
+    Angle evening_sun_angle = Angle {0.5 * metal::length(surface.normal - look.key.direction), 0.5
+        * metal::length(surface.normal + look.key.direction)};
+    float evening_sun_warp = (2.0 * evening_sun_convexity - 1.0) * 0.1;
     float evening_sun_tone = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
     LitLayer evening_sun_lit = light_apply(look.key, evening_sun_color, evening_sun_tone);
-    Composite evening_sun_blend = blend_add(metal::float4(0.07, 0.1, 0.22, 1.0), evening_sun_lit.color, evening_sun_lit.tone, 1.0, true);
-    Angle sky_angle = Angle {0.5 * metal::length(surface.normal - look.sky.direction), 0.5 * metal::length(surface.normal + look.sky.direction)};
+    Composite evening_sun_blend = blend_add(metal::float4(0.07, 0.1, 0.22, 1.0),
+        evening_sun_lit.color, evening_sun_lit.tone, 1.0, true);
+
+    // Sky (Light layer)
+    Angle sky_angle = Angle {0.5 * metal::length(surface.normal - look.sky.direction), 0.5
+        * metal::length(surface.normal + look.sky.direction)};
     float sky_tone = profile_2(sky_angle, 0.0, sky_tone_shape);
     LitLayer sky_lit = light_apply(look.sky, metal::float4(0.02, 0.24, 0.3, 1.0), sky_tone);
     Composite sky_blend = blend_add(evening_sun_blend, sky_lit.color, sky_lit.tone, 1.0, true);
+
+    // Glow (Light layer)
     Angle glow_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     float glow_tone = profile_3(glow_angle, 0.0, glow_tone_shape);
     LitLayer glow_lit = light_apply(look.key, metal::float4(0.42, 0.38, 0.24, 1.0), glow_tone);
     Composite glow_blend = blend_add(sky_blend, glow_lit.color, glow_lit.tone, 1.0, true);
+
     Color seven_lightnesses = posterize_lightness(glow_blend, 7, 0.02);
-    metal::float4 seven_inks_2 = metal::float4(palette_blend(seven_inks, seven_lightnesses.xyz, 0.0), 1.0);
+    metal::float4 seven_inks_2 = metal::float4(palette_blend(seven_inks, seven_lightnesses.xyz,
+        0.0), 1.0);
     return seven_inks_2;
 }
 
@@ -682,11 +752,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_1 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -694,7 +766,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -707,9 +780,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -720,8 +795,9 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     metal::float3 facing = normalize_seen(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.x};
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        texel.x};
     return fs_mainOutput { shade(surface, look) };
 }

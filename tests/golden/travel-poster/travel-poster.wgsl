@@ -394,7 +394,7 @@ struct ProfileShape {
 /// alpha at one angle, without antialiasing; `u` is warped already.
 fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
     let s = u.half_sin - u.half_cos * 0.0;
-    if (s <= 0.0) | false {
+    if s <= 0.0 {
         return 1.0;
     }
     let q = s * shape.scale;
@@ -404,7 +404,7 @@ fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
 /// alpha at one angle, without antialiasing; `u` is warped already.
 fn profile_point_2(u: Angle, shape: ProfileShape) -> f32 {
     let s = u.half_sin - 0.0;
-    if (s <= 0.0) | false {
+    if s <= 0.0 {
         return 1.0;
     }
     let q = s * shape.scale;
@@ -414,7 +414,7 @@ fn profile_point_2(u: Angle, shape: ProfileShape) -> f32 {
 /// alpha at one angle, without antialiasing; `u` is warped already.
 fn profile_point_3(u: Angle, shape: ProfileShape) -> f32 {
     let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if (s <= 0.0) | false {
+    if s <= 0.0 {
         return 1.0;
     }
     let q = s * shape.scale;
@@ -455,7 +455,7 @@ fn profile_power_2(q: f32, exponent: f32) -> f32 {
 fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point(u, shape);
     let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+    if is_wide | (w <= 0.0) {
         return point;
     }
     let reach = sin_cos_tiny(0.193649167310370844 * w);
@@ -470,7 +470,7 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point_2(u, shape);
     let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+    if is_wide | (w <= 0.0) {
         return point;
     }
     let reach = sin_cos_tiny(0.193649167310370844 * w);
@@ -485,7 +485,7 @@ fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 fn profile_filtered_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point_3(u, shape);
     let is_wide = w < 0.1 * shape.edge_deviation;
-    if is_wide | (w <= 0.0) | false {
+    if is_wide | (w <= 0.0) {
         return point;
     }
     let reach = sin_cos_tiny(0.193649167310370844 * w);
@@ -537,6 +537,7 @@ const seven_inks = Ramp(array(vec4f(0.0863, 0.1333, 0.2471, 1.0), vec4f(0.1725, 
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Evening sun (Light layer)
     let evening_sun_convexity = 0.5 + 0.5
         * (1.0 - 2.0 / (1.0 + exp2(2.8853900817779268 * clamp(surface.kappa * 0.12, -20.0, 20.0))));
     let evening_sun_color = curvature_color(evening_sun_convexity, vec4f(0.93, 0.62, 0.36, 1.0),
@@ -548,15 +549,20 @@ fn shade(surface: Surface) -> vec4f {
     let evening_sun_lit = light_apply(look.key, evening_sun_color, evening_sun_tone);
     let evening_sun_blend = blend_add(vec4f(0.07, 0.1, 0.22, 1.0), evening_sun_lit.color,
         evening_sun_lit.tone, 1.0, true);
+
+    // Sky (Light layer)
     let sky_angle = Angle(0.5 * length(surface.normal - look.sky.direction), 0.5
         * length(surface.normal + look.sky.direction));
     let sky_tone = profile_2(sky_angle, 0.0, sky_tone_shape);
     let sky_lit = light_apply(look.sky, vec4f(0.02, 0.24, 0.3, 1.0), sky_tone);
     let sky_blend = blend_add(evening_sun_blend, sky_lit.color, sky_lit.tone, 1.0, true);
+
+    // Glow (Light layer)
     let glow_angle = parametrization_specular_balanced(look.key, surface.normal, surface.view);
     let glow_tone = profile_3(glow_angle, 0.0, glow_tone_shape);
     let glow_lit = light_apply(look.key, vec4f(0.42, 0.38, 0.24, 1.0), glow_tone);
     let glow_blend = blend_add(sky_blend, glow_lit.color, glow_lit.tone, 1.0, true);
+
     let seven_lightnesses = posterize_lightness(glow_blend, 7i, 0.02);
     let seven_inks_2 = vec4f(palette_blend(seven_inks, seven_lightnesses.xyz, 0.0), 1.0);
     return seven_inks_2;

@@ -10,6 +10,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -21,18 +22,21 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light back;
     Light key;
     mat3x3 camera_from_world;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
     vec3 view;
     vec3 curvature_tensor;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -46,6 +50,7 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 /// Place on a ramp: the colors before and after it, and the way between them.
 struct RampPlace {
     vec4 before;
@@ -53,6 +58,7 @@ struct RampPlace {
     /// Way from `before` to `after`, 0 to 1; smooth ramps are level at each stop.
     float t;
 };
+
 /// Cosines between normal (n), light (l), view (v) and half-vector (h), of which all models are
 /// made; every cosine is at least a little above 0 where it divides.
 struct Reflection {
@@ -64,13 +70,19 @@ struct Reflection {
     /// cosine has no digits left to tell how far it is.
     float sine2_;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const Ramp jade = Ramp(vec4[16](vec4(0.0157, 0.1294, 0.1216, 1.0), vec4(0.0588, 0.3529, 0.298, 1.0), vec4(0.2471, 0.6275, 0.4784, 1.0), vec4(0.7137, 0.8784, 0.6902, 1.0), vec4(0.9333, 0.9725, 0.8471, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.35, 0.65, 0.9), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 0u);
+const Ramp jade = Ramp(vec4[16](vec4(0.0157, 0.1294, 0.1216, 1.0), vec4(0.0588, 0.3529, 0.298, 1.0),
+    vec4(0.2471, 0.6275, 0.4784, 1.0), vec4(0.7137, 0.8784, 0.6902, 1.0),
+    vec4(0.9333, 0.9725, 0.8471, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)),
+    vec4[4](vec4(0.0, 0.35, 0.65, 0.9), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -85,7 +97,7 @@ layout(location = 0) out vec4 out_color;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+    return (floatBitsToUint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -93,16 +105,16 @@ bool is_finite(float x) {
 /// overflow.
 vec3 normalize_or(vec3 v, vec3 otherwise) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) && (largest < 1e30)))) {
+    if (!(largest > 1e-30 && largest < 1e30)) {
         return otherwise;
     }
-    vec3 scaled = (v * (1.0 / largest));
+    vec3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -110,10 +122,12 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
 float exp2_stable(float x) {
     float clamped = clamp(x, -126.0, 127.99999);
     float whole = roundEven(clamped);
-    float f = (clamped - whole);
+    float f = clamped - whole;
     // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -121,22 +135,24 @@ float exp2_stable(float x) {
 float exp2_stable_2(float x) {
     float clamped = max(x, -126.0);
     float whole = roundEven(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+    float f = clamped - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 vec3 normalize_seen_balanced(vec3 v) {
-    return (v * inversesqrt(max(dot(v, v), 1e-30)));
+    return v * inversesqrt(max(dot(v, v), 1e-30));
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -145,15 +161,15 @@ float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// a / b; 0 where b is 0.
 float divided(float a, float b) {
-    if ((abs(b) < SMALLEST_NORMAL)) {
+    if (abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((a / b));
+    return bounded(a / b);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -166,8 +182,8 @@ float footprint_of(float x) {
 /// size.
 float srgb_of_linear(float light) {
     float size = abs(light);
-    float value = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
-    return ((light < 0.0) ? -(value) : value);
+    float value = size <= 0.0031308 ? size * 12.92 : 1.055 * pow(size, 0.41666666) - 0.055;
+    return light < 0.0 ? -value : value;
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -176,27 +192,33 @@ vec3 oklab_of_linear(vec3 rgb) {
     float l = pow(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
     float m = pow(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
     float s = pow(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
-    return vec3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
+    return vec3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l - 2.4285922 * m
+        + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 vec3 linear_of_oklab(vec3 lab) {
-    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    vec3 cubes = vec3(((l * l) * l), ((m * m) * m), ((s * s) * s));
-    return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
+    float l = lab.x + 0.39633778 * lab.y + 0.21580376 * lab.z;
+    float m = lab.x - 0.105561346 * lab.y - 0.06385417 * lab.z;
+    float s = lab.x - 0.08948418 * lab.y - 1.2914855 * lab.z;
+    vec3 cubes = vec3(l * l * l, m * m * m, s * s * s);
+    return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)),
+        dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)),
+        dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 vec3 oklab_of_srgb(vec3 coded) {
-    vec3 oklab_of_linear_value = oklab_of_linear(vec3(((coded.x <= 0.04045) ? (coded.x / 12.92) : pow(((coded.x + 0.055) / 1.055), 2.4)), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    vec3 oklab_of_linear_value = oklab_of_linear(vec3(coded.x <= 0.04045 ? coded.x
+        / 12.92 : pow((coded.x + 0.055) / 1.055, 2.4), pow((coded.y + 0.055) / 1.055, 2.4),
+        pow((coded.z + 0.055) / 1.055, 2.4)));
     return oklab_of_linear_value;
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 vec3 oklab_of_srgb_2(vec3 coded) {
-    vec3 oklab_of_linear_value = oklab_of_linear(vec3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    vec3 oklab_of_linear_value = oklab_of_linear(vec3(pow((coded.x + 0.055) / 1.055, 2.4),
+        pow((coded.y + 0.055) / 1.055, 2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
     return oklab_of_linear_value;
 }
 
@@ -208,7 +230,9 @@ vec3 srgb_of_oklab(vec3 lab) {
 
 /// The place of x on a ramp that is not stepped. Transparent black for a ramp without stops.
 RampPlace ramp_place(Ramp ramp, float x) {
-    vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+    vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i = 1u;
     uint at = 0u;
@@ -217,57 +241,57 @@ RampPlace ramp_place(Ramp ramp, float x) {
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1u);
+            i = i + 1u;
         }
         loop_init = false;
-        if (!((i < 5u))) {
+        if (!(i < 5u)) {
             break;
         }
-        float places_now = places[(i / 4u)][(i % 4u)];
-        at = ((places_now <= x) ? i : at);
+        float places_now = places[i / 4u][i % 4u];
+        at = places_now <= x ? i : at;
     }
-    uint after = min((at + 1u), 4u);
-    float place = places[(at / 4u)][(at % 4u)];
-    float t = clamp(divided((x - place), (places[(after / 4u)][(after % 4u)] - place)), 0.0, 1.0);
+    uint after = min(at + 1u, 4u);
+    float place = places[at / 4u][at % 4u];
+    float t = clamp(divided(x - place, places[after / 4u][after % 4u] - place), 0.0, 1.0);
     return RampPlace(colors[at], colors[after], t);
 }
 
 vec4 mix_colors_screen(vec4 a, vec4 b, float factor) {
-    return vec4(mix(a.xyz, ((a.xyz + b.xyz) - (a.xyz * b.xyz)), min(factor, 1.0)), 1.0);
+    return vec4(mix(a.xyz, a.xyz + b.xyz - a.xyz * b.xyz, min(factor, 1.0)), 1.0);
 }
 
 vec4 mix_colors_screen_2(vec4 a, vec4 b, float factor) {
-    return vec4(mix(a.xyz, ((a.xyz + b.xyz) - (a.xyz * b.xyz)), factor), 1.0);
+    return vec4(mix(a.xyz, a.xyz + b.xyz - a.xyz * b.xyz, factor), 1.0);
 }
 
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
 float curvature_signed(float kappa, float slope) {
-    float a = (clamp(kappa, -10000.0, 10000.0) * slope);
+    float a = clamp(kappa, -10000.0, 10000.0) * slope;
     float magnitude = min(abs(a), 50.0);
-    if ((magnitude < 0.0625)) {
-        float a2 = (a * a);
-        return (a * (1.0 - (a2 * (0.33333334 - (a2 * (0.13333334 - (a2 * 0.053968254)))))));
+    if (magnitude < 0.0625) {
+        float a2 = a * a;
+        return a * (1.0 - a2 * (0.33333334 - a2 * (0.13333334 - a2 * 0.053968254)));
     }
-    float z = exp2_stable_2((-2.88539 * magnitude));
-    float t = ((1.0 - z) / (1.0 + z));
-    return ((a >= 0.0) ? t : -(t));
+    float z = exp2_stable_2(-2.88539 * magnitude);
+    float t = (1.0 - z) / (1.0 + z);
+    return a >= 0.0 ? t : -t;
 }
 
 /// The greatest and the least curvature of a tensor (xx, xy, yy): its eigenvalues.
 vec2 principal_curvatures(vec3 tensor) {
-    float mean = (0.5 * (tensor.x + tensor.z));
-    float spread = length(vec2((0.5 * (tensor.x - tensor.z)), tensor.y));
+    float mean = 0.5 * (tensor.x + tensor.z);
+    float spread = length(vec2(0.5 * (tensor.x - tensor.z), tensor.y));
     // The curvature nearer 0 would have no digits left as a difference; the product of both, the
     // determinant, gives it.
-    float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
-    float near = divided(((tensor.x * tensor.z) - (tensor.y * tensor.y)), far);
-    return ((mean >= 0.0) ? vec2(far, near) : vec2(near, far));
+    float far = mean + (mean >= 0.0 ? spread : -spread);
+    float near = divided(tensor.x * tensor.z - tensor.y * tensor.y, far);
+    return mean >= 0.0 ? vec2(far, near) : vec2(near, far);
 }
 
 /// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
 vec3 half_of(vec3 light, vec3 normal, vec3 view) {
-    vec3 half_ = (light + view);
-    return normalize_moderate(((dot(half_, half_) > 1e-12) ? half_ : normal), normal);
+    vec3 half_ = light + view;
+    return normalize_moderate(dot(half_, half_) > 1e-12 ? half_ : normal, normal);
 }
 
 /// The square of the sine between two unit vectors.
@@ -286,30 +310,32 @@ Reflection reflection_of(vec3 light, vec3 normal, vec3 view) {
 
 /// Fresnel's reflectance by Schlick's approximation (1994), for a cosine.
 float schlick(float at_normal, float cosine) {
-    float m = (1.0 - cosine);
-    float m2 = (m * m);
-    return (at_normal + ((1.0 - at_normal) * ((m2 * m2) * m)));
+    float m = 1.0 - cosine;
+    float m2 = m * m;
+    return at_normal + (1.0 - at_normal) * (m2 * m2 * m);
 }
 
 /// Cook and Torrance's model with the GGX distribution and Smith's height-correlated shadowing
 /// (Walter et al. 2007, Heitz 2014).
 float ggx(Reflection r, float width, float at_normal) {
-    if (((r.n_l <= 0.0) || (r.n_v <= 0.0))) {
+    if (r.n_l <= 0.0 || r.n_v <= 0.0) {
         return 0.0;
     }
-    float a2 = (width * width);
-    float bottom = max((r.sine2_ + ((a2 * r.n_h) * r.n_h)), 1e-12);
-    float distribution = (a2 / (bottom * bottom));
-    float toward_light = (r.n_v * sqrt((((r.n_l * r.n_l) * (1.0 - a2)) + a2)));
-    float toward_eye = (r.n_l * sqrt((((r.n_v * r.n_v) * (1.0 - a2)) + a2)));
-    float visibility = (0.5 / max((toward_light + toward_eye), 1e-9));
-    return min((((distribution * visibility) * schlick(at_normal, r.v_h)) * r.n_l), 1000000.0);
+    float a2 = width * width;
+    float bottom = max(r.sine2_ + a2 * r.n_h * r.n_h, 1e-12);
+    float distribution = a2 / (bottom * bottom);
+    float toward_light = r.n_v * sqrt(r.n_l * r.n_l * (1.0 - a2) + a2);
+    float toward_eye = r.n_l * sqrt(r.n_v * r.n_v * (1.0 - a2) + a2);
+    float visibility = 0.5 / max(toward_light + toward_eye, 1e-9);
+    return min(distribution * visibility * schlick(at_normal, r.v_h) * r.n_l, 1000000.0);
 }
 
 vec4 ramp_oklab(float value, Ramp ramp) {
     RampPlace place = ramp_place(ramp, value);
-    vec3 srgb_of_oklab_value = srgb_of_oklab(mix(oklab_of_srgb(place.before.xyz), oklab_of_srgb_2(place.after.xyz), place.t));
-    return ((place.t <= 0.0) ? place.before : ((place.t >= 1.0) ? place.after : vec4(srgb_of_oklab_value, 1.0)));
+    vec3 srgb_of_oklab_value = srgb_of_oklab(mix(oklab_of_srgb(place.before.xyz),
+        oklab_of_srgb_2(place.after.xyz), place.t));
+    return place.t <= 0.0 ? place.before : (place.t
+        >= 1.0 ? place.after : vec4(srgb_of_oklab_value, 1.0));
 }
 
 /// Rim light
@@ -318,41 +344,44 @@ vec4 ramp_oklab(float value, Ramp ramp) {
 /// background.
 float rim(Light light, vec3 normal, vec3 view, float width, float softness, float follow) {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float edge = max((width * softness), min(footprint_of(facing), 1.0));
-    vec3 aside = (normal - view);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - 0.5) : (width - facing));
-    float within = ((further / edge) + 0.0);
+    float edge = max(width * softness, min(footprint_of(facing), 1.0));
+    vec3 aside = normal - view;
+    float further = facing > 0.5 ? 0.5 * dot(aside, aside) - 0.5 : width - facing;
+    float within = further / edge + 0.0;
     float inside = clamp(within, 0.0, 1.0);
-    vec3 across = (light.direction - (dot(light.direction, view) * view));
-    float side = dot((normal - (dot(normal, view) * view)), (across * inversesqrt(max(dot(across, across), 1e-30))));
-    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), follow));
+    vec3 across = light.direction - dot(light.direction, view) * view;
+    float side = dot(normal - dot(normal, view) * view, across
+        * inversesqrt(max(dot(across, across), 1e-30)));
+    return inside * mix(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 /// `place` times the symmetric matrix (xx, xy, yy) in which each principal curvature k of the
 /// tensor has become 2^(-amount tanh(slope k)).
 vec2 warped_place(vec3 tensor, vec2 place, float amount, float slope) {
     vec2 k = principal_curvatures(tensor);
-    float most = exp2_stable((-(amount) * curvature_signed(k.x, slope)));
-    float least = exp2_stable((-(amount) * curvature_signed(k.y, slope)));
-    vec2 half_apart = vec2((0.5 * (tensor.x - tensor.z)), tensor.y);
-    vec2 axes = (half_apart / vec2(max(length(half_apart), 1e-20)));
-    vec2 turned = vec2(((axes.x * place.x) + (axes.y * place.y)), ((axes.y * place.x) - (axes.x * place.y)));
-    return (((0.5 * (most + least)) * place) + ((0.5 * (most - least)) * turned));
+    float most = exp2_stable(-amount * curvature_signed(k.x, slope));
+    float least = exp2_stable(-amount * curvature_signed(k.y, slope));
+    vec2 half_apart = vec2(0.5 * (tensor.x - tensor.z), tensor.y);
+    vec2 axes = half_apart / vec2(max(length(half_apart), 1e-20));
+    vec2 turned = vec2(axes.x * place.x + axes.y * place.y, axes.y * place.x - axes.x * place.y);
+    return 0.5 * (most + least) * place + 0.5 * (most - least) * turned;
 }
 
 /// The light's direction after light warping: its stereographic projection from the point opposite
 /// the normal is drawn nearer along convex directions and away along concave ones.
-vec3 warped_light(vec3 light, vec3 n, vec3 view, mat3x3 camera_from_world, vec3 tensor, float amount, float slope) {
-    vec3 right = (vec3(1.0, 0.0, 0.0) * camera_from_world);
-    vec3 x = normalize_moderate((right - (dot(right, view) * view)), vec3(1.0, 0.0, 0.0));
+vec3 warped_light(vec3 light, vec3 n, vec3 view, mat3x3 camera_from_world, vec3 tensor,
+    float amount, float slope) {
+    vec3 right = vec3(1.0, 0.0, 0.0) * camera_from_world;
+    vec3 x = normalize_moderate(right - dot(right, view) * view, vec3(1.0, 0.0, 0.0));
     vec3 y = cross(view, x);
-    vec3 between = ((view + n) / vec3(max((1.0 + dot(view, n)), 0.01)));
-    vec3 along_x = (x - (dot(n, x) * between));
-    vec3 along_y = (y - (dot(n, y) * between));
-    vec2 place = (vec2(dot(light, along_x), dot(light, along_y)) / vec2(max((1.0 + dot(light, n)), 0.0001)));
+    vec3 between = (view + n) / vec3(max(1.0 + dot(view, n), 0.01));
+    vec3 along_x = x - dot(n, x) * between;
+    vec3 along_y = y - dot(n, y) * between;
+    vec2 place = vec2(dot(light, along_x), dot(light, along_y))
+        / vec2(max(1.0 + dot(light, n), 0.0001));
     vec2 q = warped_place(tensor, place, amount, slope);
     float square = dot(q, q);
-    return normalize_or(((((2.0 * q.x) * along_x) + ((2.0 * q.y) * along_y)) + ((1.0 - square) * n)), light);
+    return normalize_or(2.0 * q.x * along_x + 2.0 * q.y * along_y + (1.0 - square) * n, light);
 }
 
 /// Warp light
@@ -360,22 +389,31 @@ vec3 warped_light(vec3 light, vec3 n, vec3 view, mat3x3 camera_from_world, vec3 
 /// Bends a light over the surface's shape: bumps and ridges draw it toward themselves, hollows push
 /// it away, so that every layer it lights shows more of the form. Flat places see it as it is, and
 /// so does the outline.
-Light light_warp(Light light, vec3 normal, float amount, float slope, vec3 tensor, vec3 view, mat3x3 camera_from_world) {
-    float most = (amount * smoothstep(0.05, 0.3, dot(normal, view)));
-    vec3 warped = warped_light(light.direction, normal, view, camera_from_world, tensor, most, slope);
-    bool is_flat = ((most == 0.0) || false);
-    return Light((is_flat ? light.direction : warped), light.own_direction, light.color, light.intensity);
+Light light_warp(Light light, vec3 normal, float amount, float slope, vec3 tensor, vec3 view,
+    mat3x3 camera_from_world) {
+    float most = amount * smoothstep(0.05, 0.3, dot(normal, view));
+    vec3 warped = warped_light(light.direction, normal, view, camera_from_world, tensor, most,
+        slope);
+    bool is_flat = most == 0.0;
+    return Light(is_flat ? light.direction : warped, light.own_direction, light.color,
+        light.intensity);
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    Light bent_by_the_form = light_warp(u_look.key, surface.normal, 1.4, 0.03, surface.curvature_tensor, surface.view, u_look.camera_from_world);
-    float through_the_stone = max(((dot(surface.normal, bent_by_the_form.direction) + 0.6) / 1.6), 0.0);
+    Light bent_by_the_form = light_warp(u_look.key, surface.normal, 1.4, 0.03,
+        surface.curvature_tensor, surface.view, u_look.camera_from_world);
+    // Reflectance
+    float through_the_stone = max((dot(surface.normal, bent_by_the_form.direction) + 0.6) / 1.6,
+        0.0);
     vec4 jade_2 = ramp_oklab(through_the_stone, jade);
-    float polish = ggx(reflection_of(bent_by_the_form.direction, surface.normal, surface.view), 0.1764, 0.09);
+    // Reflectance
+    float polish = ggx(reflection_of(bent_by_the_form.direction, surface.normal, surface.view),
+        0.1764, 0.09);
     vec4 polished = mix_colors_screen(jade_2, vec4(1.0, 0.9569, 0.8627, 1.0), polish);
     float light_from_behind = rim(u_look.back, surface.normal, surface.view, 0.5, 0.8, 1.0);
-    vec4 glowing_edge = mix_colors_screen_2(polished, vec4(0.1843, 0.5608, 0.7216, 1.0), light_from_behind);
+    vec4 glowing_edge = mix_colors_screen_2(polished, vec4(0.1843, 0.5608, 0.7216, 1.0),
+        light_from_behind);
     return glowing_edge;
 }
 
@@ -383,10 +421,9 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen_balanced(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     vec4 texel = texelFetch(u_curvature_tensor_map, ivec2(in_.clip.xy), 0);
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), texel.xyz);
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position),
+        texel.xyz);
     out_color = shade(surface);
-    return;
 }
-

@@ -104,7 +104,11 @@ struct Varyings {
 };
 
 static const float SMALLEST_NORMAL = 1.1754944e-38;
-static const Ramp jade = {{float4(0.0157, 0.1294, 0.1216, 1.0), float4(0.0588, 0.3529, 0.298, 1.0), float4(0.2471, 0.6275, 0.4784, 1.0), float4(0.7137, 0.8784, 0.6902, 1.0), float4(0.9333, 0.9725, 0.8471, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.35, 0.65, 0.9), float4(1.0, 0.0, 0.0, 0.0), (0.0).xxxx, (0.0).xxxx}, 5u, 0u};
+static const Ramp jade = {{float4(0.0157, 0.1294, 0.1216, 1.0), float4(0.0588, 0.3529, 0.298, 1.0),
+    float4(0.2471, 0.6275, 0.4784, 1.0), float4(0.7137, 0.8784, 0.6902, 1.0),
+    float4(0.9333, 0.9725, 0.8471, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx},
+    {float4(0.0, 0.35, 0.65, 0.9), float4(1.0, 0.0, 0.0, 0.0), (0.0).xxxx, (0.0).xxxx}, 5u, 0u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -128,7 +132,7 @@ struct FragmentInput_fs_main {
 /// never happens.
 bool is_finite(float x)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
+    return (asuint(x) & 2139095040u) != 2139095040u;
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -137,16 +141,16 @@ bool is_finite(float x)
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(((largest > 1e-30) & (largest < 1e30)))) {
+    if (!((largest > 1e-30) & (largest < 1e30))) {
         return otherwise;
     }
-    float3 scaled = (v * (1.0 / largest));
+    float3 scaled = v * (1.0 / largest);
     float square = dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
-    return (scaled * (1.0 / sqrt(square)));
+    return scaled * (1.0 / sqrt(square));
 }
 
 int naga_f2i32(float value) {
@@ -159,10 +163,12 @@ float exp2_stable(float x)
 {
     float clamped = clamp(x, -126.0, 127.99999);
     float whole = round(clamped);
-    float f = (clamped - whole);
+    float f = clamped - whole;
     // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -171,9 +177,11 @@ float exp2_stable_2(float x)
 {
     float clamped = max(x, -126.0);
     float whole = round(clamped);
-    float f = (clamped - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
+    float f = clamped - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -181,14 +189,14 @@ float exp2_stable_2(float x)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
 /// short.
 float3 normalize_seen_balanced(float3 v)
 {
-    return (v * rsqrt(max(dot(v, v), 1e-30)));
+    return v * rsqrt(max(dot(v, v), 1e-30));
 }
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
@@ -198,16 +206,16 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// a / b; 0 where b is 0.
 float divided(float a, float b)
 {
-    if ((abs(b) < SMALLEST_NORMAL)) {
+    if (abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((a / b));
+    return bounded(a / b);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -222,8 +230,8 @@ float footprint_of(float x)
 float srgb_of_linear(float light)
 {
     float size = abs(light);
-    float value = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * pow(size, 0.41666666)) - 0.055));
-    return ((light < 0.0) ? -(value) : value);
+    float value = size <= 0.0031308 ? size * 12.92 : 1.055 * pow(size, 0.41666666) - 0.055;
+    return light < 0.0 ? -value : value;
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -233,30 +241,36 @@ float3 oklab_of_linear(float3 rgb)
     float l = pow(dot(rgb, float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
     float m = pow(dot(rgb, float3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
     float s = pow(dot(rgb, float3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
-    return float3((((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s)), (((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s)), (((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s)));
+    return float3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l - 2.4285922 * m
+        + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 float3 linear_of_oklab(float3 lab)
 {
-    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
-    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
-    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
-    float3 cubes = float3(((l * l) * l), ((m * m) * m), ((s * s) * s));
-    return float3(dot(cubes, float3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, float3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, float3(-0.0041960864, -0.7034186, 1.7076147)));
+    float l = lab.x + 0.39633778 * lab.y + 0.21580376 * lab.z;
+    float m = lab.x - 0.105561346 * lab.y - 0.06385417 * lab.z;
+    float s = lab.x - 0.08948418 * lab.y - 1.2914855 * lab.z;
+    float3 cubes = float3(l * l * l, m * m * m, s * s * s);
+    return float3(dot(cubes, float3(4.0767417, -3.3077116, 0.23096994)),
+        dot(cubes, float3(-1.268438, 2.6097574, -0.34131938)),
+        dot(cubes, float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 float3 oklab_of_srgb(float3 coded)
 {
-    const float3 oklab_of_linear_value = oklab_of_linear(float3(((coded.x <= 0.04045) ? (coded.x / 12.92) : pow(((coded.x + 0.055) / 1.055), 2.4)), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    const float3 oklab_of_linear_value = oklab_of_linear(float3(coded.x <= 0.04045 ? coded.x
+        / 12.92 : pow((coded.x + 0.055) / 1.055, 2.4), pow((coded.y + 0.055) / 1.055, 2.4),
+        pow((coded.z + 0.055) / 1.055, 2.4)));
     return oklab_of_linear_value;
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 float3 oklab_of_srgb_2(float3 coded)
 {
-    const float3 oklab_of_linear_value = oklab_of_linear(float3(pow(((coded.x + 0.055) / 1.055), 2.4), pow(((coded.y + 0.055) / 1.055), 2.4), pow(((coded.z + 0.055) / 1.055), 2.4)));
+    const float3 oklab_of_linear_value = oklab_of_linear(float3(pow((coded.x + 0.055) / 1.055, 2.4),
+        pow((coded.y + 0.055) / 1.055, 2.4), pow((coded.z + 0.055) / 1.055, 2.4)));
     return oklab_of_linear_value;
 }
 
@@ -286,7 +300,9 @@ RampPlace ConstructRampPlace(float4 arg0, float4 arg1, float arg2) {
 /// The place of x on a ramp that is not stepped. Transparent black for a ramp without stops.
 RampPlace ramp_place(Ramp ramp, float x)
 {
-    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     uint i = 1u;
     uint at = 0u;
@@ -296,64 +312,64 @@ RampPlace ramp_place(Ramp ramp, float x)
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1u);
+            i = i + 1u;
         }
         loop_init = false;
-        if (!((i < 5u))) {
+        if (!(i < 5u)) {
             break;
         }
         float places_now = places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)];
-        at = ((places_now <= x) ? i : at);
+        at = places_now <= x ? i : at;
     }
-    uint after = min((at + 1u), 4u);
+    uint after = min(at + 1u, 4u);
     float place = places[min(uint(naga_div(at, 4u)), 3u)][min(uint(naga_mod(at, 4u)), 3u)];
-    float places_now_1 = places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)];
-    float t = clamp(divided((x - place), (places_now_1 - place)), 0.0, 1.0);
-    const RampPlace rampplace = ConstructRampPlace(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], t);
-    return rampplace;
+    float places_now_1 = places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)),
+        3u)];
+    float t = clamp(divided(x - place, places_now_1 - place), 0.0, 1.0);
+    return ConstructRampPlace(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], t);
 }
 
 float4 mix_colors_screen(float4 a, float4 b, float factor)
 {
-    return float4(lerp(a.xyz, ((a.xyz + b.xyz) - (a.xyz * b.xyz)), min(factor, 1.0)), 1.0);
+    return float4(lerp(a.xyz, a.xyz + b.xyz - a.xyz * b.xyz, min(factor, 1.0)), 1.0);
 }
 
 float4 mix_colors_screen_2(float4 a, float4 b, float factor)
 {
-    return float4(lerp(a.xyz, ((a.xyz + b.xyz) - (a.xyz * b.xyz)), factor), 1.0);
+    return float4(lerp(a.xyz, a.xyz + b.xyz - a.xyz * b.xyz, factor), 1.0);
 }
 
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
 float curvature_signed(float kappa, float slope)
 {
-    float a = (clamp(kappa, -10000.0, 10000.0) * slope);
+    float a = clamp(kappa, -10000.0, 10000.0) * slope;
     float magnitude = min(abs(a), 50.0);
-    if ((magnitude < 0.0625)) {
-        float a2 = (a * a);
-        return (a * (1.0 - (a2 * (0.33333334 - (a2 * (0.13333334 - (a2 * 0.053968254)))))));
+    if (magnitude < 0.0625) {
+        float a2 = a * a;
+        return a * (1.0 - a2 * (0.33333334 - a2 * (0.13333334 - a2 * 0.053968254)));
     }
-    const float z = exp2_stable_2((-2.88539 * magnitude));
-    float t = ((1.0 - z) / (1.0 + z));
-    return ((a >= 0.0) ? t : -(t));
+    const float z = exp2_stable_2(-2.88539 * magnitude);
+    float t = (1.0 - z) / (1.0 + z);
+    return a >= 0.0 ? t : -t;
 }
 
 /// The greatest and the least curvature of a tensor (xx, xy, yy): its eigenvalues.
 float2 principal_curvatures(float3 tensor)
 {
-    float mean = (0.5 * (tensor.x + tensor.z));
-    float spread = length(float2((0.5 * (tensor.x - tensor.z)), tensor.y));
+    float mean = 0.5 * (tensor.x + tensor.z);
+    float spread = length(float2(0.5 * (tensor.x - tensor.z), tensor.y));
     // The curvature nearer 0 would have no digits left as a difference; the product of both, the
     // determinant, gives it.
-    float far = (mean + ((mean >= 0.0) ? spread : -(spread)));
-    const float near = divided(((tensor.x * tensor.z) - (tensor.y * tensor.y)), far);
-    return ((mean >= 0.0) ? float2(far, near) : float2(near, far));
+    float far = mean + (mean >= 0.0 ? spread : -spread);
+    const float near = divided(tensor.x * tensor.z - tensor.y * tensor.y, far);
+    return mean >= 0.0 ? float2(far, near) : float2(near, far);
 }
 
 /// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
 float3 half_of(float3 light, float3 normal, float3 view)
 {
-    float3 half_ = (light + view);
-    return normalize_moderate(((dot(half_, half_) > 1e-12) ? half_ : normal), normal);
+    float3 half_ = light + view;
+    return normalize_moderate(dot(half_, half_) > 1e-12 ? half_ : normal, normal);
 }
 
 /// The square of the sine between two unit vectors.
@@ -380,16 +396,15 @@ Reflection reflection_of(float3 light, float3 normal, float3 view)
     float n_h = clamp(dot(normal, half_), 0.0, 1.0);
     float v_h = clamp(dot(view, half_), 0.0, 1.0);
     const float sine_squared_value = sine_squared(normal, half_);
-    const Reflection reflection = ConstructReflection(dot(normal, light), dot(normal, view), n_h, v_h, sine_squared_value);
-    return reflection;
+    return ConstructReflection(dot(normal, light), dot(normal, view), n_h, v_h, sine_squared_value);
 }
 
 /// Fresnel's reflectance by Schlick's approximation (1994), for a cosine.
 float schlick(float at_normal, float cosine)
 {
-    float m = (1.0 - cosine);
-    float m2 = (m * m);
-    return (at_normal + ((1.0 - at_normal) * ((m2 * m2) * m)));
+    float m = 1.0 - cosine;
+    float m2 = m * m;
+    return at_normal + (1.0 - at_normal) * (m2 * m2 * m);
 }
 
 /// Cook and Torrance's model with the GGX distribution and Smith's height-correlated shadowing
@@ -399,20 +414,22 @@ float ggx(Reflection r, float width, float at_normal)
     if (((r.n_l <= 0.0) | (r.n_v <= 0.0))) {
         return 0.0;
     }
-    float a2 = (width * width);
-    float bottom = max((r.sine2_ + ((a2 * r.n_h) * r.n_h)), 1e-12);
-    float distribution = (a2 / (bottom * bottom));
-    float toward_light = (r.n_v * sqrt((((r.n_l * r.n_l) * (1.0 - a2)) + a2)));
-    float toward_eye = (r.n_l * sqrt((((r.n_v * r.n_v) * (1.0 - a2)) + a2)));
-    float visibility = (0.5 / max((toward_light + toward_eye), 1e-9));
-    return min((((distribution * visibility) * schlick(at_normal, r.v_h)) * r.n_l), 1000000.0);
+    float a2 = width * width;
+    float bottom = max(r.sine2_ + a2 * r.n_h * r.n_h, 1e-12);
+    float distribution = a2 / (bottom * bottom);
+    float toward_light = r.n_v * sqrt(r.n_l * r.n_l * (1.0 - a2) + a2);
+    float toward_eye = r.n_l * sqrt(r.n_v * r.n_v * (1.0 - a2) + a2);
+    float visibility = 0.5 / max(toward_light + toward_eye, 1e-9);
+    return min(distribution * visibility * schlick(at_normal, r.v_h) * r.n_l, 1000000.0);
 }
 
 float4 ramp_oklab(float value, Ramp ramp)
 {
     const RampPlace place = ramp_place(ramp, value);
-    const float3 srgb_of_oklab_value = srgb_of_oklab(lerp(oklab_of_srgb(place.before.xyz), oklab_of_srgb_2(place.after.xyz), place.t));
-    return ((place.t <= 0.0) ? place.before : ((place.t >= 1.0) ? place.after : float4(srgb_of_oklab_value, 1.0)));
+    const float3 srgb_of_oklab_value = srgb_of_oklab(lerp(oklab_of_srgb(place.before.xyz),
+        oklab_of_srgb_2(place.after.xyz), place.t));
+    return place.t <= 0.0 ? place.before : (place.t
+        >= 1.0 ? place.after : float4(srgb_of_oklab_value, 1.0));
 }
 
 /// Rim light
@@ -422,14 +439,15 @@ float4 ramp_oklab(float value, Ramp ramp)
 float rim(Light light, float3 normal, float3 view, float width, float softness, float follow)
 {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float edge = max((width * softness), min(footprint_of(facing), 1.0));
-    float3 aside = (normal - view);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside, aside)) - 0.5) : (width - facing));
-    float within = ((further / edge) + 0.0);
+    float edge = max(width * softness, min(footprint_of(facing), 1.0));
+    float3 aside = normal - view;
+    float further = facing > 0.5 ? 0.5 * dot(aside, aside) - 0.5 : width - facing;
+    float within = further / edge + 0.0;
     float inside = clamp(within, 0.0, 1.0);
-    float3 across = (light.direction - (dot(light.direction, view) * view));
-    float side = dot((normal - (dot(normal, view) * view)), (across * rsqrt(max(dot(across, across), 1e-30))));
-    return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow));
+    float3 across = light.direction - dot(light.direction, view) * view;
+    float side = dot(normal - dot(normal, view) * view, across
+        * rsqrt(max(dot(across, across), 1e-30)));
+    return inside * lerp(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
 /// `place` times the symmetric matrix (xx, xy, yy) in which each principal curvature k of the
@@ -437,28 +455,31 @@ float rim(Light light, float3 normal, float3 view, float width, float softness, 
 float2 warped_place(float3 tensor, float2 place, float amount, float slope)
 {
     const float2 k = principal_curvatures(tensor);
-    const float most = exp2_stable((-(amount) * curvature_signed(k.x, slope)));
-    const float least = exp2_stable((-(amount) * curvature_signed(k.y, slope)));
-    float2 half_apart = float2((0.5 * (tensor.x - tensor.z)), tensor.y);
-    float2 axes = (half_apart / (max(length(half_apart), 1e-20)).xx);
-    float2 turned = float2(((axes.x * place.x) + (axes.y * place.y)), ((axes.y * place.x) - (axes.x * place.y)));
-    return (((0.5 * (most + least)) * place) + ((0.5 * (most - least)) * turned));
+    const float most = exp2_stable(-amount * curvature_signed(k.x, slope));
+    const float least = exp2_stable(-amount * curvature_signed(k.y, slope));
+    float2 half_apart = float2(0.5 * (tensor.x - tensor.z), tensor.y);
+    float2 axes = half_apart / (max(length(half_apart), 1e-20)).xx;
+    float2 turned = float2(axes.x * place.x + axes.y * place.y, axes.y * place.x - axes.x
+        * place.y);
+    return 0.5 * (most + least) * place + 0.5 * (most - least) * turned;
 }
 
 /// The light's direction after light warping: its stereographic projection from the point opposite
 /// the normal is drawn nearer along convex directions and away along concave ones.
-float3 warped_light(float3 light, float3 n, float3 view, float3x3 camera_from_world, float3 tensor, float amount, float slope)
+float3 warped_light(float3 light, float3 n, float3 view, float3x3 camera_from_world, float3 tensor,
+    float amount, float slope)
 {
     float3 right = mul(camera_from_world, float3(1.0, 0.0, 0.0));
-    const float3 x = normalize_moderate((right - (dot(right, view) * view)), float3(1.0, 0.0, 0.0));
+    const float3 x = normalize_moderate(right - dot(right, view) * view, float3(1.0, 0.0, 0.0));
     float3 y = cross(view, x);
-    float3 between = ((view + n) / (max((1.0 + dot(view, n)), 0.01)).xxx);
-    float3 along_x = (x - (dot(n, x) * between));
-    float3 along_y = (y - (dot(n, y) * between));
-    float2 place = (float2(dot(light, along_x), dot(light, along_y)) / (max((1.0 + dot(light, n)), 0.0001)).xx);
+    float3 between = (view + n) / (max(1.0 + dot(view, n), 0.01)).xxx;
+    float3 along_x = x - dot(n, x) * between;
+    float3 along_y = y - dot(n, y) * between;
+    float2 place = float2(dot(light, along_x), dot(light, along_y))
+        / (max(1.0 + dot(light, n), 0.0001)).xx;
     const float2 q = warped_place(tensor, place, amount, slope);
     float square = dot(q, q);
-    return normalize_or(((((2.0 * q.x) * along_x) + ((2.0 * q.y) * along_y)) + ((1.0 - square) * n)), light);
+    return normalize_or(2.0 * q.x * along_x + 2.0 * q.y * along_y + (1.0 - square) * n, light);
 }
 
 Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
@@ -475,25 +496,33 @@ Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
 /// Bends a light over the surface's shape: bumps and ridges draw it toward themselves, hollows push
 /// it away, so that every layer it lights shows more of the form. Flat places see it as it is, and
 /// so does the outline.
-Light light_warp(Light light, float3 normal, float amount, float slope, float3 tensor, float3 view, float3x3 camera_from_world)
+Light light_warp(Light light, float3 normal, float amount, float slope, float3 tensor, float3 view,
+    float3x3 camera_from_world)
 {
-    float most = (amount * smoothstep(0.05, 0.3, dot(normal, view)));
-    const float3 warped = warped_light(light.direction, normal, view, camera_from_world, tensor, most, slope);
-    bool is_flat = ((most == 0.0) | false);
-    const Light light_1 = ConstructLight((is_flat ? light.direction : warped), light.own_direction, light.color, light.intensity);
-    return light_1;
+    float most = amount * smoothstep(0.05, 0.3, dot(normal, view));
+    const float3 warped = warped_light(light.direction, normal, view, camera_from_world, tensor,
+        most, slope);
+    bool is_flat = most == 0.0;
+    return ConstructLight(is_flat ? light.direction : warped, light.own_direction, light.color,
+        light.intensity);
 }
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    const Light bent_by_the_form = light_warp(look.key, surface.normal, 1.4, 0.03, surface.curvature_tensor, surface.view, look.camera_from_world);
-    float through_the_stone = max(((dot(surface.normal, bent_by_the_form.direction) + 0.6) / 1.6), 0.0);
+    const Light bent_by_the_form = light_warp(look.key, surface.normal, 1.4, 0.03,
+        surface.curvature_tensor, surface.view, look.camera_from_world);
+    // Reflectance
+    float through_the_stone = max((dot(surface.normal, bent_by_the_form.direction) + 0.6) / 1.6,
+        0.0);
     const float4 jade_2 = ramp_oklab(through_the_stone, jade);
-    const float polish = ggx(reflection_of(bent_by_the_form.direction, surface.normal, surface.view), 0.1764, 0.09);
+    // Reflectance
+    const float polish = ggx(reflection_of(bent_by_the_form.direction, surface.normal,
+        surface.view), 0.1764, 0.09);
     const float4 polished = mix_colors_screen(jade_2, float4(1.0, 0.9569, 0.8627, 1.0), polish);
     const float light_from_behind = rim(look.back, surface.normal, surface.view, 0.5, 0.8, 1.0);
-    const float4 glowing_edge = mix_colors_screen_2(polished, float4(0.1843, 0.5608, 0.7216, 1.0), light_from_behind);
+    const float4 glowing_edge = mix_colors_screen_2(polished, float4(0.1843, 0.5608, 0.7216, 1.0),
+        light_from_behind);
     return glowing_edge;
 }
 
@@ -508,7 +537,8 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, mul(vertex.normal, object.world_from_normal));
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        mul(vertex.normal, object.world_from_normal));
     const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
@@ -527,11 +557,13 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_5 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
+        fragmentinput_fs_main.normal_5 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     float4 texel = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), texel.xyz);
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        texel.xyz);
     return shade(surface);
 }

@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,25 +36,30 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light back;
     Light key;
     metal::float3x3 camera_from_world;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
     metal::float3 view;
     metal::float3 curvature_tensor;
 };
+
 typedef metal::float4 Color;
 struct type_6 {
     metal::float4 inner[16];
 };
+
 struct type_7 {
     metal::float4 inner[4];
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -67,6 +74,7 @@ struct Ramp {
     uint interpolation;
     char _pad4[8];
 };
+
 /// Place on a ramp: the colors before and after it, and the way between them.
 struct RampPlace {
     metal::float4 before;
@@ -75,6 +83,7 @@ struct RampPlace {
     float t;
     char _pad3[12];
 };
+
 /// Cosines between normal (n), light (l), view (v) and half-vector (h), of which all models are
 /// made; every cosine is at least a little above 0 where it divides.
 struct Reflection {
@@ -86,17 +95,27 @@ struct Reflection {
     /// cosine has no digits left to tell how far it is.
     float sine2_;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
+
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
-constant Ramp jade = Ramp {type_6 {{metal::float4(0.0157, 0.1294, 0.1216, 1.0), metal::float4(0.0588, 0.3529, 0.298, 1.0), metal::float4(0.2471, 0.6275, 0.4784, 1.0), metal::float4(0.7137, 0.8784, 0.6902, 1.0), metal::float4(0.9333, 0.9725, 0.8471, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_7 {{metal::float4(0.0, 0.35, 0.65, 0.9), metal::float4(1.0, 0.0, 0.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 5u, 0u};
+constant Ramp jade = Ramp {type_6 {{metal::float4(0.0157, 0.1294, 0.1216, 1.0),
+    metal::float4(0.0588, 0.3529, 0.298, 1.0), metal::float4(0.2471, 0.6275, 0.4784, 1.0),
+    metal::float4(0.7137, 0.8784, 0.6902, 1.0), metal::float4(0.9333, 0.9725, 0.8471, 1.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}},
+    type_7 {{metal::float4(0.0, 0.35, 0.65, 0.9), metal::float4(1.0, 0.0, 0.0, 0.0),
+    metal::float4(0.0), metal::float4(0.0)}}, 5u, 0u};
 
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
@@ -114,13 +133,14 @@ metal::float3 normalize_or(
     metal::float3 otherwise
 ) {
     float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
-    if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
+    if (!((largest > 0.000000000000000000000000000001)
+        & (largest < 1000000000000000000000000000000.0))) {
         return otherwise;
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
@@ -139,8 +159,11 @@ float exp2_stable(
     float whole = metal::rint(clamped);
     float f = clamped - whole;
     // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole))
+        + as_type<uint>(126))) << 23u);
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -151,8 +174,11 @@ float exp2_stable_2(
     float clamped = metal::max(x, -126.0);
     float whole = metal::rint(clamped);
     float f = clamped - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole))
+        + as_type<uint>(126))) << 23u);
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -162,7 +188,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -181,7 +208,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// a / b; 0 where b is 0.
@@ -209,8 +236,8 @@ float srgb_of_linear(
     float light
 ) {
     float size = metal::abs(light);
-    float value = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * metal::pow(size, 0.41666666)) - 0.055);
-    return (light < 0.0) ? -(value) : value;
+    float value = size <= 0.0031308 ? size * 12.92 : 1.055 * metal::pow(size, 0.41666666) - 0.055;
+    return light < 0.0 ? -value : value;
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
@@ -218,28 +245,36 @@ float srgb_of_linear(
 metal::float3 oklab_of_linear(
     metal::float3 rgb
 ) {
-    float l = metal::pow(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995)), 0.33333334);
-    float m = metal::pow(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696)), 0.33333334);
-    float s = metal::pow(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787)), 0.33333334);
-    return metal::float3(((0.21045426 * l) + (0.7936178 * m)) - (0.004072047 * s), ((1.9779985 * l) - (2.4285922 * m)) + (0.4505937 * s), ((0.025904037 * l) + (0.78277177 * m)) - (0.80867577 * s));
+    float l = metal::pow(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995)),
+        0.33333334);
+    float m = metal::pow(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696)),
+        0.33333334);
+    float s = metal::pow(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787)),
+        0.33333334);
+    return metal::float3(0.21045426 * l + 0.7936178 * m - 0.004072047 * s, 1.9779985 * l
+        - 2.4285922 * m + 0.4505937 * s, 0.025904037 * l + 0.78277177 * m - 0.80867577 * s);
 }
 
 /// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 metal::float3 linear_of_oklab(
     metal::float3 lab
 ) {
-    float l = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
-    float m = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
-    float s = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
-    metal::float3 cubes = metal::float3((l * l) * l, (m * m) * m, (s * s) * s);
-    return metal::float3(metal::dot(cubes, metal::float3(4.0767417, -3.3077116, 0.23096994)), metal::dot(cubes, metal::float3(-1.268438, 2.6097574, -0.34131938)), metal::dot(cubes, metal::float3(-0.0041960864, -0.7034186, 1.7076147)));
+    float l = lab.x + 0.39633778 * lab.y + 0.21580376 * lab.z;
+    float m = lab.x - 0.105561346 * lab.y - 0.06385417 * lab.z;
+    float s = lab.x - 0.08948418 * lab.y - 1.2914855 * lab.z;
+    metal::float3 cubes = metal::float3(l * l * l, m * m * m, s * s * s);
+    return metal::float3(metal::dot(cubes, metal::float3(4.0767417, -3.3077116, 0.23096994)),
+        metal::dot(cubes, metal::float3(-1.268438, 2.6097574, -0.34131938)),
+        metal::dot(cubes, metal::float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 metal::float3 oklab_of_srgb(
     metal::float3 coded
 ) {
-    metal::float3 oklab_of_linear_value = oklab_of_linear(metal::float3((coded.x <= 0.04045) ? (coded.x / 12.92) : metal::pow((coded.x + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4), metal::pow((coded.z + 0.055) / 1.055, 2.4)));
+    metal::float3 oklab_of_linear_value = oklab_of_linear(metal::float3(coded.x
+        <= 0.04045 ? coded.x / 12.92 : metal::pow((coded.x + 0.055) / 1.055, 2.4),
+        metal::pow((coded.y + 0.055) / 1.055, 2.4), metal::pow((coded.z + 0.055) / 1.055, 2.4)));
     return oklab_of_linear_value;
 }
 
@@ -247,7 +282,9 @@ metal::float3 oklab_of_srgb(
 metal::float3 oklab_of_srgb_2(
     metal::float3 coded
 ) {
-    metal::float3 oklab_of_linear_value = oklab_of_linear(metal::float3(metal::pow((coded.x + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4), metal::pow((coded.z + 0.055) / 1.055, 2.4)));
+    metal::float3 oklab_of_linear_value = oklab_of_linear(metal::float3(metal::pow((coded.x
+        + 0.055) / 1.055, 2.4), metal::pow((coded.y + 0.055) / 1.055, 2.4),
+        metal::pow((coded.z + 0.055) / 1.055, 2.4)));
     return oklab_of_linear_value;
 }
 
@@ -284,15 +321,16 @@ RampPlace ramp_place(
             i = i + 1u;
         }
         loop_init = false;
-        if (!((i < 5u))) {
+        if (!(i < 5u)) {
             break;
         }
         float places_now = places.inner[naga_div(i, 4u)][naga_mod(i, 4u)];
-        at = (places_now <= x) ? i : at;
+        at = places_now <= x ? i : at;
     }
     uint after = metal::min(at + 1u, 4u);
     float place = places.inner[naga_div(at, 4u)][naga_mod(at, 4u)];
-    float t = metal::clamp(divided(x - place, places.inner[naga_div(after, 4u)][naga_mod(after, 4u)] - place), 0.0, 1.0);
+    float t = metal::clamp(divided(x - place,
+        places.inner[naga_div(after, 4u)][naga_mod(after, 4u)] - place), 0.0, 1.0);
     return RampPlace {colors.inner[at], colors.inner[after], t};
 }
 
@@ -301,7 +339,8 @@ Color mix_colors_screen(
     Color b,
     float factor
 ) {
-    return metal::float4(metal::mix(a.xyz, (a.xyz + b.xyz) - (a.xyz * b.xyz), metal::min(factor, 1.0)), 1.0);
+    return metal::float4(metal::mix(a.xyz, a.xyz + b.xyz - a.xyz * b.xyz, metal::min(factor, 1.0)),
+        1.0);
 }
 
 Color mix_colors_screen_2(
@@ -309,7 +348,7 @@ Color mix_colors_screen_2(
     Color b,
     float factor
 ) {
-    return metal::float4(metal::mix(a.xyz, (a.xyz + b.xyz) - (a.xyz * b.xyz), factor), 1.0);
+    return metal::float4(metal::mix(a.xyz, a.xyz + b.xyz - a.xyz * b.xyz, factor), 1.0);
 }
 
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
@@ -321,11 +360,11 @@ float curvature_signed(
     float magnitude = metal::min(metal::abs(a), 50.0);
     if (magnitude < 0.0625) {
         float a2 = a * a;
-        return a * (1.0 - (a2 * (0.33333334 - (a2 * (0.13333334 - (a2 * 0.053968254))))));
+        return a * (1.0 - a2 * (0.33333334 - a2 * (0.13333334 - a2 * 0.053968254)));
     }
     float z = exp2_stable_2(-2.88539 * magnitude);
     float t = (1.0 - z) / (1.0 + z);
-    return (a >= 0.0) ? t : -(t);
+    return a >= 0.0 ? t : -t;
 }
 
 /// The greatest and the least curvature of a tensor (xx, xy, yy): its eigenvalues.
@@ -336,9 +375,9 @@ metal::float2 principal_curvatures(
     float spread = metal::length(metal::float2(0.5 * (tensor.x - tensor.z), tensor.y));
     // The curvature nearer 0 would have no digits left as a difference; the product of both, the
     // determinant, gives it.
-    float far = mean + ((mean >= 0.0) ? spread : -(spread));
-    float near = divided((tensor.x * tensor.z) - (tensor.y * tensor.y), far);
-    return (mean >= 0.0) ? metal::float2(far, near) : metal::float2(near, far);
+    float far = mean + (mean >= 0.0 ? spread : -spread);
+    float near = divided(tensor.x * tensor.z - tensor.y * tensor.y, far);
+    return mean >= 0.0 ? metal::float2(far, near) : metal::float2(near, far);
 }
 
 /// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
@@ -348,7 +387,7 @@ metal::float3 half_of(
     metal::float3 view
 ) {
     metal::float3 half_ = light + view;
-    return normalize_moderate((metal::dot(half_, half_) > 0.000000000001) ? half_ : normal, normal);
+    return normalize_moderate(metal::dot(half_, half_) > 0.000000000001 ? half_ : normal, normal);
 }
 
 /// The square of the sine between two unit vectors.
@@ -369,7 +408,8 @@ Reflection reflection_of(
     metal::float3 half_ = half_of(light, normal, view);
     float n_h = metal::clamp(metal::dot(normal, half_), 0.0, 1.0);
     float v_h = metal::clamp(metal::dot(view, half_), 0.0, 1.0);
-    return Reflection {metal::dot(normal, light), metal::dot(normal, view), n_h, v_h, sine_squared(normal, half_)};
+    return Reflection {metal::dot(normal, light), metal::dot(normal, view), n_h, v_h,
+        sine_squared(normal, half_)};
 }
 
 /// Fresnel's reflectance by Schlick's approximation (1994), for a cosine.
@@ -379,7 +419,7 @@ float schlick(
 ) {
     float m = 1.0 - cosine;
     float m2 = m * m;
-    return at_normal + ((1.0 - at_normal) * ((m2 * m2) * m));
+    return at_normal + (1.0 - at_normal) * (m2 * m2 * m);
 }
 
 /// Cook and Torrance's model with the GGX distribution and Smith's height-correlated shadowing
@@ -393,12 +433,12 @@ float ggx(
         return 0.0;
     }
     float a2 = width * width;
-    float bottom = metal::max(r.sine2_ + ((a2 * r.n_h) * r.n_h), 0.000000000001);
+    float bottom = metal::max(r.sine2_ + a2 * r.n_h * r.n_h, 0.000000000001);
     float distribution = a2 / (bottom * bottom);
-    float toward_light = r.n_v * metal::sqrt(((r.n_l * r.n_l) * (1.0 - a2)) + a2);
-    float toward_eye = r.n_l * metal::sqrt(((r.n_v * r.n_v) * (1.0 - a2)) + a2);
+    float toward_light = r.n_v * metal::sqrt(r.n_l * r.n_l * (1.0 - a2) + a2);
+    float toward_eye = r.n_l * metal::sqrt(r.n_v * r.n_v * (1.0 - a2) + a2);
     float visibility = 0.5 / metal::max(toward_light + toward_eye, 0.000000001);
-    return metal::min(((distribution * visibility) * schlick(at_normal, r.v_h)) * r.n_l, 1000000.0);
+    return metal::min(distribution * visibility * schlick(at_normal, r.v_h) * r.n_l, 1000000.0);
 }
 
 Color ramp_oklab(
@@ -406,8 +446,10 @@ Color ramp_oklab(
     Ramp ramp
 ) {
     RampPlace place = ramp_place(ramp, value);
-    metal::float3 srgb_of_oklab_value = srgb_of_oklab(metal::mix(oklab_of_srgb(place.before.xyz), oklab_of_srgb_2(place.after.xyz), place.t));
-    return (place.t <= 0.0) ? place.before : ((place.t >= 1.0) ? place.after : metal::float4(srgb_of_oklab_value, 1.0));
+    metal::float3 srgb_of_oklab_value = srgb_of_oklab(metal::mix(oklab_of_srgb(place.before.xyz),
+        oklab_of_srgb_2(place.after.xyz), place.t));
+    return place.t <= 0.0 ? place.before : (place.t
+        >= 1.0 ? place.after : metal::float4(srgb_of_oklab_value, 1.0));
 }
 
 /// Rim light
@@ -425,11 +467,12 @@ float rim(
     float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
     float edge = metal::max(width * softness, metal::min(footprint_of(facing), 1.0));
     metal::float3 aside = normal - view;
-    float further = (facing > 0.5) ? ((0.5 * metal::dot(aside, aside)) - 0.5) : (width - facing);
-    float within = (further / edge) + 0.0;
+    float further = facing > 0.5 ? 0.5 * metal::dot(aside, aside) - 0.5 : width - facing;
+    float within = further / edge + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
-    metal::float3 across = light.direction - (metal::dot(light.direction, view) * view);
-    float side = metal::dot(normal - (metal::dot(normal, view) * view), across * metal::rsqrt(metal::max(metal::dot(across, across), 0.000000000000000000000000000001)));
+    metal::float3 across = light.direction - metal::dot(light.direction, view) * view;
+    float side = metal::dot(normal - metal::dot(normal, view) * view, across
+        * metal::rsqrt(metal::max(metal::dot(across, across), 0.000000000000000000000000000001)));
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), follow);
 }
 
@@ -442,12 +485,14 @@ metal::float2 warped_place(
     float slope
 ) {
     metal::float2 k = principal_curvatures(tensor);
-    float most = exp2_stable(-(amount) * curvature_signed(k.x, slope));
-    float least = exp2_stable(-(amount) * curvature_signed(k.y, slope));
+    float most = exp2_stable(-amount * curvature_signed(k.x, slope));
+    float least = exp2_stable(-amount * curvature_signed(k.y, slope));
     metal::float2 half_apart = metal::float2(0.5 * (tensor.x - tensor.z), tensor.y);
-    metal::float2 axes = half_apart / metal::float2(metal::max(metal::length(half_apart), 0.00000000000000000001));
-    metal::float2 turned = metal::float2((axes.x * place.x) + (axes.y * place.y), (axes.y * place.x) - (axes.x * place.y));
-    return ((0.5 * (most + least)) * place) + ((0.5 * (most - least)) * turned);
+    metal::float2 axes = half_apart / metal::float2(metal::max(metal::length(half_apart),
+        0.00000000000000000001));
+    metal::float2 turned = metal::float2(axes.x * place.x + axes.y * place.y, axes.y * place.x
+        - axes.x * place.y);
+    return 0.5 * (most + least) * place + 0.5 * (most - least) * turned;
 }
 
 /// The light's direction after light warping: its stereographic projection from the point opposite
@@ -462,15 +507,17 @@ metal::float3 warped_light(
     float slope
 ) {
     metal::float3 right = metal::float3(1.0, 0.0, 0.0) * camera_from_world;
-    metal::float3 x = normalize_moderate(right - (metal::dot(right, view) * view), metal::float3(1.0, 0.0, 0.0));
+    metal::float3 x = normalize_moderate(right - metal::dot(right, view) * view,
+        metal::float3(1.0, 0.0, 0.0));
     metal::float3 y = metal::cross(view, x);
     metal::float3 between = (view + n) / metal::float3(metal::max(1.0 + metal::dot(view, n), 0.01));
-    metal::float3 along_x = x - (metal::dot(n, x) * between);
-    metal::float3 along_y = y - (metal::dot(n, y) * between);
-    metal::float2 place = metal::float2(metal::dot(light, along_x), metal::dot(light, along_y)) / metal::float2(metal::max(1.0 + metal::dot(light, n), 0.0001));
+    metal::float3 along_x = x - metal::dot(n, x) * between;
+    metal::float3 along_y = y - metal::dot(n, y) * between;
+    metal::float2 place = metal::float2(metal::dot(light, along_x), metal::dot(light, along_y))
+        / metal::float2(metal::max(1.0 + metal::dot(light, n), 0.0001));
     metal::float2 q = warped_place(tensor, place, amount, slope);
     float square = metal::dot(q, q);
-    return normalize_or((((2.0 * q.x) * along_x) + ((2.0 * q.y) * along_y)) + ((1.0 - square) * n), light);
+    return normalize_or(2.0 * q.x * along_x + 2.0 * q.y * along_y + (1.0 - square) * n, light);
 }
 
 /// Warp light
@@ -488,9 +535,11 @@ Light light_warp(
     metal::float3x3 camera_from_world
 ) {
     float most = amount * metal::smoothstep(0.05, 0.3, metal::dot(normal, view));
-    metal::float3 warped = warped_light(light.direction, normal, view, camera_from_world, tensor, most, slope);
-    bool is_flat = (most == 0.0) | false;
-    return Light {is_flat ? light.direction : warped, light.own_direction, light.color, light.intensity};
+    metal::float3 warped = warped_light(light.direction, normal, view, camera_from_world, tensor,
+        most, slope);
+    bool is_flat = most == 0.0;
+    return Light {is_flat ? light.direction : warped, light.own_direction, light.color,
+        light.intensity};
 }
 
 /// The look at one point of the surface.
@@ -498,13 +547,19 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
-    Light bent_by_the_form = light_warp(look.key, surface.normal, 1.4, 0.03, surface.curvature_tensor, surface.view, look.camera_from_world);
-    float through_the_stone = metal::max((metal::dot(surface.normal, bent_by_the_form.direction) + 0.6) / 1.6, 0.0);
+    Light bent_by_the_form = light_warp(look.key, surface.normal, 1.4, 0.03,
+        surface.curvature_tensor, surface.view, look.camera_from_world);
+    // Reflectance
+    float through_the_stone = metal::max((metal::dot(surface.normal, bent_by_the_form.direction)
+        + 0.6) / 1.6, 0.0);
     Color jade_2 = ramp_oklab(through_the_stone, jade);
-    float polish = ggx(reflection_of(bent_by_the_form.direction, surface.normal, surface.view), 0.1764, 0.09);
+    // Reflectance
+    float polish = ggx(reflection_of(bent_by_the_form.direction, surface.normal, surface.view),
+        0.1764, 0.09);
     Color polished = mix_colors_screen(jade_2, metal::float4(1.0, 0.9569, 0.8627, 1.0), polish);
     float light_from_behind = rim(look.back, surface.normal, surface.view, 0.5, 0.8, 1.0);
-    Color glowing_edge = mix_colors_screen_2(polished, metal::float4(0.1843, 0.5608, 0.7216, 1.0), light_from_behind);
+    Color glowing_edge = mix_colors_screen_2(polished, metal::float4(0.1843, 0.5608, 0.7216, 1.0),
+        light_from_behind);
     return glowing_edge;
 }
 
@@ -512,11 +567,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_4 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -524,7 +581,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_4 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -537,9 +595,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_4 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -550,8 +610,9 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_4 };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), texel.xyz};
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        texel.xyz};
     return fs_mainOutput { shade(surface, look) };
 }

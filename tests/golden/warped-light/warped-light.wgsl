@@ -377,7 +377,7 @@ fn light_warp(light: Light, normal: vec3f, amount: f32, slope: f32, tensor: vec3
     let most = amount * smoothstep(0.05, 0.3, dot(normal, view));
     let warped = warped_light(light.direction, normal, view, camera_from_world, tensor, most,
         slope);
-    let is_flat = (most == 0.0) | false;
+    let is_flat = most == 0.0;
     return Light(select(warped, light.direction, is_flat), light.own_direction, light.color,
         light.intensity);
 }
@@ -388,9 +388,11 @@ const jade = Ramp(array(vec4f(0.0157, 0.1294, 0.1216, 1.0), vec4f(0.0588, 0.3529
 fn shade(surface: Surface) -> vec4f {
     let bent_by_the_form = light_warp(look.key, surface.normal, 1.4, 0.03, surface.curvature_tensor,
         surface.view, look.camera_from_world);
+    // Reflectance
     let through_the_stone = max((dot(surface.normal, bent_by_the_form.direction) + 0.6)
         / (1.0 + 0.6), 0.0);
     let jade_2 = ramp_oklab(through_the_stone, jade);
+    // Reflectance
     let polish = ggx(reflection_of(bent_by_the_form.direction, surface.normal, surface.view), 0.42
         * 0.42, 0.09);
     let polished = mix_colors_screen(jade_2, vec4f(1.0, 0.9569, 0.8627, 1.0), polish);

@@ -11,12 +11,14 @@ struct View {
     /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     vec4 screen;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -30,21 +32,28 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 position_object;
     vec3 normal;
 };
+
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 const float MOST_ON_SCREEN = 1000000000000000.0;
-const Ramp two_pigments = Ramp(vec4[16](vec4(0.1843, 0.4353, 0.5608, 1.0), vec4(0.2471, 0.6039, 0.5255, 1.0), vec4(0.7882, 0.6353, 0.2353, 1.0), vec4(0.8471, 0.451, 0.3529, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.45, 0.75, 1.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
+const Ramp two_pigments = Ramp(vec4[16](vec4(0.1843, 0.4353, 0.5608, 1.0),
+    vec4(0.2471, 0.6039, 0.5255, 1.0), vec4(0.7882, 0.6353, 0.2353, 1.0),
+    vec4(0.8471, 0.451, 0.3529, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)),
+    vec4[4](vec4(0.0, 0.45, 0.75, 1.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -58,12 +67,11 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, vertex.position, (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_position = _tmp_return.position;
-    v_position_object = _tmp_return.position_object;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, world.xyz, vertex.position,
+        u_object.world_from_normal * vertex.normal);
+    gl_Position = varyings.clip;
+    v_position = varyings.position;
+    v_position_object = varyings.position_object;
+    v_normal = varyings.normal;
 }
-

@@ -15,12 +15,14 @@ struct View {
     /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     vec4 screen;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -32,11 +34,13 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     vec2 viewport;
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
@@ -45,6 +49,7 @@ struct Surface {
     vec2 pixel;
     vec3 anchor;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -58,6 +63,7 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
@@ -66,34 +72,43 @@ struct StretchedPlace {
     /// picture height.
     vec3 stretch;
 };
+
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     vec2 place;
     vec3 stretch;
 };
+
 struct MarkPlace {
     /// Along the strokes, and across them.
     vec2 place;
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     vec3 stretch;
 };
+
 struct PaperGrain {
     /// The tone as the paper shows it.
     float tone;
     /// The paper's own height, from 0 to 1: for a bump map, or to tint the paper.
     float height;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 position_object;
     vec3 normal;
 };
+
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 const float MOST_ON_SCREEN = 1000000000000000.0;
-const Ramp two_pigments = Ramp(vec4[16](vec4(0.1843, 0.4353, 0.5608, 1.0), vec4(0.2471, 0.6039, 0.5255, 1.0), vec4(0.7882, 0.6353, 0.2353, 1.0), vec4(0.8471, 0.451, 0.3529, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.45, 0.75, 1.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
+const Ramp two_pigments = Ramp(vec4[16](vec4(0.1843, 0.4353, 0.5608, 1.0),
+    vec4(0.2471, 0.6039, 0.5255, 1.0), vec4(0.7882, 0.6353, 0.2353, 1.0),
+    vec4(0.8471, 0.451, 0.3529, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)),
+    vec4[4](vec4(0.0, 0.45, 0.75, 1.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -117,18 +132,18 @@ vec4 finite_vec4(vec4 v) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (int(bits - 1060439283u) >> 23u);
+    float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -143,7 +158,7 @@ float bounded(float x) {
     uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -166,42 +181,42 @@ vec4 bounded_vec4(vec4 v) {
 
 /// a / b; 0 where b is 0.
 float divided(float a, float b) {
-    if ((abs(b) < SMALLEST_NORMAL)) {
+    if (abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((a / b));
+    return bounded(a / b);
 }
 
 /// [`mixed`], component by component.
 vec3 mixed_vec3(vec3 a, vec3 b, float t) {
-    vec3 d = bounded_vec3((b - a));
-    return bounded_vec3(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
+    vec3 d = bounded_vec3(b - a);
+    return bounded_vec3(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// [`mixed`], component by component.
 vec3 mixed_vec3_2(vec3 a, vec3 b, float t) {
-    vec3 d = (b - a);
-    return bounded_vec3(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
+    vec3 d = b - a;
+    return bounded_vec3(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// [`mixed`], component by component.
 vec4 mixed_vec4(vec4 a, vec4 b, float t) {
-    vec4 d = bounded_vec4((b - a));
-    return bounded_vec4(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
+    vec4 d = bounded_vec4(b - a);
+    return bounded_vec4(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high) {
-    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased_2(float x, float low, float high) {
-    float t = clamp(((x - low) / (high - low)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp((x - low) / (high - low), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -221,42 +236,49 @@ float footprint_of_vec3(vec3 v) {
 /// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
 vec4 color_mixed(vec4 a, vec3 blended, float factor) {
     vec3 a_2 = bounded_vec3(a.xyz);
-    return vec4(bounded_vec3((a_2 + (factor * bounded_vec3((bounded_vec3(blended) - a_2))))), 1.0);
+    return vec4(bounded_vec3(a_2 + factor * bounded_vec3(bounded_vec3(blended) - a_2)), 1.0);
 }
 
 /// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
 /// t.
 vec4 hermite(vec4 a, vec4 b, vec4 from_a, vec4 to_b, float t) {
-    vec4 d = (b - a);
-    return (a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d))))))));
+    vec4 d = b - a;
+    return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
 /// [`ramp_slope`] of one component.
 float harmonic_slope(float before, float span_before, float after, float span_after) {
-    if (((before * after) <= 0.0)) {
+    if (before * after <= 0.0) {
         return 0.0;
     }
-    float weight_before = ((2.0 * span_after) + span_before);
-    float weight_after = (span_after + (2.0 * span_before));
-    return divided((weight_before + weight_after), ((weight_before / before) + (weight_after / after)));
+    float weight_before = 2.0 * span_after + span_before;
+    float weight_after = span_after + 2.0 * span_before;
+    return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
 /// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
 /// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
 vec4 ramp_slope(vec4 rise_before, float span_before, vec4 rise_after, float span_after) {
-    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after);
+    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before,
+        divided(rise_after.x, span_after), span_after);
     float divided_value = divided(rise_after.y, span_after);
     float divided_value_1 = divided(rise_after.z, span_after);
-    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_1, span_after);
+    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before,
+        divided_value_1, span_after);
     float divided_value_2 = divided(rise_after.w, span_after);
-    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_2, span_after);
-    return vec4(harmonic_slope_value, harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after), harmonic_slope_value_1, harmonic_slope_value_2);
+    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before,
+        divided_value_2, span_after);
+    return vec4(harmonic_slope_value,
+        harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after),
+        harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
 /// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
 /// Transparent black for a ramp without stops.
 vec4 ramp_at(Ramp ramp, float x, float w) {
-    vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+    vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+        vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i_2 = 1u;
     uint at = 0u;
@@ -267,74 +289,76 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i_2 = (i_2 + 1u);
+            i_2 = i_2 + 1u;
         }
         loop_init = false;
-        if (!((i_2 < 4u))) {
+        if (!(i_2 < 4u)) {
             break;
         }
-        float places_now = places[0][(i_2 % 4u)];
-        at = ((places_now <= x) ? i_2 : at);
+        float places_now = places[0][i_2 % 4u];
+        at = places_now <= x ? i_2 : at;
     }
-    float place = places[0][(at % 4u)];
-    if ((((at + 1u) >= 4u) || (x <= place))) {
+    float place = places[0][at % 4u];
+    if (at + 1u >= 4u || x <= place) {
         return colors[at];
     }
-    uint after = (at + 1u);
-    float span = (places[(after / 4u)][(after % 4u)] - place);
-    float t = clamp(divided((x - place), span), 0.0, 1.0);
-    if ((at > 0u)) {
-        float before = places[((at - 1u) / 4u)][((at - 1u) % 4u)];
-        from_a = ramp_slope((colors[at] - colors[(at - 1u)]), (place - before), (colors[after] - colors[at]), span);
+    uint after = at + 1u;
+    float span = places[after / 4u][after % 4u] - place;
+    float t = clamp(divided(x - place, span), 0.0, 1.0);
+    if (at > 0u) {
+        float before = places[(at - 1u) / 4u][(at - 1u) % 4u];
+        from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after]
+            - colors[at], span);
     }
-    if (((after + 1u) < 4u)) {
-        float next = (places[((after + 1u) / 4u)][((after + 1u) % 4u)] - (place + span));
-        to_b = ramp_slope((colors[after] - colors[at]), span, (colors[(after + 1u)] - colors[after]), next);
+    if (after + 1u < 4u) {
+        float next = places[(after + 1u) / 4u][(after + 1u) % 4u] - (place + span);
+        to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after],
+            next);
     }
-    return bounded_vec4(hermite(colors[at], colors[after], (span * from_a), (span * to_b), t));
+    return bounded_vec4(hermite(colors[at], colors[after], span * from_a, span * to_b, t));
 }
 
 vec4 mix_colors_multiply(vec4 a, vec4 b, float factor) {
-    return vec4(mixed_vec3_2(a.xyz, (a.xyz * b.xyz), factor), 1.0);
+    return vec4(mixed_vec3_2(a.xyz, a.xyz * b.xyz, factor), 1.0);
 }
 
 vec4 mix_colors_multiply_2(vec4 a, vec4 b, float factor) {
-    vec3 blended = (a.xyz * b.xyz);
-    return vec4((blended - (0.25 * bounded_vec3((blended - bounded_vec3(a.xyz))))), bounded(a.w));
+    vec3 blended = a.xyz * b.xyz;
+    return vec4(blended - 0.25 * bounded_vec3(blended - bounded_vec3(a.xyz)), bounded(a.w));
 }
 
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
 /// upper bits are the best.
 uvec3 hash_pcg3d(uvec3 seed) {
     uvec3 v = uvec3(0u);
-    v = ((seed * 1664525u) + uvec3(1013904223u));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + uvec3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> uvec3(16u)));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
 /// The hash of a lattice point.
 uvec3 lattice_hash(ivec3 cell, uint seed) {
-    return hash_pcg3d((uvec3(cell) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
+    return hash_pcg3d(uvec3(cell) + seed * uvec3(2654435769u, 2246822507u, 3266489909u));
 }
 
 /// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
 /// 2002).
 float gradient_dot(uvec3 hash, vec3 d) {
-    uint axis = ((hash.x >> 8u) % 3u);
-    float a = ((axis == 0u) ? d.y : d.x);
-    float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    uint axis = (hash.x >> 8u) % 3u;
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 vec3 fade_quintic(vec3 t) {
-    return (((t * t) * t) * ((t * ((t * 6.0) - vec3(15.0))) + vec3(10.0)));
+    return t * t * t * (t * (t * 6.0 - vec3(15.0)) + vec3(10.0));
 }
 
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
@@ -342,28 +366,28 @@ float perlin_noise(vec3 p, uint seed) {
     float sum = 0.0;
     int i = 0;
     vec3 corner = floor(p);
-    vec3 d = (p - corner);
+    vec3 d = p - corner;
     vec3 f = fade_quintic(d);
     ivec3 cell = ivec3(corner);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if ((i < 8)) {
+        if (i < 8) {
         } else {
             break;
         }
         {
             ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
-            vec3 weight = mix((vec3(1.0) - f), f, equal(at, ivec3(1)));
-            float gradient_dot_value = gradient_dot(lattice_hash((cell + at), seed), (d - vec3(at)));
-            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot_value));
+            vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
+            float gradient_dot_value = gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
+            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
@@ -371,24 +395,25 @@ float perlin_noise_2(vec3 p, uint seed) {
     int i = 0;
     float sum = 0.0;
     vec3 corner = floor(p);
-    vec3 d = (p - corner);
-    vec3 f = (((d * d) * d) * ((d * ((d * 6.0) - vec3(15.0))) + vec3(10.0)));
+    vec3 d = p - corner;
+    vec3 f = d * d * d * (d * (d * 6.0 - vec3(15.0)) + vec3(10.0));
     ivec3 cell = ivec3(corner);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if (!((i < 8))) {
+        if (!(i < 8)) {
             break;
         }
         ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
-        vec3 weight = mix((vec3(1.0) - f), f, equal(at, ivec3(1)));
-        uvec3 hash_pcg3d_value = hash_pcg3d((uvec3((cell + at)) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
-        sum = (sum + (((weight.x * weight.y) * 0.5) * gradient_dot(hash_pcg3d_value, (d - vec3(at)))));
+        vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
+        uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(cell + at) + seed
+            * uvec3(2654435769u, 2246822507u, 3266489909u));
+        sum = sum + weight.x * weight.y * 0.5 * gradient_dot(hash_pcg3d_value, d - vec3(at));
     }
-    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -404,24 +429,25 @@ float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, f
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if (!((i < 2))) {
+        if (!(i < 2)) {
             break;
         }
-        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
-        if ((visible > 0.0)) {
-            vec3 place = clamp(((p * frequency) + (float(i) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
-            octave = mix(0.5, perlin_noise(place, (11u + uint(i))), visible);
+        if (visible > 0.0) {
+            vec3 place = clamp(p * frequency + float(i) * vec3(17.31, 5.17, 11.73),
+                vec3(-4194304.0), vec3(4194304.0));
+            octave = mix(0.5, perlin_noise(place, 11u + uint(i)), visible);
         }
-        sum = (sum + (strength * octave));
-        total = (total + strength);
-        strength = (strength * roughness);
-        frequency = (frequency * 2.0);
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    return min((sum / 1.5), 1.0);
+    return min(sum / 1.5, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -437,24 +463,25 @@ float fractal_noise_2(uint kind, vec3 p, int octaves, float roughness, int seed,
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if (!((i < 4))) {
+        if (!(i < 4)) {
             break;
         }
-        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
-        if ((visible > 0.0)) {
-            vec3 place = clamp(((p * frequency) + (float(i) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
-            octave = mix(0.5, perlin_noise(place, (0u + uint(i))), visible);
+        if (visible > 0.0) {
+            vec3 place = clamp(p * frequency + float(i) * vec3(17.31, 5.17, 11.73),
+                vec3(-4194304.0), vec3(4194304.0));
+            octave = mix(0.5, perlin_noise(place, 0u + uint(i)), visible);
         }
-        sum = (sum + (strength * octave));
-        total = (total + strength);
-        strength = (strength * roughness);
-        frequency = (frequency * 2.0);
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    return min((sum / total), 1.0);
+    return min(sum / total, 1.0);
 }
 
 /// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
@@ -462,29 +489,30 @@ float fractal_noise_2(uint kind, vec3 p, int octaves, float roughness, int seed,
 /// every depth without perspective.
 float size_on_screen(float depth, float perspective, float scale) {
     // Clip space is 2 high.
-    return min(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
+    return min(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
 /// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
 vec3 anchor_on_screen(vec3 origin, float perspective, float scale) {
-    float size = size_on_screen(-(origin.z), perspective, scale);
-    return clamp(vec3((origin.x * size), (-(origin.y) * size), size), vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    float size = size_on_screen(-origin.z, perspective, scale);
+    return clamp(vec3(origin.x * size, -origin.y * size, size), vec3(-1000000000000000.0),
+        vec3(1000000000000000.0));
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 vec2 place_in_picture(vec2 pixel, vec2 viewport) {
-    vec2 from_middle = (pixel - (0.5 * viewport));
-    return (vec2(from_middle.x, -(from_middle.y)) / vec2(max(viewport.y, 1.0)));
+    vec2 from_middle = pixel - 0.5 * viewport;
+    return vec2(from_middle.x, -from_middle.y) / vec2(max(viewport.y, 1.0));
 }
 
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 turn = vec2(0.0, 1.0);
-    vec3 x = ((turn.y * along) + (turn.x * across));
-    vec3 y = ((turn.y * across) - (turn.x * along));
-    vec2 turned = vec2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
+    vec3 x = turn.y * along + turn.x * across;
+    vec3 y = turn.y * across - turn.x * along;
+    vec2 turned = vec2(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x * place.x);
     vec3 stretch = vec3(dot(x, x), dot(x, y), dot(y, y));
     return StretchedPlace(turned, stretch);
 }
@@ -492,38 +520,40 @@ StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
 /// The place in spacings, `count` of them to the picture's height where it is not stretched. A
 /// place without a stretch is one in pixels.
 SpacedPlace spaced(vec2 place, vec3 stretch, vec2 viewport, float count) {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
-    vec2 p = clamp((place * scale), vec2(-4194304.0), vec2(4194304.0));
-    return SpacedPlace(p, (is_pixel ? vec3(1.0, 0.0, 1.0) : stretch));
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / max(viewport.y, 1.0) : count;
+    vec2 p = clamp(place * scale, vec2(-4194304.0), vec2(4194304.0));
+    return SpacedPlace(p, is_pixel ? vec3(1.0, 0.0, 1.0) : stretch);
 }
 
 /// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
 /// more than eight times counts as drawn out by eight: where a surface stands edge-on to the
 /// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
 float area_square(vec3 stretch) {
-    float sum = (stretch.x + stretch.z);
-    return max(((stretch.x * stretch.z) - (stretch.y * stretch.y)), ((sum * sum) / 66.0));
+    float sum = stretch.x + stretch.z;
+    return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
 MarkPlace mark_place_object(float angle, vec3 anchor, vec2 pixel, vec2 viewport) {
     float size = clamp(anchor.z, 1e-6, 1000000.0);
-    vec2 place = ((place_in_picture(pixel, viewport) - vec2(anchor.x, -(anchor.y))) / vec2(size));
-    StretchedPlace m = mark_place_of(place, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle);
+    vec2 place = (place_in_picture(pixel, viewport) - vec2(anchor.x, -anchor.y)) / vec2(size);
+    StretchedPlace m = mark_place_of(place, vec3(1.0 / size, 0.0, 0.0), vec3(0.0, 1.0 / size, 0.0),
+        angle);
     return MarkPlace(m.place, m.stretch);
 }
 
 /// The height of paper in one octave; paper finer than a pixel is flat.
 float paper_octave(vec2 place, int zoom, float w, float fiber, uint seed) {
-    float scale = uintBitsToFloat((uint((zoom + 127)) << 23u));
-    vec2 p = clamp((place * scale), vec2(-4194304.0), vec2(4194304.0));
-    uint own = (seed + (7u * uint(zoom)));
-    float grain = (perlin_noise_2(vec3(p, 0.5), own) - 0.5);
-    vec2 q = clamp((2.7 * vec2(((0.8 * p.x) - (0.6 * p.y)), ((0.6 * p.x) + (0.8 * p.y)))), vec2(-4194304.0), vec2(4194304.0));
-    float felt = (perlin_noise_2(vec3(q, 0.5), (own + 1u)) - 0.5);
-    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w * scale)));
-    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w) * scale)));
-    return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
+    float scale = uintBitsToFloat((uint(zoom + 127) << 23u));
+    vec2 p = clamp(place * scale, vec2(-4194304.0), vec2(4194304.0));
+    uint own = seed + 7u * uint(zoom);
+    float grain = perlin_noise_2(vec3(p, 0.5), own) - 0.5;
+    vec2 q = clamp(2.7 * vec2(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), vec2(-4194304.0),
+        vec2(4194304.0));
+    float felt = perlin_noise_2(vec3(q, 0.5), own + 1u) - 0.5;
+    float coarse_seen = 1.0 - smoothstep(0.5, 1.0, w * scale);
+    float felt_seen = 1.0 - smoothstep(0.5, 1.0, 2.7 * w * scale);
+    return clamp(0.5 + 1.4 * (coarse_seen * grain + fiber * felt_seen * felt), 0.0, 1.0);
 }
 
 /// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both
@@ -533,13 +563,13 @@ float paper_height(SpacedPlace at, float fiber, uint seed) {
     vec2 x = dFdx(at.place);
     vec2 y = dFdy(at.place);
     float w = sqrt(max(dot(x, x), dot(y, y)));
-    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     float zoom = floor(level);
-    float f = (level - zoom);
+    float f = level - zoom;
     height = paper_octave(at.place, int(zoom), w, fiber, seed);
-    if ((f > 0.0)) {
-        float both = mix(height, paper_octave(at.place, (int(zoom) + 1), w, fiber, seed), f);
-        height = clamp((0.5 + ((both - 0.5) / sqrt(((f * f) + ((1.0 - f) * (1.0 - f)))))), 0.0, 1.0);
+    if (f > 0.0) {
+        float both = mix(height, paper_octave(at.place, int(zoom) + 1, w, fiber, seed), f);
+        height = clamp(0.5 + (both - 0.5) / sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0, 1.0);
     }
     return height;
 }
@@ -549,9 +579,11 @@ float paper_height(SpacedPlace at, float fiber, uint seed) {
 /// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
 /// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
 /// an object and does not swim through it.
-PaperGrain paper_grain(float value, vec2 place, vec3 stretch, float count, float tooth, float fiber, int seed, vec2 viewport) {
+PaperGrain paper_grain(float value, vec2 place, vec3 stretch, float count, float tooth, float fiber,
+    int seed, vec2 viewport) {
     float height = paper_height(spaced(place, stretch, viewport, count), fiber, 0u);
-    return PaperGrain((1.0 - clamp((0.5 + ((((8.0 * tooth) * (height - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), height);
+    return PaperGrain(1.0 - clamp(0.5 + 8.0 * tooth * (height - 0.5) * 0.5 * 0.5, 0.0, 1.0),
+        height);
 }
 
 /// Outer contour
@@ -560,49 +592,55 @@ PaperGrain paper_grain(float value, vec2 place, vec3 stretch, float count, float
 /// forms. It is drawn on the surface itself, so edges that are sharp have none.
 float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport) {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
-    float distance_ = (facing / max((2.0 * footprint_of(facing)), 1e-6));
-    float near = (1.0 - smoothstep(0.45, 0.75, facing));
-    return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
+    float pixels = width * clamp(viewport.y, 1.0, 100000.0) / 1000.0;
+    float distance_ = facing / max(2.0 * footprint_of(facing), 1e-6);
+    float near = 1.0 - smoothstep(0.45, 0.75, facing);
+    return clamp(pixels + 0.5 - distance_, 0.0, min(pixels, 1.0)) * near;
 }
 
 float noise_perlin(vec3 position, float scale, int octaves, float roughness, int seed) {
-    vec3 p = (position * scale);
+    vec3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 float noise_perlin_2(vec3 position, float scale, int octaves, float roughness, int seed) {
-    vec3 p = (position * scale);
+    vec3 p = position * scale;
     return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
     float drift = noise_perlin(surface.position_object, 1.5, 2, 0.5, 11);
-    float spread = clamp(((drift - 0.32) / 0.36), 0.0, 1.0);
+    float spread = clamp((drift - 0.32) / 0.36, 0.0, 1.0);
     vec4 two_pigments_2 = ramp_at(two_pigments, spread, footprint_of(spread));
-    float shade_2 = max(((dot(surface.normal, u_look.key.direction) + 0.45) / 1.45), 0.0);
-    float tone = min(((shade_2 - 0.0) / 0.85), 1.0);
+    // Reflectance
+    float shade_2 = max((dot(surface.normal, u_look.key.direction) + 0.45) / 1.45, 0.0);
+    float tone = min((shade_2 - 0.0) / 0.85, 1.0);
     float water = noise_perlin_2(surface.position_object, 2.2, 4, 0.55, 0);
-    float how_far_it_runs = mix(-0.24, 0.24, (water - 0.0));
-    float wet_tone = (tone + how_far_it_runs);
+    float how_far_it_runs = mix(-0.24, 0.24, water - 0.0);
+    float wet_tone = tone + how_far_it_runs;
     float first_wash = eased_2(wet_tone, 0.82, 0.7);
-    float k1 = (first_wash * 0.62);
+    float k1 = first_wash * 0.62;
     vec4 wash_on_paper = mix_colors_multiply(vec4(0.9843, 0.9686, 0.9255, 1.0), two_pigments_2, k1);
     vec4 deeper = mix_colors_multiply_2(two_pigments_2, vec4(0.3529, 0.3098, 0.5255, 1.0), 0.75);
     float second_wash = eased_2(wet_tone, 0.42, 0.34);
-    float k2 = (second_wash * 0.6);
-    vec4 second_on_the_first = vec4(mixed_vec3(bounded_vec3(wash_on_paper.xyz), bounded_vec3((wash_on_paper.xyz * deeper.xyz)), k2), 1.0);
-    float pigment_s_rim = (smoothstep(0.66, 0.72, wet_tone) * first_wash);
-    float second_rim = (smoothstep(0.29, 0.34, wet_tone) * second_wash);
-    float k3 = (max(pigment_s_rim, second_rim) * 0.34);
-    vec4 rims_2 = color_mixed(second_on_the_first, (second_on_the_first.xyz * deeper.xyz), k3);
+    float k2 = second_wash * 0.6;
+    // Mix colors
+    vec4 second_on_the_first = vec4(mixed_vec3(bounded_vec3(wash_on_paper.xyz),
+        bounded_vec3(wash_on_paper.xyz * deeper.xyz), k2), 1.0);
+    float pigment_s_rim = smoothstep(0.66, 0.72, wet_tone) * first_wash;
+    float second_rim = smoothstep(0.29, 0.34, wet_tone) * second_wash;
+    float k3 = max(pigment_s_rim, second_rim) * 0.34;
+    // Mix colors
+    vec4 rims_2 = color_mixed(second_on_the_first, second_on_the_first.xyz * deeper.xyz, k3);
     MarkPlace sheet = mark_place_object(0.0, surface.anchor, surface.pixel, u_look.viewport);
-    PaperGrain paper = paper_grain(0.5, sheet.place, sheet.stretch, 240.0, 0.6, 0.6, 0, u_look.viewport);
-    float settled_pigment = mix(0.9, 1.03, (bounded(paper.tone) - 0.0));
-    vec4 grain = bounded_vec4((rims_2 * vec4(vec3(settled_pigment), 1.0)));
+    PaperGrain paper = paper_grain(0.5, sheet.place, sheet.stretch, 240.0, 0.6, 0.6, 0,
+        u_look.viewport);
+    float settled_pigment = mix(0.9, 1.03, bounded(paper.tone) - 0.0);
+    vec4 grain = bounded_vec4(rims_2 * vec4(vec3(settled_pigment), 1.0));
     float pencil = outer_contour(2.2, surface.normal, surface.view, u_look.viewport);
-    float soft = (pencil * 0.7);
+    float soft = pencil * 0.7;
+    // Mix colors
     vec4 pencil_line = mixed_vec4(bounded_vec4(grain), vec4(0.2902, 0.2588, 0.2824, 1.0), soft);
     return finite_vec4(pencil_line);
 }
@@ -611,10 +649,13 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
-    vec3 anchor_on_screen_value = anchor_on_screen((u_view.camera_from_world * vec4(u_object.world_from_object[3].xyz, 1.0)).xyz, u_view.eye.w, length(vec3(u_view.clip_from_world[0][1], u_view.clip_from_world[1][1], u_view.clip_from_world[2][1])));
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), in_.position_object, ((in_.clip.xy * u_view.screen.xy) + u_view.screen.zw), anchor_on_screen_value);
+    vec3 normal = is_front ? facing : -facing;
+    vec3 anchor_on_screen_value = anchor_on_screen((u_view.camera_from_world
+        * vec4(u_object.world_from_object[3].xyz, 1.0)).xyz, u_view.eye.w,
+        length(vec3(u_view.clip_from_world[0][1], u_view.clip_from_world[1][1],
+        u_view.clip_from_world[2][1])));
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position),
+        in_.position_object, in_.clip.xy * u_view.screen.xy + u_view.screen.zw,
+        anchor_on_screen_value);
     out_color = finite_vec4(shade(surface));
-    return;
 }
-

@@ -130,7 +130,11 @@ static const float SMALLEST_NORMAL = 1.1754944e-38;
 static const uint NOISE_PERLIN = 1u;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 static const float MOST_ON_SCREEN = 1000000000000000.0;
-static const Ramp two_pigments = {{float4(0.1843, 0.4353, 0.5608, 1.0), float4(0.2471, 0.6039, 0.5255, 1.0), float4(0.7882, 0.6353, 0.2353, 1.0), float4(0.8471, 0.451, 0.3529, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, {float4(0.0, 0.45, 0.75, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 4u, 1u};
+static const Ramp two_pigments = {{float4(0.1843, 0.4353, 0.5608, 1.0),
+    float4(0.2471, 0.6039, 0.5255, 1.0), float4(0.7882, 0.6353, 0.2353, 1.0),
+    float4(0.8471, 0.451, 0.3529, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx,
+    (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx},
+    {float4(0.0, 0.45, 0.75, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx}, 4u, 1u};
 
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
@@ -155,7 +159,7 @@ struct FragmentInput_fs_main {
 float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
-    return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
+    return (asuint(v) & exponent) != exponent ? v : (0.0).xxxx;
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -164,11 +168,11 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (asint(bits - 1060439283u) >> 23u);
+    float mantissa = asfloat(bits - (asuint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -176,7 +180,7 @@ float log2_stable(float x)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -193,7 +197,7 @@ float bounded(float x)
     uint bits = asuint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -202,8 +206,8 @@ float3 bounded_vec3(float3 v)
     uint3 bits = asuint(v);
     uint3 magnitude = (bits & (2147483647u).xxx);
     float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers = ((magnitude == (2139095040u).xxx) ? largest : (0.0).xxx);
-    return ((magnitude < (2139095040u).xxx) ? v : numbers);
+    float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
+    return magnitude < (2139095040u).xxx ? v : numbers;
 }
 
 /// [`bounded`], component by component.
@@ -212,54 +216,54 @@ float4 bounded_vec4(float4 v)
     uint4 bits = asuint(v);
     uint4 magnitude = (bits & (2147483647u).xxxx);
     float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
-    float4 numbers = ((magnitude == (2139095040u).xxxx) ? largest : (0.0).xxxx);
-    return ((magnitude < (2139095040u).xxxx) ? v : numbers);
+    float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
+    return magnitude < (2139095040u).xxxx ? v : numbers;
 }
 
 /// a / b; 0 where b is 0.
 float divided(float a, float b)
 {
-    if ((abs(b) < SMALLEST_NORMAL)) {
+    if (abs(b) < SMALLEST_NORMAL) {
         return 0.0;
     }
-    return bounded((a / b));
+    return bounded(a / b);
 }
 
 /// [`mixed`], component by component.
 float3 mixed_vec3(float3 a, float3 b, float t)
 {
-    const float3 d = bounded_vec3((b - a));
-    return bounded_vec3(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
+    const float3 d = bounded_vec3(b - a);
+    return bounded_vec3(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// [`mixed`], component by component.
 float3 mixed_vec3_2(float3 a, float3 b, float t)
 {
-    float3 d = (b - a);
-    return bounded_vec3(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
+    float3 d = b - a;
+    return bounded_vec3(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// [`mixed`], component by component.
 float4 mixed_vec4(float4 a, float4 b, float t)
 {
-    const float4 d = bounded_vec4((b - a));
-    return bounded_vec4(((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d))));
+    const float4 d = bounded_vec4(b - a);
+    return bounded_vec4(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased(float x, float low, float high)
 {
-    float t = clamp(bounded(((bounded(x) - low) / 0.5)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 float eased_2(float x, float low, float high)
 {
-    float t = clamp(((x - low) / (high - low)), 0.0, 1.0);
-    return ((t * t) * (3.0 - (2.0 * t)));
+    float t = clamp((x - low) / (high - low), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -282,26 +286,26 @@ float footprint_of_vec3(float3 v)
 float4 color_mixed(float4 a, float3 blended, float factor)
 {
     const float3 a_2 = bounded_vec3(a.xyz);
-    return float4(bounded_vec3((a_2 + (factor * bounded_vec3((bounded_vec3(blended) - a_2))))), 1.0);
+    return float4(bounded_vec3(a_2 + factor * bounded_vec3(bounded_vec3(blended) - a_2)), 1.0);
 }
 
 /// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
 /// t.
 float4 hermite(float4 a, float4 b, float4 from_a, float4 to_b, float t)
 {
-    float4 d = (b - a);
-    return (a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d))))))));
+    float4 d = b - a;
+    return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
 /// [`ramp_slope`] of one component.
 float harmonic_slope(float before, float span_before, float after, float span_after)
 {
-    if (((before * after) <= 0.0)) {
+    if (before * after <= 0.0) {
         return 0.0;
     }
-    float weight_before = ((2.0 * span_after) + span_before);
-    float weight_after = (span_after + (2.0 * span_before));
-    return divided((weight_before + weight_after), ((weight_before / before) + (weight_after / after)));
+    float weight_before = 2.0 * span_after + span_before;
+    float weight_after = span_after + 2.0 * span_before;
+    return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
 /// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
@@ -310,12 +314,16 @@ float4 ramp_slope(float4 rise_before, float span_before, float4 rise_after, floa
 {
     const float divided_value = divided(rise_after.x, span_after);
     const float divided_value_1 = divided(rise_after.y, span_after);
-    const float harmonic_slope_value = harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value_1, span_after);
+    const float harmonic_slope_value = harmonic_slope(divided(rise_before.y, span_before),
+        span_before, divided_value_1, span_after);
     const float divided_value_2 = divided(rise_after.z, span_after);
-    const float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_2, span_after);
+    const float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before),
+        span_before, divided_value_2, span_after);
     const float divided_value_3 = divided(rise_after.w, span_after);
-    const float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_3, span_after);
-    return float4(harmonic_slope(divided(rise_before.x, span_before), span_before, divided_value, span_after), harmonic_slope_value, harmonic_slope_value_1, harmonic_slope_value_2);
+    const float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before),
+        span_before, divided_value_3, span_after);
+    return float4(harmonic_slope(divided(rise_before.x, span_before), span_before, divided_value,
+        span_after), harmonic_slope_value, harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
 uint naga_mod(uint lhs, uint rhs) {
@@ -330,7 +338,9 @@ uint naga_div(uint lhs, uint rhs) {
 /// Transparent black for a ramp without stops.
 float4 ramp_at(Ramp ramp, float x, float w)
 {
-    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0 };
+    float4 colors[16] = { (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
+        (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     uint i_2 = 1u;
     uint at = 0u;
@@ -342,49 +352,55 @@ float4 ramp_at(Ramp ramp, float x, float w)
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i_2 = (i_2 + 1u);
+            i_2 = i_2 + 1u;
         }
         loop_init = false;
-        if (!((i_2 < 4u))) {
+        if (!(i_2 < 4u)) {
             break;
         }
         float places_now = places[0][min(uint(naga_mod(i_2, 4u)), 3u)];
-        at = ((places_now <= x) ? i_2 : at);
+        at = places_now <= x ? i_2 : at;
     }
     float place = places[0][min(uint(naga_mod(at, 4u)), 3u)];
-    if ((((at + 1u) >= 4u) | (x <= place))) {
+    if (((at + 1u >= 4u) | (x <= place))) {
         return colors[min(uint(at), 15u)];
     }
-    uint after = (at + 1u);
-    float span = (places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)] - place);
-    float t = clamp(divided((x - place), span), 0.0, 1.0);
-    if ((at > 0u)) {
-        float before = places[min(uint(naga_div((at - 1u), 4u)), 3u)][min(uint(naga_mod((at - 1u), 4u)), 3u)];
-        float4 colors_now = colors[min(uint((at - 1u)), 15u)];
+    uint after = at + 1u;
+    float span = places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)]
+        - place;
+    float t = clamp(divided(x - place, span), 0.0, 1.0);
+    if (at > 0u) {
+        float before = places[min(uint(naga_div(at - 1u, 4u)), 3u)][min(uint(naga_mod(at - 1u, 4u)),
+            3u)];
+        float4 colors_now = colors[min(uint(at - 1u), 15u)];
         float4 colors_now_1 = colors[min(uint(after), 15u)];
         float4 colors_now_2 = colors[min(uint(at), 15u)];
-        from_a = ramp_slope((colors[min(uint(at), 15u)] - colors_now), (place - before), (colors_now_1 - colors_now_2), span);
+        from_a = ramp_slope(colors[min(uint(at), 15u)] - colors_now, place - before, colors_now_1
+            - colors_now_2, span);
     }
-    if (((after + 1u) < 4u)) {
-        float places_now_1 = places[min(uint(naga_div((after + 1u), 4u)), 3u)][min(uint(naga_mod((after + 1u), 4u)), 3u)];
-        float next = (places_now_1 - (place + span));
-        float4 colors_now_3 = colors[min(uint((after + 1u)), 15u)];
+    if (after + 1u < 4u) {
+        float places_now_1 = places[min(uint(naga_div(after + 1u, 4u)),
+            3u)][min(uint(naga_mod(after + 1u, 4u)), 3u)];
+        float next = places_now_1 - (place + span);
+        float4 colors_now_3 = colors[min(uint(after + 1u), 15u)];
         float4 colors_now_4 = colors[min(uint(after), 15u)];
-        to_b = ramp_slope((colors[min(uint(after), 15u)] - colors[min(uint(at), 15u)]), span, (colors_now_3 - colors_now_4), next);
+        to_b = ramp_slope(colors[min(uint(after), 15u)] - colors[min(uint(at), 15u)], span,
+            colors_now_3 - colors_now_4, next);
     }
-    const float4 hermite_value = hermite(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)], (span * from_a), (span * to_b), t);
+    const float4 hermite_value = hermite(colors[min(uint(at), 15u)], colors[min(uint(after), 15u)],
+        span * from_a, span * to_b, t);
     return bounded_vec4(hermite_value);
 }
 
 float4 mix_colors_multiply(float4 a, float4 b, float factor)
 {
-    return float4(mixed_vec3_2(a.xyz, (a.xyz * b.xyz), factor), 1.0);
+    return float4(mixed_vec3_2(a.xyz, a.xyz * b.xyz, factor), 1.0);
 }
 
 float4 mix_colors_multiply_2(float4 a, float4 b, float factor)
 {
-    float3 blended = (a.xyz * b.xyz);
-    return float4((blended - (0.25 * bounded_vec3((blended - bounded_vec3(a.xyz))))), bounded(a.w));
+    float3 blended = a.xyz * b.xyz;
+    return float4(blended - 0.25 * bounded_vec3(blended - bounded_vec3(a.xyz)), bounded(a.w));
 }
 
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
@@ -393,21 +409,21 @@ uint3 hash_pcg3d(uint3 seed)
 {
     uint3 v = (uint3)0;
 
-    v = ((seed * 1664525u) + (1013904223u).xxx);
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + (1013904223u).xxx;
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> (16u).xxx));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
 /// The hash of a lattice point.
 uint3 lattice_hash(int3 cell, uint seed)
 {
-    return hash_pcg3d((asuint(cell) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
+    return hash_pcg3d(asuint(cell) + seed * uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 /// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
@@ -415,15 +431,15 @@ uint3 lattice_hash(int3 cell, uint seed)
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
-    float a = ((axis == 0u) ? d.y : d.x);
-    float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 float3 fade_quintic(float3 t)
 {
-    return (((t * t) * t) * ((t * ((t * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    return t * t * t * (t * (t * 6.0 - (15.0).xxx) + (10.0).xxx);
 }
 
 int3 naga_f2i32(float3 value) {
@@ -437,7 +453,7 @@ float perlin_noise(float3 p, uint seed)
     int i = int(0);
 
     float3 corner = floor(p);
-    float3 d = (p - corner);
+    float3 d = p - corner;
     const float3 f = fade_quintic(d);
     int3 cell = naga_f2i32(corner);
     bool loop_init = true;
@@ -446,19 +462,20 @@ float perlin_noise(float3 p, uint seed)
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if ((i < int(8))) {
+        if (i < int(8)) {
         } else {
             break;
         }
         {
             int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
-            float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
-            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)), seed), (d - float3(at)));
-            sum = (sum + (((weight.x * weight.y) * weight.z) * gradient_dot_value));
+            float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
+                + asuint(at)), seed), d - float3(at));
+            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
@@ -468,8 +485,8 @@ float perlin_noise_2(float3 p, uint seed)
     float sum = 0.0;
 
     float3 corner = floor(p);
-    float3 d = (p - corner);
-    float3 f = (((d * d) * d) * ((d * ((d * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    float3 d = p - corner;
+    float3 f = d * d * d * (d * (d * 6.0 - (15.0).xxx) + (10.0).xxx);
     int3 cell = naga_f2i32(corner);
     bool loop_init = true;
     while(true) {
@@ -477,15 +494,16 @@ float perlin_noise_2(float3 p, uint seed)
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if (!((i < int(8)))) {
+        if (!(i < int(8))) {
             break;
         }
         int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
-        float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
-        const uint3 hash_pcg3d_value = hash_pcg3d((asuint(asint(asuint(cell) + asuint(at))) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
-        sum = (sum + (((weight.x * weight.y) * 0.5) * gradient_dot(hash_pcg3d_value, (d - float3(at)))));
+        float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+        const uint3 hash_pcg3d_value = hash_pcg3d(asuint(asint(asuint(cell) + asuint(at))) + seed
+            * uint3(2654435769u, 2246822507u, 3266489909u));
+        sum = sum + weight.x * weight.y * 0.5 * gradient_dot(hash_pcg3d_value, d - float3(at));
     }
-    return clamp((0.5 + (0.48244 * sum)), 0.0, 1.0);
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -506,21 +524,22 @@ float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed,
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if (!((i < int(2)))) {
+        if (!(i < int(2))) {
             break;
         }
-        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
-        if ((visible > 0.0)) {
-            float3 place = clamp(((p * frequency) + (float(i) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-            octave = lerp(0.5, perlin_noise(place, (11u + uint(i))), visible);
+        if (visible > 0.0) {
+            float3 place = clamp(p * frequency + float(i) * float3(17.31, 5.17, 11.73),
+                (-4194304.0).xxx, (4194304.0).xxx);
+            octave = lerp(0.5, perlin_noise(place, 11u + uint(i)), visible);
         }
-        sum = (sum + (strength * octave));
-        total = (total + strength);
-        strength = (strength * roughness);
-        frequency = (frequency * 2.0);
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    return min((sum / 1.5), 1.0);
+    return min(sum / 1.5, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -541,21 +560,22 @@ float fractal_noise_2(uint kind, float3 p, int octaves, float roughness, int see
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if (!((i < int(4)))) {
+        if (!(i < int(4))) {
             break;
         }
-        float visible = (1.0 - eased((w * frequency), 0.5, 1.0));
+        float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
-        if ((visible > 0.0)) {
-            float3 place = clamp(((p * frequency) + (float(i) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-            octave = lerp(0.5, perlin_noise(place, (0u + uint(i))), visible);
+        if (visible > 0.0) {
+            float3 place = clamp(p * frequency + float(i) * float3(17.31, 5.17, 11.73),
+                (-4194304.0).xxx, (4194304.0).xxx);
+            octave = lerp(0.5, perlin_noise(place, 0u + uint(i)), visible);
         }
-        sum = (sum + (strength * octave));
-        total = (total + strength);
-        strength = (strength * roughness);
-        frequency = (frequency * 2.0);
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
     }
-    return min((sum / total), 1.0);
+    return min(sum / total, 1.0);
 }
 
 /// Size on screen of a unit of the scene at a depth, in picture heights, at most 1e15.
@@ -564,22 +584,23 @@ float fractal_noise_2(uint kind, float3 p, int octaves, float roughness, int see
 float size_on_screen(float depth, float perspective, float scale)
 {
     // Clip space is 2 high.
-    return min(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
+    return min(0.5 * scale / lerp(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
 /// and in z the size there of a unit of the scene; in picture heights, within +-1e15.
 float3 anchor_on_screen(float3 origin, float perspective, float scale)
 {
-    const float size = size_on_screen(-(origin.z), perspective, scale);
-    return clamp(float3((origin.x * size), (-(origin.y) * size), size), (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
+    const float size = size_on_screen(-origin.z, perspective, scale);
+    return clamp(float3(origin.x * size, -origin.y * size, size), (-1000000000000000.0).xxx,
+        (1000000000000000.0).xxx);
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
 float2 place_in_picture(float2 pixel, float2 viewport)
 {
-    float2 from_middle = (pixel - (0.5 * viewport));
-    return (float2(from_middle.x, -(from_middle.y)) / (max(viewport.y, 1.0)).xx);
+    float2 from_middle = pixel - 0.5 * viewport;
+    return float2(from_middle.x, -from_middle.y) / (max(viewport.y, 1.0)).xx;
 }
 
 StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
@@ -594,12 +615,12 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
     float2 turn = float2(0.0, 1.0);
-    float3 x = ((turn.y * along) + (turn.x * across));
-    float3 y = ((turn.y * across) - (turn.x * along));
-    float2 turned = float2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
+    float3 x = turn.y * along + turn.x * across;
+    float3 y = turn.y * across - turn.x * along;
+    float2 turned = float2(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x
+        * place.x);
     float3 stretch = float3(dot(x, x), dot(x, y), dot(y, y));
-    const StretchedPlace stretchedplace = ConstructStretchedPlace(turned, stretch);
-    return stretchedplace;
+    return ConstructStretchedPlace(turned, stretch);
 }
 
 SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
@@ -613,11 +634,10 @@ SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
 /// place without a stretch is one in pixels.
 SpacedPlace spaced(float2 place, float3 stretch, float2 viewport, float count)
 {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
-    float2 p = clamp((place * scale), (-4194304.0).xx, (4194304.0).xx);
-    const SpacedPlace spacedplace = ConstructSpacedPlace(p, (is_pixel ? float3(1.0, 0.0, 1.0) : stretch));
-    return spacedplace;
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / max(viewport.y, 1.0) : count;
+    float2 p = clamp(place * scale, (-4194304.0).xx, (4194304.0).xx);
+    return ConstructSpacedPlace(p, is_pixel ? float3(1.0, 0.0, 1.0) : stretch);
 }
 
 /// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
@@ -625,8 +645,8 @@ SpacedPlace spaced(float2 place, float3 stretch, float2 viewport, float count)
 /// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
 float area_square(float3 stretch)
 {
-    float sum = (stretch.x + stretch.z);
-    return max(((stretch.x * stretch.z) - (stretch.y * stretch.y)), ((sum * sum) / 66.0));
+    float sum = stretch.x + stretch.z;
+    return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
 MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
@@ -639,24 +659,25 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
 MarkPlace mark_place_object(float angle, float3 anchor, float2 pixel, float2 viewport)
 {
     float size = clamp(anchor.z, 1e-6, 1000000.0);
-    float2 place = ((place_in_picture(pixel, viewport) - float2(anchor.x, -(anchor.y))) / (size).xx);
-    const StretchedPlace m = mark_place_of(place, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle);
-    const MarkPlace markplace = ConstructMarkPlace(m.place, m.stretch);
-    return markplace;
+    float2 place = (place_in_picture(pixel, viewport) - float2(anchor.x, -anchor.y)) / (size).xx;
+    const StretchedPlace m = mark_place_of(place, float3(1.0 / size, 0.0, 0.0),
+        float3(0.0, 1.0 / size, 0.0), angle);
+    return ConstructMarkPlace(m.place, m.stretch);
 }
 
 /// The height of paper in one octave; paper finer than a pixel is flat.
 float paper_octave(float2 place, int zoom, float w, float fiber, uint seed)
 {
     float scale = asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
-    float2 p = clamp((place * scale), (-4194304.0).xx, (4194304.0).xx);
-    uint own = (seed + (7u * asuint(zoom)));
-    float grain = (perlin_noise_2(float3(p, 0.5), own) - 0.5);
-    float2 q = clamp((2.7 * float2(((0.8 * p.x) - (0.6 * p.y)), ((0.6 * p.x) + (0.8 * p.y)))), (-4194304.0).xx, (4194304.0).xx);
-    float felt = (perlin_noise_2(float3(q, 0.5), (own + 1u)) - 0.5);
-    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w * scale)));
-    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w) * scale)));
-    return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
+    float2 p = clamp(place * scale, (-4194304.0).xx, (4194304.0).xx);
+    uint own = seed + 7u * asuint(zoom);
+    float grain = perlin_noise_2(float3(p, 0.5), own) - 0.5;
+    float2 q = clamp(2.7 * float2(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), (-4194304.0).xx,
+        (4194304.0).xx);
+    float felt = perlin_noise_2(float3(q, 0.5), own + 1u) - 0.5;
+    float coarse_seen = 1.0 - smoothstep(0.5, 1.0, w * scale);
+    float felt_seen = 1.0 - smoothstep(0.5, 1.0, 2.7 * w * scale);
+    return clamp(0.5 + 1.4 * (coarse_seen * grain + fiber * felt_seen * felt), 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
@@ -672,14 +693,15 @@ float paper_height(SpacedPlace at, float fiber, uint seed)
     float2 x = ddx(at.place);
     float2 y = ddy(at.place);
     float w = sqrt(max(dot(x, x), dot(y, y)));
-    float level = clamp((-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30))), -16.0, 16.0);
+    float level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     float zoom = floor(level);
-    float f = (level - zoom);
+    float f = level - zoom;
     height = paper_octave(at.place, naga_f2i32(zoom), w, fiber, seed);
-    if ((f > 0.0)) {
-        const float paper_octave_value = paper_octave(at.place, asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), w, fiber, seed);
+    if (f > 0.0) {
+        const float paper_octave_value = paper_octave(at.place,
+            asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), w, fiber, seed);
         float both = lerp(height, paper_octave_value, f);
-        height = clamp((0.5 + ((both - 0.5) / sqrt(((f * f) + ((1.0 - f) * (1.0 - f)))))), 0.0, 1.0);
+        height = clamp(0.5 + (both - 0.5) / sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0, 1.0);
     }
     return height;
 }
@@ -696,11 +718,12 @@ PaperGrain ConstructPaperGrain(float arg0, float arg1) {
 /// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
 /// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
 /// an object and does not swim through it.
-PaperGrain paper_grain(float value, float2 place, float3 stretch, float count, float tooth, float fiber, int seed, float2 viewport)
+PaperGrain paper_grain(float value, float2 place, float3 stretch, float count, float tooth,
+    float fiber, int seed, float2 viewport)
 {
     const float height = paper_height(spaced(place, stretch, viewport, count), fiber, 0u);
-    const PaperGrain papergrain = ConstructPaperGrain((1.0 - clamp((0.5 + ((((8.0 * tooth) * (height - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), height);
-    return papergrain;
+    return ConstructPaperGrain(1.0 - clamp(0.5 + 8.0 * tooth * (height - 0.5) * 0.5 * 0.5, 0.0,
+        1.0), height);
 }
 
 /// Outer contour
@@ -710,21 +733,21 @@ PaperGrain paper_grain(float value, float2 place, float3 stretch, float count, f
 float outer_contour(float width, float3 normal, float3 view, float2 viewport)
 {
     float facing = clamp(dot(normal, view), 0.0, 1.0);
-    float pixels = ((width * clamp(viewport.y, 1.0, 100000.0)) / 1000.0);
-    float distance_ = (facing / max((2.0 * footprint_of(facing)), 1e-6));
-    float near = (1.0 - smoothstep(0.45, 0.75, facing));
-    return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
+    float pixels = width * clamp(viewport.y, 1.0, 100000.0) / 1000.0;
+    float distance_ = facing / max(2.0 * footprint_of(facing), 1e-6);
+    float near = 1.0 - smoothstep(0.45, 0.75, facing);
+    return clamp(pixels + 0.5 - distance_, 0.0, min(pixels, 1.0)) * near;
 }
 
 float noise_perlin(float3 position, float scale, int octaves, float roughness, int seed)
 {
-    float3 p = (position * scale);
+    float3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 float noise_perlin_2(float3 position, float scale, int octaves, float roughness, int seed)
 {
-    float3 p = (position * scale);
+    float3 p = position * scale;
     return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
@@ -732,31 +755,41 @@ float noise_perlin_2(float3 position, float scale, int octaves, float roughness,
 float4 shade(Surface surface)
 {
     const float drift = noise_perlin(surface.position_object, 1.5, int(2), 0.5, int(11));
-    float spread = clamp(((drift - 0.32) / 0.36), 0.0, 1.0);
+    float spread = clamp((drift - 0.32) / 0.36, 0.0, 1.0);
     const float4 two_pigments_2 = ramp_at(two_pigments, spread, footprint_of(spread));
-    float shade_2 = max(((dot(surface.normal, look.key.direction) + 0.45) / 1.45), 0.0);
-    float tone = min(((shade_2 - 0.0) / 0.85), 1.0);
+    // Reflectance
+    float shade_2 = max((dot(surface.normal, look.key.direction) + 0.45) / 1.45, 0.0);
+    float tone = min((shade_2 - 0.0) / 0.85, 1.0);
     const float water = noise_perlin_2(surface.position_object, 2.2, int(4), 0.55, int(0));
-    float how_far_it_runs = lerp(-0.24, 0.24, (water - 0.0));
-    float wet_tone = (tone + how_far_it_runs);
+    float how_far_it_runs = lerp(-0.24, 0.24, water - 0.0);
+    float wet_tone = tone + how_far_it_runs;
     const float first_wash = eased_2(wet_tone, 0.82, 0.7);
-    float k1 = (first_wash * 0.62);
-    const float4 wash_on_paper = mix_colors_multiply(float4(0.9843, 0.9686, 0.9255, 1.0), two_pigments_2, k1);
-    const float4 deeper = mix_colors_multiply_2(two_pigments_2, float4(0.3529, 0.3098, 0.5255, 1.0), 0.75);
+    float k1 = first_wash * 0.62;
+    const float4 wash_on_paper = mix_colors_multiply(float4(0.9843, 0.9686, 0.9255, 1.0),
+        two_pigments_2, k1);
+    const float4 deeper = mix_colors_multiply_2(two_pigments_2, float4(0.3529, 0.3098, 0.5255, 1.0),
+        0.75);
     const float second_wash = eased_2(wet_tone, 0.42, 0.34);
-    float k2 = (second_wash * 0.6);
-    float4 second_on_the_first = float4(mixed_vec3(bounded_vec3(wash_on_paper.xyz), bounded_vec3((wash_on_paper.xyz * deeper.xyz)), k2), 1.0);
-    float pigment_s_rim = (smoothstep(0.66, 0.72, wet_tone) * first_wash);
-    float second_rim = (smoothstep(0.29, 0.34, wet_tone) * second_wash);
-    float k3 = (max(pigment_s_rim, second_rim) * 0.34);
-    const float4 rims_2 = color_mixed(second_on_the_first, (second_on_the_first.xyz * deeper.xyz), k3);
+    float k2 = second_wash * 0.6;
+    // Mix colors
+    float4 second_on_the_first = float4(mixed_vec3(bounded_vec3(wash_on_paper.xyz),
+        bounded_vec3(wash_on_paper.xyz * deeper.xyz), k2), 1.0);
+    float pigment_s_rim = smoothstep(0.66, 0.72, wet_tone) * first_wash;
+    float second_rim = smoothstep(0.29, 0.34, wet_tone) * second_wash;
+    float k3 = max(pigment_s_rim, second_rim) * 0.34;
+    // Mix colors
+    const float4 rims_2 = color_mixed(second_on_the_first, second_on_the_first.xyz * deeper.xyz,
+        k3);
     const MarkPlace sheet = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
-    const PaperGrain paper = paper_grain(0.5, sheet.place, sheet.stretch, 240.0, 0.6, 0.6, int(0), look.viewport);
-    float settled_pigment = lerp(0.9, 1.03, (bounded(paper.tone) - 0.0));
-    const float4 grain = bounded_vec4((rims_2 * float4((settled_pigment).xxx, 1.0)));
+    const PaperGrain paper = paper_grain(0.5, sheet.place, sheet.stretch, 240.0, 0.6, 0.6, int(0),
+        look.viewport);
+    float settled_pigment = lerp(0.9, 1.03, bounded(paper.tone) - 0.0);
+    const float4 grain = bounded_vec4(rims_2 * float4((settled_pigment).xxx, 1.0));
     const float pencil = outer_contour(2.2, surface.normal, surface.view, look.viewport);
-    float soft = (pencil * 0.7);
-    const float4 pencil_line = mixed_vec4(bounded_vec4(grain), float4(0.2902, 0.2588, 0.2824, 1.0), soft);
+    float soft = pencil * 0.7;
+    // Mix colors
+    const float4 pencil_line = mixed_vec4(bounded_vec4(grain), float4(0.2902, 0.2588, 0.2824, 1.0),
+        soft);
     return finite_vec4(pencil_line);
 }
 
@@ -772,8 +805,10 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        vertex.position, mul(vertex.normal, object.world_from_normal));
+    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
+        varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
@@ -789,11 +824,17 @@ Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float2 arg3, flo
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3,
+        fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
-    const float3 anchor_on_screen_value = anchor_on_screen(mul(float4(object.world_from_object[3].xyz, 1.0), view.camera_from_world).xyz, view.eye.w, length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), in_.position_object, ((in_.clip_.xy * view.screen.xy) + view.screen.zw), anchor_on_screen_value);
+    float3 normal = is_front ? facing : -facing;
+    const float3 anchor_on_screen_value = anchor_on_screen(mul(float4(object.world_from_object[3].xyz,
+        1.0), view.camera_from_world).xyz, view.eye.w,
+        length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y)));
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        in_.position_object, in_.clip_.xy * view.screen.xy + view.screen.zw,
+        anchor_on_screen_value);
     return finite_vec4(shade(surface));
 }

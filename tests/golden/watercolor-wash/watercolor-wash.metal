@@ -18,6 +18,7 @@ struct View {
     /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     metal::float4 screen;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -25,6 +26,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -36,12 +38,14 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     metal::float2 viewport;
     char _pad1[8];
     Light key;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
@@ -51,13 +55,16 @@ struct Surface {
     char _pad4[8];
     metal::float3 anchor;
 };
+
 typedef metal::float4 Color;
 struct type_6 {
     metal::float4 inner[16];
 };
+
 struct type_7 {
     metal::float4 inner[4];
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -72,6 +79,7 @@ struct Ramp {
     uint interpolation;
     char _pad4[8];
 };
+
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
@@ -81,12 +89,14 @@ struct StretchedPlace {
     /// picture height.
     metal::float3 stretch;
 };
+
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
 };
+
 struct MarkPlace {
     /// Along the strokes, and across them.
     metal::float2 place;
@@ -94,27 +104,38 @@ struct MarkPlace {
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     metal::float3 stretch;
 };
+
 struct PaperGrain {
     /// The tone as the paper shows it.
     float tone;
     /// The paper's own height, from 0 to 1: for a bump map, or to tint the paper.
     float height;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 position_object;
     metal::float3 normal;
 };
+
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant uint NOISE_PERLIN = 1u;
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 constant float MOST_ON_SCREEN = 1000000000000000.0;
-constant Ramp two_pigments = Ramp {type_6 {{metal::float4(0.1843, 0.4353, 0.5608, 1.0), metal::float4(0.2471, 0.6039, 0.5255, 1.0), metal::float4(0.7882, 0.6353, 0.2353, 1.0), metal::float4(0.8471, 0.451, 0.3529, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_7 {{metal::float4(0.0, 0.45, 0.75, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 4u, 1u};
+constant Ramp two_pigments = Ramp {type_6 {{metal::float4(0.1843, 0.4353, 0.5608, 1.0),
+    metal::float4(0.2471, 0.6039, 0.5255, 1.0), metal::float4(0.7882, 0.6353, 0.2353, 1.0),
+    metal::float4(0.8471, 0.451, 0.3529, 1.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0)}},
+    type_7 {{metal::float4(0.0, 0.45, 0.75, 1.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0)}}, 4u, 1u};
 
 /// v with 0 for each component that is NaN or infinite.
 metal::float4 finite_vec4(
@@ -135,7 +156,8 @@ float log2_stable(
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
-    return static_cast<float>(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379)))))));
+    return static_cast<float>(exponent) + z
+        * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -145,7 +167,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -164,7 +187,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -173,8 +196,10 @@ metal::float3 bounded_vec3(
 ) {
     metal::uint3 bits = as_type<metal::uint3>(v);
     metal::uint3 magnitude = bits & metal::uint3(2147483647u);
-    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
-    metal::float3 numbers = metal::select(metal::float3(0.0), largest, magnitude == metal::uint3(2139095040u));
+    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u))
+        | metal::uint3(2139095039u));
+    metal::float3 numbers = metal::select(metal::float3(0.0), largest,
+        magnitude == metal::uint3(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint3(2139095040u));
 }
 
@@ -184,8 +209,10 @@ metal::float4 bounded_vec4(
 ) {
     metal::uint4 bits = as_type<metal::uint4>(v);
     metal::uint4 magnitude = bits & metal::uint4(2147483647u);
-    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
-    metal::float4 numbers = metal::select(metal::float4(0.0), largest, magnitude == metal::uint4(2139095040u));
+    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u))
+        | metal::uint4(2139095039u));
+    metal::float4 numbers = metal::select(metal::float4(0.0), largest,
+        magnitude == metal::uint4(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint4(2139095040u));
 }
 
@@ -207,7 +234,7 @@ metal::float3 mixed_vec3(
     float t
 ) {
     metal::float3 d = bounded_vec3(b - a);
-    return bounded_vec3((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d)));
+    return bounded_vec3(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// [`mixed`], component by component.
@@ -217,7 +244,7 @@ metal::float3 mixed_vec3_2(
     float t
 ) {
     metal::float3 d = b - a;
-    return bounded_vec3((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d)));
+    return bounded_vec3(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// [`mixed`], component by component.
@@ -227,7 +254,7 @@ metal::float4 mixed_vec4(
     float t
 ) {
     metal::float4 d = bounded_vec4(b - a);
-    return bounded_vec4((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d)));
+    return bounded_vec4(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -238,7 +265,7 @@ float eased(
     float high
 ) {
     float t = metal::clamp(bounded((bounded(x) - low) / 0.5), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
@@ -249,7 +276,7 @@ float eased_2(
     float high
 ) {
     float t = metal::clamp((x - low) / (high - low), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -277,7 +304,8 @@ metal::float4 color_mixed(
     float factor
 ) {
     metal::float3 a_2 = bounded_vec3(a.xyz);
-    return metal::float4(bounded_vec3(a_2 + (factor * bounded_vec3(bounded_vec3(blended) - a_2))), 1.0);
+    return metal::float4(bounded_vec3(a_2 + factor * bounded_vec3(bounded_vec3(blended) - a_2)),
+        1.0);
 }
 
 /// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
@@ -290,7 +318,7 @@ metal::float4 hermite(
     float t
 ) {
     metal::float4 d = b - a;
-    return a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d)))))));
+    return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
 /// [`ramp_slope`] of one component.
@@ -300,12 +328,12 @@ float harmonic_slope(
     float after,
     float span_after
 ) {
-    if ((before * after) <= 0.0) {
+    if (before * after <= 0.0) {
         return 0.0;
     }
-    float weight_before = (2.0 * span_after) + span_before;
-    float weight_after = span_after + (2.0 * span_before);
-    return divided(weight_before + weight_after, (weight_before / before) + (weight_after / after));
+    float weight_before = 2.0 * span_after + span_before;
+    float weight_after = span_after + 2.0 * span_before;
+    return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
 /// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
@@ -316,13 +344,18 @@ metal::float4 ramp_slope(
     metal::float4 rise_after,
     float span_after
 ) {
-    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after);
+    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before,
+        divided(rise_after.x, span_after), span_after);
     float divided_value = divided(rise_after.y, span_after);
     float divided_value_1 = divided(rise_after.z, span_after);
-    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_1, span_after);
+    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before,
+        divided_value_1, span_after);
     float divided_value_2 = divided(rise_after.w, span_after);
-    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_2, span_after);
-    return metal::float4(harmonic_slope_value, harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after), harmonic_slope_value_1, harmonic_slope_value_2);
+    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before,
+        divided_value_2, span_after);
+    return metal::float4(harmonic_slope_value,
+        harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after),
+        harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
 uint naga_mod(uint lhs, uint rhs) {
@@ -354,14 +387,14 @@ Color ramp_at(
             i_2 = i_2 + 1u;
         }
         loop_init = false;
-        if (!((i_2 < 4u))) {
+        if (!(i_2 < 4u)) {
             break;
         }
         float places_now = places.inner[0][naga_mod(i_2, 4u)];
-        at = (places_now <= x) ? i_2 : at;
+        at = places_now <= x ? i_2 : at;
     }
     float place = places.inner[0][naga_mod(at, 4u)];
-    if (((at + 1u) >= 4u) | (x <= place)) {
+    if ((at + 1u >= 4u) | (x <= place)) {
         return colors.inner[at];
     }
     uint after = at + 1u;
@@ -369,14 +402,18 @@ Color ramp_at(
     float t = metal::clamp(divided(x - place, span), 0.0, 1.0);
     if (at > 0u) {
         float before = places.inner[naga_div(at - 1u, 4u)][naga_mod(at - 1u, 4u)];
-        metal::float4 ramp_slope_value = ramp_slope(colors.inner[at] - colors.inner[at - 1u], place - before, colors.inner[after] - colors.inner[at], span);
+        metal::float4 ramp_slope_value = ramp_slope(colors.inner[at] - colors.inner[at - 1u],
+            place - before, colors.inner[after] - colors.inner[at], span);
         from_a = ramp_slope_value;
     }
-    if ((after + 1u) < 4u) {
-        float next = places.inner[naga_div(after + 1u, 4u)][naga_mod(after + 1u, 4u)] - (place + span);
-        to_b = ramp_slope(colors.inner[after] - colors.inner[at], span, colors.inner[after + 1u] - colors.inner[after], next);
+    if (after + 1u < 4u) {
+        float next = places.inner[naga_div(after + 1u, 4u)][naga_mod(after + 1u, 4u)]
+            - (place + span);
+        to_b = ramp_slope(colors.inner[after] - colors.inner[at], span, colors.inner[after + 1u]
+            - colors.inner[after], next);
     }
-    return bounded_vec4(hermite(colors.inner[at], colors.inner[after], span * from_a, span * to_b, t));
+    return bounded_vec4(hermite(colors.inner[at], colors.inner[after], span * from_a, span * to_b,
+        t));
 }
 
 Color mix_colors_multiply(
@@ -393,7 +430,8 @@ Color mix_colors_multiply_2(
     float factor
 ) {
     metal::float3 blended = a.xyz * b.xyz;
-    return metal::float4(blended - (0.25 * bounded_vec3(blended - bounded_vec3(a.xyz))), bounded(a.w));
+    return metal::float4(blended - 0.25 * bounded_vec3(blended - bounded_vec3(a.xyz)),
+        bounded(a.w));
 }
 
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
@@ -402,14 +440,14 @@ metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
     metal::uint3 v = {};
-    v = (seed * 1664525u) + metal::uint3(1013904223u);
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v = seed * 1664525u + metal::uint3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = v ^ (v >> metal::uint3(16u));
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -418,7 +456,8 @@ metal::uint3 lattice_hash(
     metal::int3 cell,
     uint seed
 ) {
-    return hash_pcg3d(as_type<metal::uint3>(cell) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+    return hash_pcg3d(as_type<metal::uint3>(cell) + seed
+        * metal::uint3(2654435769u, 2246822507u, 3266489909u));
 }
 
 /// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
@@ -428,16 +467,16 @@ float gradient_dot(
     metal::float3 d
 ) {
     uint axis = naga_mod(hash.x >> 8u, 3u);
-    float a = (axis == 0u) ? d.y : d.x;
-    float b = (axis == 2u) ? d.y : d.z;
-    return (((hash.y >> 31u) == 0u) ? a : -(a)) + (((hash.z >> 31u) == 0u) ? b : -(b));
+    float a = axis == 0u ? d.y : d.x;
+    float b = axis == 2u ? d.y : d.z;
+    return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
 /// t^3 (6 t^2 - 15 t + 10): smooth to the second derivative.
 metal::float3 fade_quintic(
     metal::float3 t
 ) {
-    return ((t * t) * t) * ((t * ((t * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    return t * t * t * (t * (t * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
@@ -468,12 +507,14 @@ float perlin_noise(
         {
             metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
             metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)), seed);
-            sum = sum + (((weight.x * weight.y) * weight.z) * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at)));
+            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
+                seed);
+            sum = sum + weight.x * weight.y * weight.z
+                * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
         }
     }
     // The twelve gradients reach 1.0364 at most.
-    return metal::clamp(0.5 + (0.48244 * sum), 0.0, 1.0);
+    return metal::clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
@@ -485,7 +526,7 @@ float perlin_noise_2(
     float sum = 0.0;
     metal::float3 corner = metal::floor(p);
     metal::float3 d = p - corner;
-    metal::float3 f = ((d * d) * d) * ((d * ((d * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    metal::float3 f = d * d * d * (d * (d * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
     metal::int3 cell = naga_f2i32(corner);
     bool loop_init = true;
     while(true) {
@@ -493,15 +534,17 @@ float perlin_noise_2(
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 8))) {
+        if (!(i < 8)) {
             break;
         }
         metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
         metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
-        metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at))) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
-        sum = sum + (((weight.x * weight.y) * 0.5) * gradient_dot(hash_pcg3d_value, d - static_cast<metal::float3>(at)));
+        metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at))) + seed * metal::uint3(2654435769u,
+            2246822507u, 3266489909u));
+        sum = sum + weight.x * weight.y * 0.5
+            * gradient_dot(hash_pcg3d_value, d - static_cast<metal::float3>(at));
     }
-    return metal::clamp(0.5 + (0.48244 * sum), 0.0, 1.0);
+    return metal::clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -527,16 +570,18 @@ float fractal_noise(
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 2))) {
+        if (!(i < 2)) {
             break;
         }
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
-            metal::float3 place = metal::clamp((p * frequency) + (static_cast<float>(i) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            metal::float3 place = metal::clamp(p * frequency + static_cast<float>(i)
+                * metal::float3(17.31, 5.17, 11.73), metal::float3(-4194304.0),
+                metal::float3(4194304.0));
             octave = metal::mix(0.5, perlin_noise(place, 11u + static_cast<uint>(i)), visible);
         }
-        sum = sum + (strength * octave);
+        sum = sum + strength * octave;
         total = total + strength;
         strength = strength * roughness;
         frequency = frequency * 2.0;
@@ -567,16 +612,18 @@ float fractal_noise_2(
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 4))) {
+        if (!(i < 4)) {
             break;
         }
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
-            metal::float3 place = metal::clamp((p * frequency) + (static_cast<float>(i) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            metal::float3 place = metal::clamp(p * frequency + static_cast<float>(i)
+                * metal::float3(17.31, 5.17, 11.73), metal::float3(-4194304.0),
+                metal::float3(4194304.0));
             octave = metal::mix(0.5, perlin_noise(place, 0u + static_cast<uint>(i)), visible);
         }
-        sum = sum + (strength * octave);
+        sum = sum + strength * octave;
         total = total + strength;
         strength = strength * roughness;
         frequency = frequency * 2.0;
@@ -593,7 +640,8 @@ float size_on_screen(
     float scale
 ) {
     // Clip space is 2 high.
-    return metal::min((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective), MOST_ON_SCREEN);
+    return metal::min(0.5 * scale / metal::mix(1.0, metal::max(depth, 0.000001), perspective),
+        MOST_ON_SCREEN);
 }
 
 /// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
@@ -603,8 +651,9 @@ metal::float3 anchor_on_screen(
     float perspective,
     float scale
 ) {
-    float size = size_on_screen(-(origin.z), perspective, scale);
-    return metal::clamp(metal::float3(origin.x * size, -(origin.y) * size, size), metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    float size = size_on_screen(-origin.z, perspective, scale);
+    return metal::clamp(metal::float3(origin.x * size, -origin.y * size, size),
+        metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
@@ -612,8 +661,9 @@ metal::float2 place_in_picture(
     metal::float2 pixel,
     metal::float2 viewport
 ) {
-    metal::float2 from_middle = pixel - (0.5 * viewport);
-    return metal::float2(from_middle.x, -(from_middle.y)) / metal::float2(metal::max(viewport.y, 1.0));
+    metal::float2 from_middle = pixel - 0.5 * viewport;
+    return metal::float2(from_middle.x, -from_middle.y)
+        / metal::float2(metal::max(viewport.y, 1.0));
 }
 
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
@@ -625,9 +675,10 @@ StretchedPlace mark_place_of(
     float angle
 ) {
     metal::float2 turn = metal::float2(0.0, 1.0);
-    metal::float3 x = (turn.y * along) + (turn.x * across);
-    metal::float3 y = (turn.y * across) - (turn.x * along);
-    metal::float2 turned = metal::float2((turn.y * place.x) + (turn.x * place.y), (turn.y * place.y) - (turn.x * place.x));
+    metal::float3 x = turn.y * along + turn.x * across;
+    metal::float3 y = turn.y * across - turn.x * along;
+    metal::float2 turned = metal::float2(turn.y * place.x + turn.x * place.y, turn.y * place.y
+        - turn.x * place.x);
     metal::float3 stretch = metal::float3(metal::dot(x, x), metal::dot(x, y), metal::dot(y, y));
     return StretchedPlace {turned, {}, stretch};
 }
@@ -640,9 +691,10 @@ SpacedPlace spaced(
     metal::float2 viewport,
     float count
 ) {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = is_pixel ? (count / metal::max(viewport.y, 1.0)) : count;
-    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0), metal::float2(4194304.0));
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / metal::max(viewport.y, 1.0) : count;
+    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0),
+        metal::float2(4194304.0));
     return SpacedPlace {p, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : stretch};
 }
 
@@ -653,7 +705,7 @@ float area_square(
     metal::float3 stretch
 ) {
     float sum = stretch.x + stretch.z;
-    return metal::max((stretch.x * stretch.z) - (stretch.y * stretch.y), (sum * sum) / 66.0);
+    return metal::max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
 MarkPlace mark_place_object(
@@ -663,8 +715,10 @@ MarkPlace mark_place_object(
     metal::float2 viewport
 ) {
     float size = metal::clamp(anchor.z, 0.000001, 1000000.0);
-    metal::float2 place = (place_in_picture(pixel, viewport) - metal::float2(anchor.x, -(anchor.y))) / metal::float2(size);
-    StretchedPlace m = mark_place_of(place, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle);
+    metal::float2 place = (place_in_picture(pixel, viewport) - metal::float2(anchor.x, -anchor.y))
+        / metal::float2(size);
+    StretchedPlace m = mark_place_of(place, metal::float3(1.0 / size, 0.0, 0.0),
+        metal::float3(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace {m.place, {}, m.stretch};
 }
 
@@ -676,15 +730,19 @@ float paper_octave(
     float fiber,
     uint seed
 ) {
-    float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u);
-    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0), metal::float2(4194304.0));
-    uint own = seed + (7u * as_type<uint>(zoom));
+    float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom)
+        + as_type<uint>(127))) << 23u);
+    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0),
+        metal::float2(4194304.0));
+    uint own = seed + 7u * as_type<uint>(zoom);
     float grain = perlin_noise_2(metal::float3(p, 0.5), own) - 0.5;
-    metal::float2 q = metal::clamp(2.7 * metal::float2((0.8 * p.x) - (0.6 * p.y), (0.6 * p.x) + (0.8 * p.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
+    metal::float2 q = metal::clamp(2.7
+        * metal::float2(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), metal::float2(-4194304.0),
+        metal::float2(4194304.0));
     float felt = perlin_noise_2(metal::float3(q, 0.5), own + 1u) - 0.5;
     float coarse_seen = 1.0 - metal::smoothstep(0.5, 1.0, w * scale);
-    float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w) * scale);
-    return metal::clamp(0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt))), 0.0, 1.0);
+    float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, 2.7 * w * scale);
+    return metal::clamp(0.5 + 1.4 * (coarse_seen * grain + fiber * felt_seen * felt), 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
@@ -702,15 +760,18 @@ float paper_height(
     metal::float2 x = metal::dfdx(at.place);
     metal::float2 y = metal::dfdy(at.place);
     float w = metal::sqrt(metal::max(metal::dot(x, x), metal::dot(y, y)));
-    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)), 0.000000000000000000000000000001));
+    float log2_stable_value = log2_stable(metal::max(metal::sqrt(area_square(at.stretch)),
+        0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * log2_stable_value, -16.0, 16.0);
     float zoom = metal::floor(level);
     float f = level - zoom;
     height = paper_octave(at.place, naga_f2i32(zoom), w, fiber, seed);
     if (f > 0.0) {
-        float paper_octave_value = paper_octave(at.place, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(1)), w, fiber, seed);
+        float paper_octave_value = paper_octave(at.place,
+            as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(1)), w, fiber, seed);
         float both = metal::mix(height, paper_octave_value, f);
-        height = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f * f) + ((1.0 - f) * (1.0 - f)))), 0.0, 1.0);
+        height = metal::clamp(0.5 + (both - 0.5) / metal::sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0,
+            1.0);
     }
     return height;
 }
@@ -731,7 +792,8 @@ PaperGrain paper_grain(
     metal::float2 viewport
 ) {
     float height = paper_height(spaced(place, stretch, viewport, count), fiber, 0u);
-    return PaperGrain {1.0 - metal::clamp(0.5 + ((((8.0 * tooth) * (height - 0.5)) * 0.5) * 0.5), 0.0, 1.0), height};
+    return PaperGrain {1.0 - metal::clamp(0.5 + 8.0 * tooth * (height - 0.5) * 0.5 * 0.5, 0.0, 1.0),
+        height};
 }
 
 /// Outer contour
@@ -745,10 +807,10 @@ float outer_contour(
     metal::float2 viewport
 ) {
     float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
-    float pixels = (width * metal::clamp(viewport.y, 1.0, 100000.0)) / 1000.0;
+    float pixels = width * metal::clamp(viewport.y, 1.0, 100000.0) / 1000.0;
     float distance = facing / metal::max(2.0 * footprint_of(facing), 0.000001);
     float near = 1.0 - metal::smoothstep(0.45, 0.75, facing);
-    return metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * near;
+    return metal::clamp(pixels + 0.5 - distance, 0.0, metal::min(pixels, 1.0)) * near;
 }
 
 float noise_perlin(
@@ -781,6 +843,7 @@ metal::float4 shade(
     float drift = noise_perlin(surface.position_object, 1.5, 2, 0.5, 11);
     float spread = metal::clamp((drift - 0.32) / 0.36, 0.0, 1.0);
     Color two_pigments_2 = ramp_at(two_pigments, spread, footprint_of(spread));
+    // Reflectance
     float shade_2 = metal::max((metal::dot(surface.normal, look.key.direction) + 0.45) / 1.45, 0.0);
     float tone = metal::min((shade_2 - 0.0) / 0.85, 1.0);
     float water = noise_perlin_2(surface.position_object, 2.2, 4, 0.55, 0);
@@ -788,23 +851,32 @@ metal::float4 shade(
     float wet_tone = tone + how_far_it_runs;
     float first_wash = eased_2(wet_tone, 0.82, 0.7);
     float k1 = first_wash * 0.62;
-    Color wash_on_paper = mix_colors_multiply(metal::float4(0.9843, 0.9686, 0.9255, 1.0), two_pigments_2, k1);
-    Color deeper = mix_colors_multiply_2(two_pigments_2, metal::float4(0.3529, 0.3098, 0.5255, 1.0), 0.75);
+    Color wash_on_paper = mix_colors_multiply(metal::float4(0.9843, 0.9686, 0.9255, 1.0),
+        two_pigments_2, k1);
+    Color deeper = mix_colors_multiply_2(two_pigments_2, metal::float4(0.3529, 0.3098, 0.5255, 1.0),
+        0.75);
     float second_wash = eased_2(wet_tone, 0.42, 0.34);
     float k2 = second_wash * 0.6;
-    metal::float3 mixed_vec3_value = mixed_vec3(bounded_vec3(wash_on_paper.xyz), bounded_vec3(wash_on_paper.xyz * deeper.xyz), k2);
+    metal::float3 mixed_vec3_value = mixed_vec3(bounded_vec3(wash_on_paper.xyz),
+        bounded_vec3(wash_on_paper.xyz * deeper.xyz), k2);
+    // Mix colors
     metal::float4 second_on_the_first = metal::float4(mixed_vec3_value, 1.0);
     float pigment_s_rim = metal::smoothstep(0.66, 0.72, wet_tone) * first_wash;
     float second_rim = metal::smoothstep(0.29, 0.34, wet_tone) * second_wash;
     float k3 = metal::max(pigment_s_rim, second_rim) * 0.34;
-    metal::float4 rims_2 = color_mixed(second_on_the_first, second_on_the_first.xyz * deeper.xyz, k3);
+    // Mix colors
+    metal::float4 rims_2 = color_mixed(second_on_the_first, second_on_the_first.xyz * deeper.xyz,
+        k3);
     MarkPlace sheet = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
-    PaperGrain paper = paper_grain(0.5, sheet.place, sheet.stretch, 240.0, 0.6, 0.6, 0, look.viewport);
+    PaperGrain paper = paper_grain(0.5, sheet.place, sheet.stretch, 240.0, 0.6, 0.6, 0,
+        look.viewport);
     float settled_pigment = metal::mix(0.9, 1.03, bounded(paper.tone) - 0.0);
     metal::float4 grain = bounded_vec4(rims_2 * metal::float4(metal::float3(settled_pigment), 1.0));
     float pencil = outer_contour(2.2, surface.normal, surface.view, look.viewport);
     float soft = pencil * 0.7;
-    metal::float4 pencil_line = mixed_vec4(bounded_vec4(grain), metal::float4(0.2902, 0.2588, 0.2824, 1.0), soft);
+    // Mix colors
+    metal::float4 pencil_line = mixed_vec4(bounded_vec4(grain),
+        metal::float4(0.2902, 0.2588, 0.2824, 1.0), soft);
     return finite_vec4(pencil_line);
 }
 
@@ -812,12 +884,14 @@ struct vs_mainInput {
     metal::float3 position_2 [[attribute(0)]];
     metal::float3 normal_1 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal [[user(loc2), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -825,7 +899,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position_2, varyings.normal_1 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position,
+        object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -835,9 +910,11 @@ struct fs_mainInput {
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal_1 [[user(loc2), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -846,10 +923,16 @@ fragment fs_mainOutput fs_main(
 , constant Object& object [[buffer(1)]]
 , constant Look& look [[buffer(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object, varyings_1.normal_1 };
+    const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object,
+        varyings_1.normal_1 };
     metal::float3 facing = normalize_seen(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
-    metal::float3 anchor_on_screen_value = anchor_on_screen((view.camera_from_world * metal::float4(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object, (in.clip.xy * view.screen.xy) + view.screen.zw, {}, anchor_on_screen_value};
+    metal::float3 normal = is_front ? facing : -facing;
+    metal::float3 anchor_on_screen_value = anchor_on_screen((view.camera_from_world
+        * metal::float4(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w,
+        metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y)));
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, in.clip.xy * view.screen.xy + view.screen.zw, {},
+        anchor_on_screen_value};
     return fs_mainOutput { finite_vec4(shade(surface, look)) };
 }

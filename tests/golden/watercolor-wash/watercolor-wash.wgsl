@@ -565,6 +565,7 @@ fn shade(surface: Surface) -> vec4f {
     let drift = noise_perlin(surface.position_object, 1.5, 2i, 0.5, 11i);
     let spread = clamp((drift - 0.32) / (0.68 - 0.32), 0.0, 1.0);
     let two_pigments_2 = ramp_at(two_pigments, spread, footprint_of(spread));
+    // Reflectance
     let shade_2 = max((dot(surface.normal, look.key.direction) + 0.45) / (1.0 + 0.45), 0.0);
     let tone = min((shade_2 - 0.0) / (0.85 - 0.0), 1.0);
     let water = noise_perlin_2(surface.position_object, 2.2, 4i, 0.55, 0i);
@@ -576,11 +577,13 @@ fn shade(surface: Surface) -> vec4f {
     let deeper = mix_colors_multiply_2(two_pigments_2, vec4f(0.3529, 0.3098, 0.5255, 1.0), 0.75);
     let second_wash = eased_2(wet_tone, 0.42, 0.34);
     let k2 = second_wash * 0.6;
+    // Mix colors
     let second_on_the_first = vec4f(mixed_vec3(bounded_vec3(wash_on_paper.xyz),
         bounded_vec3(wash_on_paper.xyz * deeper.xyz), k2), 1.0);
     let pigment_s_rim = smoothstep(0.66, 0.72, wet_tone) * first_wash;
     let second_rim = smoothstep(0.29, 0.34, wet_tone) * second_wash;
     let k3 = max(pigment_s_rim, second_rim) * 0.34;
+    // Mix colors
     let rims_2 = color_mixed(second_on_the_first, second_on_the_first.xyz * deeper.xyz, k3);
     let sheet = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
     let paper = paper_grain(0.5, sheet.place, sheet.stretch, 240.0, 0.6, 0.6, 0i, look.viewport);
@@ -588,6 +591,7 @@ fn shade(surface: Surface) -> vec4f {
     let grain = bounded_vec4(rims_2 * vec4f(vec3f(settled_pigment), 1.0));
     let pencil = outer_contour(2.2, surface.normal, surface.view, look.viewport);
     let soft = pencil * 0.7;
+    // Mix colors
     let pencil_line = mixed_vec4(bounded_vec4(grain), vec4f(0.2902, 0.2588, 0.2824, 1.0), soft);
     return finite_vec4(pencil_line);
 }

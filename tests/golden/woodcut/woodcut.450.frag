@@ -10,12 +10,14 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     vec4 eye;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -27,11 +29,13 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light key;
     vec2 viewport;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     vec3 normal;
@@ -41,6 +45,7 @@ struct Surface {
     float magnification;
     mat3x3 world_from_normal;
 };
+
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
@@ -49,11 +54,13 @@ struct StretchedPlace {
     /// picture height.
     vec3 stretch;
 };
+
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     vec2 place;
     vec3 stretch;
 };
+
 /// Style of strokes.
 struct Strokes {
     /// Width of a stroke, in spacings.
@@ -70,6 +77,7 @@ struct Strokes {
     float variation;
     uint seed;
 };
+
 /// A stroke as seen at a place.
 struct Stroke {
     /// Turn of the stroke among its neighbors, 0 to 1.
@@ -77,18 +85,21 @@ struct Stroke {
     /// Width of the stroke at the place, as a share of its full width.
     float profile;
 };
+
 struct MarkPlace {
     /// Along the strokes, and across them.
     vec2 place;
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     vec3 stretch;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 position_object;
     vec3 normal;
 };
+
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 const float MOST_ON_SCREEN = 1000000000000000.0;
 
@@ -109,9 +120,11 @@ layout(location = 0) out vec4 out_color;
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 float exp2_stable(float x) {
     float whole = roundEven(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
+    float f = x - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -119,18 +132,18 @@ float exp2_stable(float x) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int((bits - 1060439283u)) >> 23u);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (int(bits - 1060439283u) >> 23u);
+    float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * inversesqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -156,8 +169,8 @@ float footprint_of(float x) {
 
 /// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 float step_filtered(float x, float edge, float w) {
-    float d = (x - edge);
-    return ((w < 1e-30) ? ((d >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d / w)), 0.0, 1.0));
+    float d = x - edge;
+    return w < 1e-30 ? (d >= 0.0 ? 1.0 : 0.0) : clamp(0.5 + d / w, 0.0, 1.0);
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -166,9 +179,9 @@ mat3x3 axes_around(vec3 toward, vec3 up) {
     vec3 z = normalize_moderate(toward, vec3(0.0, 0.0, 1.0));
     vec3 leaning = cross(up, z);
     float square = dot(leaning, leaning);
-    vec3 aside = ((abs(z.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square > 1e-8) ? leaning : cross(aside, z));
-    vec3 x = normalize_moderate((across - (dot(across, z) * z)), vec3(1.0, 0.0, 0.0));
+    vec3 aside = abs(z.x) > 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+    vec3 across = square > 1e-8 ? leaning : cross(aside, z);
+    vec3 x = normalize_moderate(across - dot(across, z) * z, vec3(1.0, 0.0, 0.0));
     return mat3x3(x, cross(z, x), z);
 }
 
@@ -185,14 +198,14 @@ float threshold(float value, float edge, float softness) {
 /// upper bits are the best.
 uvec3 hash_pcg3d(uvec3 seed) {
     uvec3 v = uvec3(0u);
-    v = ((seed * 1664525u) + uvec3(1013904223u));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + uvec3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> uvec3(16u)));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -201,22 +214,24 @@ float value_noise(vec3 p, uint seed) {
     int i = 0;
     float sum = 0.0;
     vec3 corner = floor(p);
-    vec3 t = (p - corner);
-    vec3 f = (((t * t) * t) * ((t * ((t * 6.0) - vec3(15.0))) + vec3(10.0)));
+    vec3 t = p - corner;
+    vec3 f = t * t * t * (t * (t * 6.0 - vec3(15.0)) + vec3(10.0));
     ivec3 cell = ivec3(corner);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if (!((i < 8))) {
+        if (!(i < 8)) {
             break;
         }
         ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
-        vec3 weight = mix((vec3(1.0) - f), f, equal(at, ivec3(1)));
-        uvec3 hash_pcg3d_value = hash_pcg3d((uvec3((cell + at)) + (seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
-        sum = (sum + (((weight.x * weight.y) * 0.5) * (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8).x));
+        vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
+        uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(cell + at) + seed
+            * uvec3(2654435769u, 2246822507u, 3266489909u));
+        sum = sum + weight.x * weight.y * 0.5
+            * (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8).x;
     }
     return sum;
 }
@@ -226,18 +241,18 @@ float value_noise(vec3 p, uint seed) {
 /// every depth without perspective.
 float size_on_screen(float depth, float perspective, float scale) {
     // Clip space is 2 high.
-    return min(((0.5 * scale) / mix(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
+    return min(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 turn = vec2(sin(angle), cos(angle));
-    vec3 x = bounded_vec3(((turn.y * along) + (turn.x * across)));
-    vec3 y = bounded_vec3(((turn.y * across) - (turn.x * along)));
-    vec2 turned = vec2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
+    vec3 x = bounded_vec3(turn.y * along + turn.x * across);
+    vec3 y = bounded_vec3(turn.y * across - turn.x * along);
+    vec2 turned = vec2(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x * place.x);
     vec3 most = vec3(1000000000000000.0);
-    vec3 stretch = clamp(vec3(dot(x, x), dot(x, y), dot(y, y)), -(most), most);
+    vec3 stretch = clamp(vec3(dot(x, x), dot(x, y), dot(y, y)), -most, most);
     return StretchedPlace(turned, stretch);
 }
 
@@ -246,41 +261,44 @@ StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
 /// Vectors are unit but for g.
 vec3 gradient_on_picture(vec3 g, vec3 normal, vec3 view) {
     float facing = dot(normal, view);
-    return (g - (normal * (dot(g, view) / ((facing >= 0.0) ? max(facing, 0.125) : min(facing, -0.125)))));
+    return g - normal * (dot(g, view) / (facing >= 0.0 ? max(facing, 0.125) : min(facing, -0.125)));
 }
 
 /// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
-StretchedPlace place_on_surface(vec2 place, vec3 along, vec3 across, vec3 normal, vec3 view, float magnification, float angle) {
-    float height = (1.0 / clamp(magnification, 1e-15, 1000000000000000.0));
-    vec3 x = bounded_vec3((gradient_on_picture(along, normal, view) * height));
-    vec3 y = bounded_vec3((gradient_on_picture(across, normal, view) * height));
+StretchedPlace place_on_surface(vec2 place, vec3 along, vec3 across, vec3 normal, vec3 view,
+    float magnification, float angle) {
+    float height = 1.0 / clamp(magnification, 1e-15, 1000000000000000.0);
+    vec3 x = bounded_vec3(gradient_on_picture(along, normal, view) * height);
+    vec3 y = bounded_vec3(gradient_on_picture(across, normal, view) * height);
     return mark_place_of(place, x, y, angle);
 }
 
 /// A place on a surface for strokes across an axis of the object.
-StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal, vec3 view, float magnification, float angle) {
+StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal,
+    vec3 view, float magnification, float angle) {
     mat3x3 axes = axes_around(axis, vec3(0.0, 1.0, 0.0));
     vec2 place = vec2(dot(position, axes[0]), dot(position, axes[2]));
-    vec3 along = (world_from_normal * axes[0]);
-    vec3 across = (world_from_normal * axes[2]);
+    vec3 along = world_from_normal * axes[0];
+    vec3 across = world_from_normal * axes[2];
     return place_on_surface(place, along, across, normal, view, magnification, angle);
 }
 
 /// The place in spacings, `count` of them to the picture's height where it is not stretched. A
 /// place without a stretch is one in pixels.
 SpacedPlace spaced(vec2 place, vec3 stretch, vec2 viewport, float count) {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
-    vec2 p = clamp((place * scale), vec2(-4194304.0), vec2(4194304.0));
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / max(viewport.y, 1.0) : count;
+    vec2 p = clamp(place * scale, vec2(-4194304.0), vec2(4194304.0));
     vec3 s = clamp(bounded_vec3(stretch), vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return SpacedPlace(p, (is_pixel ? vec3(1.0, 0.0, 1.0) : s));
+    return SpacedPlace(p, is_pixel ? vec3(1.0, 0.0, 1.0) : s);
 }
 
 /// The stroke of a line at x, in one octave. A line's name is an odd number and the octave that it
 /// first lies in.
 Stroke stroke_at(ivec2 line, float x, int zoom, Strokes style) {
-    uvec3 hash_pcg3d_value = hash_pcg3d((uvec3(ivec3(line, 1048576)) + uvec3(1401181199u, 2842855661u, 1390592883u)));
-    vec3 own = (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8);
+    uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(line, 1048576))
+        + uvec3(1401181199u, 2842855661u, 1390592883u));
+    vec3 own = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
     return Stroke(own.y, 1.0);
 }
 
@@ -288,63 +306,66 @@ Stroke stroke_at(ivec2 line, float x, int zoom, Strokes style) {
 Stroke stroke_between(ivec2 line, float x, float level, Strokes style) {
     float zoom = floor(level);
     Stroke a = stroke_at(line, x, int(zoom), style);
-    Stroke b = stroke_at(line, x, (int(zoom) + 1), style);
-    float f = (level - zoom);
+    Stroke b = stroke_at(line, x, int(zoom) + 1, style);
+    float f = level - zoom;
     return Stroke(mix(a.turn, b.turn, f), mix(1.0, 1.0, f));
 }
 
 /// Distance that strokes stray at a place of an octave, in spacings of the place.
 float stray_at(vec2 place, int zoom, uint seed) {
-    vec2 p = (place * uintBitsToFloat((uint((zoom + 127)) << 23u)));
-    float value_noise_value = value_noise(vec3((0.11 * p.x), (0.45 * p.y), 0.5), seed);
-    return (((value_noise_value - 0.5) * 2.0) * uintBitsToFloat((uint((-(zoom) + 127)) << 23u)));
+    vec2 p = place * uintBitsToFloat((uint(zoom + 127) << 23u));
+    float value_noise_value = value_noise(vec3(0.11 * p.x, 0.45 * p.y, 0.5), seed);
+    return (value_noise_value - 0.5) * 2.0 * uintBitsToFloat((uint(-zoom + 127) << 23u));
 }
 
 /// Share of a footprint of `w` that a band covers whose middle is t away and which reaches `half`
 /// to both sides.
 float band_filtered(float t, float half_, float w) {
-    if ((w < 1e-30)) {
-        return (((abs(t) <= half_) && (half_ > 0.0)) ? 1.0 : 0.0);
+    if (w < 1e-30) {
+        return (abs(t) <= half_ && half_ > 0.0) ? 1.0 : 0.0;
     }
-    return clamp(((clamp((t + (0.5 * w)), -(half_), half_) - clamp((t - (0.5 * w)), -(half_), half_)) / w), 0.0, 1.0);
+    return clamp((clamp(t + 0.5 * w, -half_, half_) - clamp(t - 0.5 * w, -half_, half_)) / w, 0.0,
+        1.0);
 }
 
 /// The name of a whole place's line in an octave: an odd number and the octave that the line first
 /// lies in. The line at 0 lies in all.
 ivec2 line_of(int whole, int octave) {
-    int power = ((whole == 0) ? 1 : (whole & -(whole)));
+    int power = whole == 0 ? 1 : (whole & -whole);
     // log2 of a power of two, by its bits.
-    int octaves = (int((floatBitsToUint(float(power)) >> 23u)) - 127);
-    return ((whole == 0) ? ivec2(0) : ivec2((whole / power), (octave - octaves)));
+    int octaves = int((floatBitsToUint(float(power)) >> 23u)) - 127;
+    return whole == 0 ? ivec2(0) : ivec2(whole / power, octave - octaves);
 }
 
 /// The ink of one direction of strokes. `place` is along and across, in spacings at `level` 0; `w`
 /// is the footprint of the coordinate across. The average ink is `ink` times the width, but for
 /// tapers.
 float hatched(vec2 place, float w, float level, float ink, Strokes style) {
-    if (!((ink > 0.0))) {
+    if (!(ink > 0.0)) {
         return 0.0;
     }
-    float number = pow(ink, (1.0 - style.pressure));
-    float width = (style.width * pow(ink, style.pressure));
+    float number = pow(ink, 1.0 - style.pressure);
+    float width = style.width * pow(ink, style.pressure);
     float zoom = floor(level);
-    float stray = mix(stray_at(place, int(zoom), 7u), stray_at(place, (int(zoom) + 1), 7u), (level - zoom));
-    float across = (place.y + (style.wobble * stray));
-    float density = max((level + log2_stable(max(number, 1e-9))), -40.0);
+    float stray = mix(stray_at(place, int(zoom), 7u), stray_at(place, int(zoom) + 1, 7u), level
+        - zoom);
+    float across = place.y + style.wobble * stray;
+    float density = max(level + log2_stable(max(number, 1e-9)), -40.0);
     float octave = floor(density);
-    float growth = (exp2_stable((density - octave)) - 1.0);
-    float scale = uintBitsToFloat((uint((int(octave) + 127)) << 23u));
-    float q = clamp((across * scale), -4194304.0, 4194304.0);
-    float half_ = ((0.5 * width) * exp2_stable((octave - level)));
-    float footprint = (w * scale);
+    float growth = exp2_stable(density - octave) - 1.0;
+    float scale = uintBitsToFloat((uint(int(octave) + 127) << 23u));
+    float q = clamp(across * scale, -4194304.0, 4194304.0);
+    float half_ = 0.5 * width * exp2_stable(octave - level);
+    float footprint = w * scale;
     int whole = int(roundEven(q));
     Stroke old = stroke_between(line_of(whole, int(octave)), place.x, level, style);
     float middle = floor(q);
-    Stroke young = stroke_between(ivec2(((2 * int(middle)) + 1), (int(octave) + 1)), place.x, level, style);
-    float grown = clamp(((growth - (0.75 * young.turn)) / 0.25), 0.0, 1.0);
-    float a = band_filtered((q - float(whole)), (half_ * old.profile), footprint);
-    float b = band_filtered(((q - middle) - 0.5), ((half_ * grown) * young.profile), footprint);
-    float mean = min(((2.0 * half_) * (1.0 + growth)), 1.0);
+    Stroke young = stroke_between(ivec2(2 * int(middle) + 1, int(octave) + 1), place.x, level,
+        style);
+    float grown = clamp((growth - 0.75 * young.turn) / 0.25, 0.0, 1.0);
+    float a = band_filtered(q - float(whole), half_ * old.profile, footprint);
+    float b = band_filtered(q - middle - 0.5, half_ * grown * young.profile, footprint);
+    float mean = min(2.0 * half_ * (1.0 + growth), 1.0);
     return mix(max(a, b), mean, smoothstep(0.75, 1.5, footprint));
 }
 
@@ -359,26 +380,28 @@ float cross_hatched(SpacedPlace at, float ink, int layers, float cross_, Strokes
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            i = (i + 1);
+            i = i + 1;
         }
         loop_init = false;
-        if (!((i < 4))) {
+        if (!(i < 4)) {
             break;
         }
-        if ((i < 1)) {
+        if (i < 1) {
             vec2 turn = vec2(0.0, 1.0);
             vec2 along = vec2(turn.y, turn.x);
-            vec2 across = vec2(-(turn.x), turn.y);
+            vec2 across = vec2(-turn.x, turn.y);
             float w = length(vec2(dot(across, x), dot(across, y)));
-            float square = dot(vec3((across.x * across.x), ((2.0 * across.x) * across.y), (across.y * across.y)), at.stretch);
-            float level = clamp((-0.5 * log2_stable(max(max(square, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30))), -16.0, 16.0);
+            float square = dot(vec3(across.x * across.x, 2.0 * across.x * across.y, across.y
+                * across.y), at.stretch);
+            float level = clamp(-0.5 * log2_stable(max(max(square, (at.stretch.x + at.stretch.z)
+                / 65.0), 1e-30)), -16.0, 16.0);
             vec2 place = vec2(dot(along, at.place), dot(across, at.place));
             own = style;
             own.seed = 7u;
-            free = (1.0 - hatched(place, w, level, (ink - 0.0), own));
+            free = 1.0 - hatched(place, w, level, ink - 0.0, own);
         }
     }
-    return (1.0 - free);
+    return 1.0 - free;
 }
 
 /// Mark place
@@ -388,27 +411,38 @@ float cross_hatched(SpacedPlace at, float ink, int layers, float cross_, Strokes
 /// around the light so that they turn with it. Wire both outputs to Hatching, Stippling, Brush
 /// strokes or Paper grain, which keep their marks as large on the picture as they are, however far
 /// the surface is.
-MarkPlace mark_place_light(Light light, vec3 normal, float angle, vec3 view, vec3 position_object, mat3x3 world_from_normal, float magnification) {
-    vec3 toward = (light.direction * world_from_normal);
-    StretchedPlace m = place_across(toward, position_object, world_from_normal, normal, view, magnification, angle);
+MarkPlace mark_place_light(Light light, vec3 normal, float angle, vec3 view, vec3 position_object,
+    mat3x3 world_from_normal, float magnification) {
+    vec3 toward = light.direction * world_from_normal;
+    StretchedPlace m = place_across(toward, position_object, world_from_normal, normal, view,
+        magnification, angle);
     return MarkPlace(m.place, m.stretch);
 }
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
-    float shade_2 = max(((dot(surface.normal, u_look.key.direction) + 0.3) / 1.3), 0.0);
-    float tone = mix(0.02, 1.0, min(((shade_2 - 0.0) / 0.8), 1.0));
+    // Reflectance
+    float shade_2 = max((dot(surface.normal, u_look.key.direction) + 0.3) / 1.3, 0.0);
+    float tone = mix(0.02, 1.0, min((shade_2 - 0.0) / 0.8, 1.0));
     float lit = threshold(tone, 0.72, 0.0);
-    vec4 ochre_block = mix(vec4(0.8392, 0.6039, 0.2902, 1.0), vec4(0.9529, 0.902, 0.7843, 1.0), lit);
-    MarkPlace way_of_the_gouge = mark_place_light(u_look.key, surface.normal, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
-    SpacedPlace spaced_value = spaced(way_of_the_gouge.place, way_of_the_gouge.stretch, u_look.viewport, 78.0);
-    float cuts = cross_hatched(spaced_value, (1.0 - min(tone, 1.0)), 1, 1.0471976, Strokes(0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u));
+    vec4 ochre_block = mix(vec4(0.8392, 0.6039, 0.2902, 1.0), vec4(0.9529, 0.902, 0.7843, 1.0),
+        lit);
+    MarkPlace way_of_the_gouge = mark_place_light(u_look.key, surface.normal, 0.0, surface.view,
+        surface.position_object, surface.world_from_normal, surface.magnification);
+    SpacedPlace spaced_value = spaced(way_of_the_gouge.place, way_of_the_gouge.stretch,
+        u_look.viewport, 78.0);
+    // Hatching
+    float cuts = cross_hatched(spaced_value, 1.0 - min(tone, 1.0), 1, 1.0471976,
+        Strokes(0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u));
     float deep_shade = threshold(tone, 0.2, 0.0);
     float curvature = surface.kappa;
-    float hollow_to_bulge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.22), -20.0, 20.0))))))));
+    // Curvature transition
+    float hollow_to_bulge = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(curvature * 0.22, -20.0, 20.0))));
     float hollows = threshold(hollow_to_bulge, 0.2, 0.0);
     float outline = threshold(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.0);
-    float black_block = max(max(cuts, (1.0 - deep_shade)), max((1.0 - hollows), (1.0 - outline)));
+    // Combine tones
+    float black_block = max(max(cuts, 1.0 - deep_shade), max(1.0 - hollows, 1.0 - outline));
     vec4 print = mix(ochre_block, vec4(0.1137, 0.0824, 0.0706, 1.0), black_block);
     return print;
 }
@@ -417,11 +451,13 @@ void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
     vec3 facing = normalize_seen(in_.normal);
-    vec3 normal = (is_front ? facing : -(facing));
+    vec3 normal = is_front ? facing : -facing;
     vec4 texel = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    float size_on_screen_value = size_on_screen(-((u_view.camera_from_world * vec4(in_.position, 1.0)).z), u_view.eye.w, length(vec3(u_view.clip_from_world[0][1], u_view.clip_from_world[1][1], u_view.clip_from_world[2][1])));
-    Surface surface = Surface(normal, normalize((u_view.eye.xyz - (u_view.eye.w * in_.position))), in_.position_object, texel.x, size_on_screen_value, u_object.world_from_normal);
+    float size_on_screen_value = size_on_screen(-(u_view.camera_from_world
+        * vec4(in_.position, 1.0)).z, u_view.eye.w,
+        length(vec3(u_view.clip_from_world[0][1], u_view.clip_from_world[1][1],
+        u_view.clip_from_world[2][1])));
+    Surface surface = Surface(normal, normalize(u_view.eye.xyz - u_view.eye.w * in_.position),
+        in_.position_object, texel.x, size_on_screen_value, u_object.world_from_normal);
     out_color = shade(surface);
-    return;
 }
-

@@ -159,9 +159,11 @@ int naga_f2i32(float value) {
 float exp2_stable(float x)
 {
     float whole = round(x);
-    float f = (x - whole);
-    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
-    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
+    float f = x - whole;
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -170,11 +172,11 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint((bits - 1060439283u)) >> 23u);
-    float mantissa = asfloat((bits - (asuint(exponent) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2 = (z * z);
-    return (float(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379))))))));
+    int exponent = (asint(bits - 1060439283u) >> 23u);
+    float mantissa = asfloat(bits - (asuint(exponent) << 23u));
+    float z = (mantissa - 1.0) / (mantissa + 1.0);
+    float z2 = z * z;
+    return float(exponent) + z * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -182,7 +184,7 @@ float log2_stable(float x)
 float3 normalize_moderate(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return square > 1e-30 ? v * rsqrt(max(square, 1e-30)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -198,8 +200,8 @@ float3 bounded_vec3(float3 v)
     uint3 bits = asuint(v);
     uint3 magnitude = (bits & (2147483647u).xxx);
     float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
-    float3 numbers = ((magnitude == (2139095040u).xxx) ? largest : (0.0).xxx);
-    return ((magnitude < (2139095040u).xxx) ? v : numbers);
+    float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
+    return magnitude < (2139095040u).xxx ? v : numbers;
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -212,8 +214,8 @@ float footprint_of(float x)
 /// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 float step_filtered(float x, float edge, float w)
 {
-    float d = (x - edge);
-    return ((w < 1e-30) ? ((d >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d / w)), 0.0, 1.0));
+    float d = x - edge;
+    return w < 1e-30 ? (d >= 0.0 ? 1.0 : 0.0) : clamp(0.5 + d / w, 0.0, 1.0);
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -223,9 +225,9 @@ float3x3 axes_around(float3 toward, float3 up)
     const float3 z = normalize_moderate(toward, float3(0.0, 0.0, 1.0));
     float3 leaning = cross(up, z);
     float square = dot(leaning, leaning);
-    float3 aside = ((abs(z.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square > 1e-8) ? leaning : cross(aside, z));
-    const float3 x = normalize_moderate((across - (dot(across, z) * z)), float3(1.0, 0.0, 0.0));
+    float3 aside = abs(z.x) > 0.7 ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0);
+    float3 across = square > 1e-8 ? leaning : cross(aside, z);
+    const float3 x = normalize_moderate(across - dot(across, z) * z, float3(1.0, 0.0, 0.0));
     return float3x3(x, cross(z, x), z);
 }
 
@@ -245,14 +247,14 @@ uint3 hash_pcg3d(uint3 seed)
 {
     uint3 v = (uint3)0;
 
-    v = ((seed * 1664525u) + (1013904223u).xxx);
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v = seed * 1664525u + (1013904223u).xxx;
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = (v ^ (v >> (16u).xxx));
-    v.x = (v.x + (v.y * v.z));
-    v.y = (v.y + (v.z * v.x));
-    v.z = (v.z + (v.x * v.y));
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -267,8 +269,8 @@ float value_noise(float3 p, uint seed)
     float sum = 0.0;
 
     float3 corner = floor(p);
-    float3 t = (p - corner);
-    float3 f = (((t * t) * t) * ((t * ((t * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    float3 t = p - corner;
+    float3 f = t * t * t * (t * (t * 6.0 - (15.0).xxx) + (10.0).xxx);
     int3 cell = naga_f2i32(corner);
     bool loop_init = true;
     while(true) {
@@ -276,13 +278,15 @@ float value_noise(float3 p, uint seed)
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if (!((i < int(8)))) {
+        if (!(i < int(8))) {
             break;
         }
         int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
-        float3 weight = ((at == (int(1)).xxx) ? f : ((1.0).xxx - f));
-        const uint3 hash_pcg3d_value = hash_pcg3d((asuint(asint(asuint(cell) + asuint(at))) + (seed * uint3(2654435769u, 2246822507u, 3266489909u))));
-        sum = (sum + (((weight.x * weight.y) * 0.5) * (float3((hash_pcg3d_value >> (8u).xxx)) * 5.9604645e-8).x));
+        float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+        const uint3 hash_pcg3d_value = hash_pcg3d(asuint(asint(asuint(cell) + asuint(at))) + seed
+            * uint3(2654435769u, 2246822507u, 3266489909u));
+        sum = sum + weight.x * weight.y * 0.5
+            * (float3((hash_pcg3d_value >> (8u).xxx)) * 5.9604645e-8).x;
     }
     return sum;
 }
@@ -293,7 +297,7 @@ float value_noise(float3 p, uint seed)
 float size_on_screen(float depth, float perspective, float scale)
 {
     // Clip space is 2 high.
-    return min(((0.5 * scale) / lerp(1.0, max(depth, 1e-6), perspective)), MOST_ON_SCREEN);
+    return min(0.5 * scale / lerp(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
 StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
@@ -308,13 +312,13 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
     float2 turn = float2(sin(angle), cos(angle));
-    const float3 x = bounded_vec3(((turn.y * along) + (turn.x * across)));
-    const float3 y = bounded_vec3(((turn.y * across) - (turn.x * along)));
-    float2 turned = float2(((turn.y * place.x) + (turn.x * place.y)), ((turn.y * place.y) - (turn.x * place.x)));
+    const float3 x = bounded_vec3(turn.y * along + turn.x * across);
+    const float3 y = bounded_vec3(turn.y * across - turn.x * along);
+    float2 turned = float2(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x
+        * place.x);
     float3 most = (1000000000000000.0).xxx;
-    float3 stretch = clamp(float3(dot(x, x), dot(x, y), dot(y, y)), -(most), most);
-    const StretchedPlace stretchedplace = ConstructStretchedPlace(turned, stretch);
-    return stretchedplace;
+    float3 stretch = clamp(float3(dot(x, x), dot(x, y), dot(y, y)), -most, most);
+    return ConstructStretchedPlace(turned, stretch);
 }
 
 /// Gradient along the picture of a coordinate that has the gradient `g` in space, on a surface seen
@@ -323,28 +327,28 @@ StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float an
 float3 gradient_on_picture(float3 g, float3 normal, float3 view)
 {
     float facing = dot(normal, view);
-    return (g - (normal * (dot(g, view) / ((facing >= 0.0) ? max(facing, 0.125) : min(facing, -0.125)))));
+    return g - normal * (dot(g, view) / (facing >= 0.0 ? max(facing, 0.125) : min(facing, -0.125)));
 }
 
 /// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
-StretchedPlace place_on_surface(float2 place, float3 along, float3 across, float3 normal, float3 view, float magnification, float angle)
+StretchedPlace place_on_surface(float2 place, float3 along, float3 across, float3 normal,
+    float3 view, float magnification, float angle)
 {
-    float height = (1.0 / clamp(magnification, 1e-15, 1000000000000000.0));
-    const float3 x = bounded_vec3((gradient_on_picture(along, normal, view) * height));
-    const float3 y = bounded_vec3((gradient_on_picture(across, normal, view) * height));
-    const StretchedPlace stretchedplace_1 = mark_place_of(place, x, y, angle);
-    return stretchedplace_1;
+    float height = 1.0 / clamp(magnification, 1e-15, 1000000000000000.0);
+    const float3 x = bounded_vec3(gradient_on_picture(along, normal, view) * height);
+    const float3 y = bounded_vec3(gradient_on_picture(across, normal, view) * height);
+    return mark_place_of(place, x, y, angle);
 }
 
 /// A place on a surface for strokes across an axis of the object.
-StretchedPlace place_across(float3 axis, float3 position, float3x3 world_from_normal, float3 normal, float3 view, float magnification, float angle)
+StretchedPlace place_across(float3 axis, float3 position, float3x3 world_from_normal, float3 normal,
+    float3 view, float magnification, float angle)
 {
     const float3x3 axes = axes_around(axis, float3(0.0, 1.0, 0.0));
     float2 place = float2(dot(position, axes[0]), dot(position, axes[2]));
     float3 along = mul(axes[0], world_from_normal);
     float3 across = mul(axes[2], world_from_normal);
-    const StretchedPlace stretchedplace_2 = place_on_surface(place, along, across, normal, view, magnification, angle);
-    return stretchedplace_2;
+    return place_on_surface(place, along, across, normal, view, magnification, angle);
 }
 
 SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
@@ -358,12 +362,11 @@ SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
 /// place without a stretch is one in pixels.
 SpacedPlace spaced(float2 place, float3 stretch, float2 viewport, float count)
 {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = (is_pixel ? (count / max(viewport.y, 1.0)) : count);
-    float2 p = clamp((place * scale), (-4194304.0).xx, (4194304.0).xx);
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / max(viewport.y, 1.0) : count;
+    float2 p = clamp(place * scale, (-4194304.0).xx, (4194304.0).xx);
     float3 s = clamp(bounded_vec3(stretch), (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const SpacedPlace spacedplace = ConstructSpacedPlace(p, (is_pixel ? float3(1.0, 0.0, 1.0) : s));
-    return spacedplace;
+    return ConstructSpacedPlace(p, is_pixel ? float3(1.0, 0.0, 1.0) : s);
 }
 
 Stroke ConstructStroke(float arg0, float arg1) {
@@ -377,10 +380,10 @@ Stroke ConstructStroke(float arg0, float arg1) {
 /// first lies in.
 Stroke stroke_at(int2 line_, float x, int zoom, Strokes style)
 {
-    const uint3 hash_pcg3d_value = hash_pcg3d((asuint(int3(line_, int(1048576))) + uint3(1401181199u, 2842855661u, 1390592883u)));
-    float3 own = (float3((hash_pcg3d_value >> (8u).xxx)) * 5.9604645e-8);
-    const Stroke stroke = ConstructStroke(own.y, 1.0);
-    return stroke;
+    const uint3 hash_pcg3d_value = hash_pcg3d(asuint(int3(line_, int(1048576)))
+        + uint3(1401181199u, 2842855661u, 1390592883u));
+    float3 own = float3((hash_pcg3d_value >> (8u).xxx)) * 5.9604645e-8;
+    return ConstructStroke(own.y, 1.0);
 }
 
 /// A stroke where an octave fades into the next.
@@ -389,9 +392,8 @@ Stroke stroke_between(int2 line_, float x, float level, Strokes style)
     float zoom = floor(level);
     const Stroke a = stroke_at(line_, x, naga_f2i32(zoom), style);
     const Stroke b = stroke_at(line_, x, asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), style);
-    float f = (level - zoom);
-    const Stroke stroke_1 = ConstructStroke(lerp(a.turn, b.turn, f), lerp(1.0, 1.0, f));
-    return stroke_1;
+    float f = level - zoom;
+    return ConstructStroke(lerp(a.turn, b.turn, f), lerp(1.0, 1.0, f));
 }
 
 int naga_neg(int val) {
@@ -401,19 +403,21 @@ int naga_neg(int val) {
 /// Distance that strokes stray at a place of an octave, in spacings of the place.
 float stray_at(float2 place, int zoom, uint seed)
 {
-    float2 p = (place * asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u)));
-    const float value_noise_value = value_noise(float3((0.11 * p.x), (0.45 * p.y), 0.5), seed);
-    return (((value_noise_value - 0.5) * 2.0) * asfloat((uint(asint(asuint(naga_neg(zoom)) + asuint(int(127)))) << 23u)));
+    float2 p = place * asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
+    const float value_noise_value = value_noise(float3(0.11 * p.x, 0.45 * p.y, 0.5), seed);
+    return (value_noise_value - 0.5) * 2.0
+        * asfloat((uint(asint(asuint(naga_neg(zoom)) + asuint(int(127)))) << 23u));
 }
 
 /// Share of a footprint of `w` that a band covers whose middle is t away and which reaches `half`
 /// to both sides.
 float band_filtered(float t, float half_, float w)
 {
-    if ((w < 1e-30)) {
-        return (((abs(t) <= half_) & (half_ > 0.0)) ? 1.0 : 0.0);
+    if (w < 1e-30) {
+        return ((abs(t) <= half_) & (half_ > 0.0)) ? 1.0 : 0.0;
     }
-    return clamp(((clamp((t + (0.5 * w)), -(half_), half_) - clamp((t - (0.5 * w)), -(half_), half_)) / w), 0.0, 1.0);
+    return clamp((clamp(t + 0.5 * w, -half_, half_) - clamp(t - 0.5 * w, -half_, half_)) / w, 0.0,
+        1.0);
 }
 
 int naga_div(int lhs, int rhs) {
@@ -424,10 +428,11 @@ int naga_div(int lhs, int rhs) {
 /// lies in. The line at 0 lies in all.
 int2 line_of(int whole, int octave)
 {
-    int power = ((whole == int(0)) ? int(1) : (whole & naga_neg(whole)));
+    int power = whole == int(0) ? int(1) : (whole & naga_neg(whole));
     // log2 of a power of two, by its bits.
     int octaves = asint(asuint(int((asuint(float(power)) >> 23u))) - asuint(int(127)));
-    return ((whole == int(0)) ? (int(0)).xx : int2(naga_div(whole, power), asint(asuint(octave) - asuint(octaves))));
+    return whole == int(0) ? (int(0)).xx : int2(naga_div(whole, power),
+        asint(asuint(octave) - asuint(octaves)));
 }
 
 /// The ink of one direction of strokes. `place` is along and across, in spacings at `level` 0; `w`
@@ -435,30 +440,33 @@ int2 line_of(int whole, int octave)
 /// tapers.
 float hatched(float2 place, float w, float level, float ink, Strokes style)
 {
-    if (!((ink > 0.0))) {
+    if (!(ink > 0.0)) {
         return 0.0;
     }
-    float number = pow(ink, (1.0 - style.pressure));
-    float width = (style.width * pow(ink, style.pressure));
+    float number = pow(ink, 1.0 - style.pressure);
+    float width = style.width * pow(ink, style.pressure);
     float zoom = floor(level);
-    const float stray_at_value = stray_at(place, asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), 7u);
-    float stray = lerp(stray_at(place, naga_f2i32(zoom), 7u), stray_at_value, (level - zoom));
-    float across = (place.y + (style.wobble * stray));
-    float density = max((level + log2_stable(max(number, 1e-9))), -40.0);
+    const float stray_at_value = stray_at(place, asint(asuint(naga_f2i32(zoom)) + asuint(int(1))),
+        7u);
+    float stray = lerp(stray_at(place, naga_f2i32(zoom), 7u), stray_at_value, level - zoom);
+    float across = place.y + style.wobble * stray;
+    float density = max(level + log2_stable(max(number, 1e-9)), -40.0);
     float octave = floor(density);
-    float growth = (exp2_stable((density - octave)) - 1.0);
+    float growth = exp2_stable(density - octave) - 1.0;
     float scale = asfloat((uint(asint(asuint(naga_f2i32(octave)) + asuint(int(127)))) << 23u));
-    float q = clamp((across * scale), -4194304.0, 4194304.0);
-    float half_ = ((0.5 * width) * exp2_stable((octave - level)));
-    float footprint = (w * scale);
+    float q = clamp(across * scale, -4194304.0, 4194304.0);
+    float half_ = 0.5 * width * exp2_stable(octave - level);
+    float footprint = w * scale;
     int whole = naga_f2i32(round(q));
     const Stroke old = stroke_between(line_of(whole, naga_f2i32(octave)), place.x, level, style);
     float middle = floor(q);
-    const Stroke young = stroke_between(int2(asint(asuint(asint(asuint(int(2)) * asuint(naga_f2i32(middle)))) + asuint(int(1))), asint(asuint(naga_f2i32(octave)) + asuint(int(1)))), place.x, level, style);
-    float grown = clamp(((growth - (0.75 * young.turn)) / 0.25), 0.0, 1.0);
-    const float a = band_filtered((q - float(whole)), (half_ * old.profile), footprint);
-    const float b = band_filtered(((q - middle) - 0.5), ((half_ * grown) * young.profile), footprint);
-    float mean = min(((2.0 * half_) * (1.0 + growth)), 1.0);
+    const Stroke young = stroke_between(int2(asint(asuint(asint(asuint(int(2))
+        * asuint(naga_f2i32(middle)))) + asuint(int(1))),
+        asint(asuint(naga_f2i32(octave)) + asuint(int(1)))), place.x, level, style);
+    float grown = clamp((growth - 0.75 * young.turn) / 0.25, 0.0, 1.0);
+    const float a = band_filtered(q - float(whole), half_ * old.profile, footprint);
+    const float b = band_filtered(q - middle - 0.5, half_ * grown * young.profile, footprint);
+    float mean = min(2.0 * half_ * (1.0 + growth), 1.0);
     return lerp(max(a, b), mean, smoothstep(0.75, 1.5, footprint));
 }
 
@@ -478,23 +486,25 @@ float cross_hatched(SpacedPlace at, float ink, int layers, float cross_, Strokes
             i = asint(asuint(i) + asuint(int(1)));
         }
         loop_init = false;
-        if (!((i < int(4)))) {
+        if (!(i < int(4))) {
             break;
         }
-        if ((i < int(1))) {
+        if (i < int(1)) {
             float2 turn = float2(0.0, 1.0);
             float2 along = float2(turn.y, turn.x);
-            float2 across = float2(-(turn.x), turn.y);
+            float2 across = float2(-turn.x, turn.y);
             float w = length(float2(dot(across, x), dot(across, y)));
-            float square = dot(float3((across.x * across.x), ((2.0 * across.x) * across.y), (across.y * across.y)), at.stretch);
-            float level = clamp((-0.5 * log2_stable(max(max(square, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30))), -16.0, 16.0);
+            float square = dot(float3(across.x * across.x, 2.0 * across.x * across.y, across.y
+                * across.y), at.stretch);
+            float level = clamp(-0.5 * log2_stable(max(max(square, (at.stretch.x + at.stretch.z)
+                / 65.0), 1e-30)), -16.0, 16.0);
             float2 place = float2(dot(along, at.place), dot(across, at.place));
             own = style;
             own.seed = 7u;
-            free = (1.0 - hatched(place, w, level, (ink - 0.0), own));
+            free = 1.0 - hatched(place, w, level, ink - 0.0, own);
         }
     }
-    return (1.0 - free);
+    return 1.0 - free;
 }
 
 MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
@@ -511,15 +521,17 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
 /// around the light so that they turn with it. Wire both outputs to Hatching, Stippling, Brush
 /// strokes or Paper grain, which keep their marks as large on the picture as they are, however far
 /// the surface is.
-MarkPlace mark_place_light(Light light, float3 normal, float angle, float3 view, float3 position_object, float3x3 world_from_normal, float magnification)
+MarkPlace mark_place_light(Light light, float3 normal, float angle, float3 view,
+    float3 position_object, float3x3 world_from_normal, float magnification)
 {
     float3 toward = mul(world_from_normal, light.direction);
-    const StretchedPlace m = place_across(toward, position_object, world_from_normal, normal, view, magnification, angle);
-    const MarkPlace markplace = ConstructMarkPlace(m.place, m.stretch);
-    return markplace;
+    const StretchedPlace m = place_across(toward, position_object, world_from_normal, normal, view,
+        magnification, angle);
+    return ConstructMarkPlace(m.place, m.stretch);
 }
 
-Strokes ConstructStrokes(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, uint arg6) {
+Strokes ConstructStrokes(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5,
+    uint arg6) {
     Strokes ret = (Strokes)0;
     ret.width = arg0;
     ret.length_ = arg1;
@@ -534,19 +546,28 @@ Strokes ConstructStrokes(float arg0, float arg1, float arg2, float arg3, float a
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {
-    float shade_2 = max(((dot(surface.normal, look.key.direction) + 0.3) / 1.3), 0.0);
-    float tone = lerp(0.02, 1.0, min(((shade_2 - 0.0) / 0.8), 1.0));
+    // Reflectance
+    float shade_2 = max((dot(surface.normal, look.key.direction) + 0.3) / 1.3, 0.0);
+    float tone = lerp(0.02, 1.0, min((shade_2 - 0.0) / 0.8, 1.0));
     const float lit_ = threshold(tone, 0.72, 0.0);
-    float4 ochre_block = lerp(float4(0.8392, 0.6039, 0.2902, 1.0), float4(0.9529, 0.902, 0.7843, 1.0), lit_);
-    const MarkPlace way_of_the_gouge = mark_place_light(look.key, surface.normal, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
-    const SpacedPlace spaced_value = spaced(way_of_the_gouge.place, way_of_the_gouge.stretch, look.viewport, 78.0);
-    const float cuts = cross_hatched(spaced_value, (1.0 - min(tone, 1.0)), int(1), 1.0471976, ConstructStrokes(0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u));
+    float4 ochre_block = lerp(float4(0.8392, 0.6039, 0.2902, 1.0),
+        float4(0.9529, 0.902, 0.7843, 1.0), lit_);
+    const MarkPlace way_of_the_gouge = mark_place_light(look.key, surface.normal, 0.0, surface.view,
+        surface.position_object, surface.world_from_normal, surface.magnification);
+    const SpacedPlace spaced_value = spaced(way_of_the_gouge.place, way_of_the_gouge.stretch,
+        look.viewport, 78.0);
+    // Hatching
+    const float cuts = cross_hatched(spaced_value, 1.0 - min(tone, 1.0), int(1), 1.0471976,
+        ConstructStrokes(0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u));
     const float deep_shade = threshold(tone, 0.2, 0.0);
     float curvature = surface.kappa;
-    float hollow_to_bulge = (0.5 + (0.5 * (1.0 - (2.0 / (1.0 + exp2((2.88539 * clamp((curvature * 0.22), -20.0, 20.0))))))));
+    // Curvature transition
+    float hollow_to_bulge = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + exp2(2.88539 * clamp(curvature * 0.22, -20.0, 20.0))));
     const float hollows = threshold(hollow_to_bulge, 0.2, 0.0);
     const float outline = threshold(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.0);
-    float black_block = max(max(cuts, (1.0 - deep_shade)), max((1.0 - hollows), (1.0 - outline)));
+    // Combine tones
+    float black_block = max(max(cuts, 1.0 - deep_shade), max(1.0 - hollows, 1.0 - outline));
     float4 print = lerp(ochre_block, float4(0.1137, 0.0824, 0.0706, 1.0), black_block);
     return print;
 }
@@ -563,12 +584,15 @@ Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
 VertexOutput_vs_main vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
-    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz, vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object, varyings.normal, varyings.clip_ };
+    const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
+        vertex.position, mul(vertex.normal, object.world_from_normal));
+    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
+        varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float arg3, float arg4, float3x3 arg5) {
+Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float arg3, float arg4,
+    float3x3 arg5) {
     Surface ret = (Surface)0;
     ret.normal = arg0;
     ret.view = arg1;
@@ -585,12 +609,17 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2, fragmentinput_fs_main.position_object_2, fragmentinput_fs_main.normal_5 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2,
+        fragmentinput_fs_main.position_object_2, fragmentinput_fs_main.normal_5 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
-    float3 normal = (is_front ? facing : -(facing));
+    float3 normal = is_front ? facing : -facing;
     float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    const float size_on_screen_value = size_on_screen(-(mul(float4(in_.position, 1.0), view.camera_from_world).z), view.eye.w, length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    Surface surface = ConstructSurface(normal, normalize((view.eye.xyz - (view.eye.w * in_.position))), in_.position_object, texel.x, size_on_screen_value, object.world_from_normal);
+    const float size_on_screen_value = size_on_screen(-mul(float4(in_.position, 1.0),
+        view.camera_from_world).z, view.eye.w,
+        length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y)));
+    Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
+        in_.position_object, texel.x, size_on_screen_value, object.world_from_normal);
     return shade(surface);
 }

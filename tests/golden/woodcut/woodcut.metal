@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -23,6 +24,7 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -34,12 +36,14 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 /// What is known before the fragment.
 struct Look {
     Light key;
     metal::float2 viewport;
     char _pad2[8];
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
@@ -50,6 +54,7 @@ struct Surface {
     char _pad5[12];
     metal::float3x3 world_from_normal;
 };
+
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
@@ -59,12 +64,14 @@ struct StretchedPlace {
     /// picture height.
     metal::float3 stretch;
 };
+
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
 };
+
 /// Style of strokes.
 struct Strokes {
     /// Width of a stroke, in spacings.
@@ -81,6 +88,7 @@ struct Strokes {
     float variation;
     uint seed;
 };
+
 /// A stroke as seen at a place.
 struct Stroke {
     /// Turn of the stroke among its neighbors, 0 to 1.
@@ -88,6 +96,7 @@ struct Stroke {
     /// Width of the stroke at the place, as a share of its full width.
     float profile;
 };
+
 struct MarkPlace {
     /// Along the strokes, and across them.
     metal::float2 place;
@@ -95,16 +104,19 @@ struct MarkPlace {
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     metal::float3 stretch;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 position_object;
     metal::float3 normal;
 };
+
 /// Greatest place and size on screen, in picture heights: beyond, it says no more.
 constant float MOST_ON_SCREEN = 1000000000000000.0;
 
@@ -119,8 +131,11 @@ float exp2_stable(
 ) {
     float whole = metal::rint(x);
     float f = x - whole;
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole))
+        + as_type<uint>(126))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -134,7 +149,8 @@ float log2_stable(
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
-    return static_cast<float>(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379)))))));
+    return static_cast<float>(exponent) + z
+        * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -144,7 +160,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -161,8 +178,10 @@ metal::float3 bounded_vec3(
 ) {
     metal::uint3 bits = as_type<metal::uint3>(v);
     metal::uint3 magnitude = bits & metal::uint3(2147483647u);
-    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
-    metal::float3 numbers = metal::select(metal::float3(0.0), largest, magnitude == metal::uint3(2139095040u));
+    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u))
+        | metal::uint3(2139095039u));
+    metal::float3 numbers = metal::select(metal::float3(0.0), largest,
+        magnitude == metal::uint3(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint3(2139095040u));
 }
 
@@ -181,7 +200,8 @@ float step_filtered(
     float w
 ) {
     float d = x - edge;
-    return (w < 0.000000000000000000000000000001) ? ((d >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d / w), 0.0, 1.0);
+    return w < 0.000000000000000000000000000001 ? (d >= 0.0 ? 1.0 : 0.0) : metal::clamp(0.5 + d / w,
+        0.0, 1.0);
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
@@ -193,9 +213,11 @@ metal::float3x3 axes_around(
     metal::float3 z = normalize_moderate(toward, metal::float3(0.0, 0.0, 1.0));
     metal::float3 leaning = metal::cross(up, z);
     float square = metal::dot(leaning, leaning);
-    metal::float3 aside = (metal::abs(z.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square > 0.00000001) ? leaning : metal::cross(aside, z);
-    metal::float3 x = normalize_moderate(across - (metal::dot(across, z) * z), metal::float3(1.0, 0.0, 0.0));
+    metal::float3 aside = metal::abs(z.x)
+        > 0.7 ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
+    metal::float3 across = square > 0.00000001 ? leaning : metal::cross(aside, z);
+    metal::float3 x = normalize_moderate(across - metal::dot(across, z) * z,
+        metal::float3(1.0, 0.0, 0.0));
     return metal::float3x3(x, metal::cross(z, x), z);
 }
 
@@ -218,14 +240,14 @@ metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
     metal::uint3 v = {};
-    v = (seed * 1664525u) + metal::uint3(1013904223u);
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v = seed * 1664525u + metal::uint3(1013904223u);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     v = v ^ (v >> metal::uint3(16u));
-    v.x = v.x + (v.y * v.z);
-    v.y = v.y + (v.z * v.x);
-    v.z = v.z + (v.x * v.y);
+    v.x = v.x + v.y * v.z;
+    v.y = v.y + v.z * v.x;
+    v.z = v.z + v.x * v.y;
     return v;
 }
 
@@ -242,7 +264,7 @@ float value_noise(
     float sum = 0.0;
     metal::float3 corner = metal::floor(p);
     metal::float3 t = p - corner;
-    metal::float3 f = ((t * t) * t) * ((t * ((t * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    metal::float3 f = t * t * t * (t * (t * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
     metal::int3 cell = naga_f2i32(corner);
     bool loop_init = true;
     while(true) {
@@ -250,13 +272,16 @@ float value_noise(
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 8))) {
+        if (!(i < 8)) {
             break;
         }
         metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
         metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
-        metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at))) + (seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
-        sum = sum + (((weight.x * weight.y) * 0.5) * (static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u)) * 0.000000059604645).x);
+        metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at))) + seed * metal::uint3(2654435769u,
+            2246822507u, 3266489909u));
+        sum = sum + weight.x * weight.y * 0.5
+            * (static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u))
+            * 0.000000059604645).x;
     }
     return sum;
 }
@@ -270,7 +295,8 @@ float size_on_screen(
     float scale
 ) {
     // Clip space is 2 high.
-    return metal::min((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective), MOST_ON_SCREEN);
+    return metal::min(0.5 * scale / metal::mix(1.0, metal::max(depth, 0.000001), perspective),
+        MOST_ON_SCREEN);
 }
 
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
@@ -282,11 +308,13 @@ StretchedPlace mark_place_of(
     float angle
 ) {
     metal::float2 turn = metal::float2(metal::sin(angle), metal::cos(angle));
-    metal::float3 x = bounded_vec3((turn.y * along) + (turn.x * across));
-    metal::float3 y = bounded_vec3((turn.y * across) - (turn.x * along));
-    metal::float2 turned = metal::float2((turn.y * place.x) + (turn.x * place.y), (turn.y * place.y) - (turn.x * place.x));
+    metal::float3 x = bounded_vec3(turn.y * along + turn.x * across);
+    metal::float3 y = bounded_vec3(turn.y * across - turn.x * along);
+    metal::float2 turned = metal::float2(turn.y * place.x + turn.x * place.y, turn.y * place.y
+        - turn.x * place.x);
     metal::float3 most = metal::float3(1000000000000000.0);
-    metal::float3 stretch = metal::clamp(metal::float3(metal::dot(x, x), metal::dot(x, y), metal::dot(y, y)), -(most), most);
+    metal::float3 stretch = metal::clamp(metal::float3(metal::dot(x, x), metal::dot(x, y),
+        metal::dot(y, y)), -most, most);
     return StretchedPlace {turned, {}, stretch};
 }
 
@@ -299,7 +327,8 @@ metal::float3 gradient_on_picture(
     metal::float3 view
 ) {
     float facing = metal::dot(normal, view);
-    return g - (normal * (metal::dot(g, view) / ((facing >= 0.0) ? metal::max(facing, 0.125) : metal::min(facing, -0.125))));
+    return g - normal * (metal::dot(g, view)
+        / (facing >= 0.0 ? metal::max(facing, 0.125) : metal::min(facing, -0.125)));
 }
 
 /// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
@@ -329,7 +358,8 @@ StretchedPlace place_across(
     float angle
 ) {
     metal::float3x3 axes = axes_around(axis, metal::float3(0.0, 1.0, 0.0));
-    metal::float2 place = metal::float2(metal::dot(position, axes[0]), metal::dot(position, axes[2]));
+    metal::float2 place = metal::float2(metal::dot(position, axes[0]),
+        metal::dot(position, axes[2]));
     metal::float3 along = world_from_normal * axes[0];
     metal::float3 across = world_from_normal * axes[2];
     return place_on_surface(place, along, across, normal, view, magnification, angle);
@@ -343,10 +373,12 @@ SpacedPlace spaced(
     metal::float2 viewport,
     float count
 ) {
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale = is_pixel ? (count / metal::max(viewport.y, 1.0)) : count;
-    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0), metal::float2(4194304.0));
-    metal::float3 s = metal::clamp(bounded_vec3(stretch), metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    bool is_pixel = !(stretch.x + stretch.z > 0.0);
+    float scale = is_pixel ? count / metal::max(viewport.y, 1.0) : count;
+    metal::float2 p = metal::clamp(place * scale, metal::float2(-4194304.0),
+        metal::float2(4194304.0));
+    metal::float3 s = metal::clamp(bounded_vec3(stretch), metal::float3(-1000000000000000.0),
+        metal::float3(1000000000000000.0));
     return SpacedPlace {p, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s};
 }
 
@@ -358,8 +390,10 @@ Stroke stroke_at(
     int zoom,
     Strokes style
 ) {
-    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(line, 1048576)) + metal::uint3(1401181199u, 2842855661u, 1390592883u));
-    metal::float3 own = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u)) * 0.000000059604645;
+    metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(metal::int3(line, 1048576))
+        + metal::uint3(1401181199u, 2842855661u, 1390592883u));
+    metal::float3 own = static_cast<metal::float3>(hash_pcg3d_value >> metal::uint3(8u))
+        * 0.000000059604645;
     return Stroke {own.y, 1.0};
 }
 
@@ -372,7 +406,8 @@ Stroke stroke_between(
 ) {
     float zoom = metal::floor(level);
     Stroke a = stroke_at(line, x, naga_f2i32(zoom), style);
-    Stroke b = stroke_at(line, x, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(1)), style);
+    Stroke b = stroke_at(line, x, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(1)),
+        style);
     float f = level - zoom;
     return Stroke {metal::mix(a.turn, b.turn, f), metal::mix(1.0, 1.0, f)};
 }
@@ -387,9 +422,12 @@ float stray_at(
     int zoom,
     uint seed
 ) {
-    metal::float2 p = place * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u);
+    metal::float2 p = place * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom)
+        + as_type<uint>(127))) << 23u);
     float value_noise_value = value_noise(metal::float3(0.11 * p.x, 0.45 * p.y, 0.5), seed);
-    return ((value_noise_value - 0.5) * 2.0) * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_neg(zoom)) + as_type<uint>(127))) << 23u);
+    return (value_noise_value - 0.5) * 2.0
+        * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_neg(zoom))
+        + as_type<uint>(127))) << 23u);
 }
 
 /// Share of a footprint of `w` that a band covers whose middle is t away and which reaches `half`
@@ -402,7 +440,8 @@ float band_filtered(
     if (w < 0.000000000000000000000000000001) {
         return ((metal::abs(t) <= half_) & (half_ > 0.0)) ? 1.0 : 0.0;
     }
-    return metal::clamp((metal::clamp(t + (0.5 * w), -(half_), half_) - metal::clamp(t - (0.5 * w), -(half_), half_)) / w, 0.0, 1.0);
+    return metal::clamp((metal::clamp(t + 0.5 * w, -half_, half_)
+        - metal::clamp(t - 0.5 * w, -half_, half_)) / w, 0.0, 1.0);
 }
 
 int naga_div(int lhs, int rhs) {
@@ -415,10 +454,11 @@ metal::int2 line_of(
     int whole,
     int octave
 ) {
-    int power = (whole == 0) ? 1 : (whole & naga_neg(whole));
+    int power = whole == 0 ? 1 : (whole & naga_neg(whole));
     // log2 of a power of two, by its bits.
     int octaves = as_type<int>(as_type<uint>(static_cast<int>(as_type<uint>(static_cast<float>(power)) >> 23u)) - as_type<uint>(127));
-    return (whole == 0) ? metal::int2(0) : metal::int2(naga_div(whole, power), as_type<int>(as_type<uint>(octave) - as_type<uint>(octaves)));
+    return whole == 0 ? metal::int2(0) : metal::int2(naga_div(whole, power),
+        as_type<int>(as_type<uint>(octave) - as_type<uint>(octaves)));
 }
 
 /// The ink of one direction of strokes. `place` is along and across, in spacings at `level` 0; `w`
@@ -431,30 +471,33 @@ float hatched(
     float ink,
     Strokes style
 ) {
-    if (!((ink > 0.0))) {
+    if (!(ink > 0.0)) {
         return 0.0;
     }
     float number = metal::pow(ink, 1.0 - style.pressure);
     float width = style.width * metal::pow(ink, style.pressure);
     float zoom = metal::floor(level);
-    float stray_at_value = stray_at(place, as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(1)), 7u);
+    float stray_at_value = stray_at(place,
+        as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(1)), 7u);
     float stray = metal::mix(stray_at(place, naga_f2i32(zoom), 7u), stray_at_value, level - zoom);
-    float across = place.y + (style.wobble * stray);
+    float across = place.y + style.wobble * stray;
     float density = metal::max(level + log2_stable(metal::max(number, 0.000000001)), -40.0);
     float octave = metal::floor(density);
     float growth = exp2_stable(density - octave) - 1.0;
-    float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(octave)) + as_type<uint>(127))) << 23u);
+    float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(octave))
+        + as_type<uint>(127))) << 23u);
     float q = metal::clamp(across * scale, -4194304.0, 4194304.0);
-    float half_ = (0.5 * width) * exp2_stable(octave - level);
+    float half_ = 0.5 * width * exp2_stable(octave - level);
     float footprint = w * scale;
     int whole = naga_f2i32(metal::rint(q));
     Stroke old = stroke_between(line_of(whole, naga_f2i32(octave)), place.x, level, style);
     float middle = metal::floor(q);
-    Stroke young = stroke_between(metal::int2(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(naga_f2i32(middle)))) + as_type<uint>(1)), as_type<int>(as_type<uint>(naga_f2i32(octave)) + as_type<uint>(1))), place.x, level, style);
-    float grown = metal::clamp((growth - (0.75 * young.turn)) / 0.25, 0.0, 1.0);
+    Stroke young = stroke_between(metal::int2(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(naga_f2i32(middle)))) + as_type<uint>(1)),
+        as_type<int>(as_type<uint>(naga_f2i32(octave)) + as_type<uint>(1))), place.x, level, style);
+    float grown = metal::clamp((growth - 0.75 * young.turn) / 0.25, 0.0, 1.0);
     float a = band_filtered(q - static_cast<float>(whole), half_ * old.profile, footprint);
-    float b = band_filtered((q - middle) - 0.5, (half_ * grown) * young.profile, footprint);
-    float mean = metal::min((2.0 * half_) * (1.0 + growth), 1.0);
+    float b = band_filtered(q - middle - 0.5, half_ * grown * young.profile, footprint);
+    float mean = metal::min(2.0 * half_ * (1.0 + growth), 1.0);
     return metal::mix(metal::max(a, b), mean, metal::smoothstep(0.75, 1.5, footprint));
 }
 
@@ -478,18 +521,21 @@ float cross_hatched(
             i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
         }
         loop_init = false;
-        if (!((i < 4))) {
+        if (!(i < 4)) {
             break;
         }
         if (i < 1) {
             metal::float2 turn = metal::float2(0.0, 1.0);
             metal::float2 along = metal::float2(turn.y, turn.x);
-            metal::float2 across = metal::float2(-(turn.x), turn.y);
+            metal::float2 across = metal::float2(-turn.x, turn.y);
             float w = metal::length(metal::float2(metal::dot(across, x), metal::dot(across, y)));
-            float square = metal::dot(metal::float3(across.x * across.x, (2.0 * across.x) * across.y, across.y * across.y), at.stretch);
-            float log2_stable_value = log2_stable(metal::max(metal::max(square, (at.stretch.x + at.stretch.z) / 65.0), 0.000000000000000000000000000001));
+            float square = metal::dot(metal::float3(across.x * across.x, 2.0 * across.x * across.y,
+                across.y * across.y), at.stretch);
+            float log2_stable_value = log2_stable(metal::max(metal::max(square,
+                (at.stretch.x + at.stretch.z) / 65.0), 0.000000000000000000000000000001));
             float level = metal::clamp(-0.5 * log2_stable_value, -16.0, 16.0);
-            metal::float2 place = metal::float2(metal::dot(along, at.place), metal::dot(across, at.place));
+            metal::float2 place = metal::float2(metal::dot(along, at.place),
+                metal::dot(across, at.place));
             own = style;
             own.seed = 7u;
             free = 1.0 - hatched(place, w, level, ink - 0.0, own);
@@ -515,7 +561,8 @@ MarkPlace mark_place_light(
     float magnification
 ) {
     metal::float3 toward = light.direction * world_from_normal;
-    StretchedPlace m = place_across(toward, position_object, world_from_normal, normal, view, magnification, angle);
+    StretchedPlace m = place_across(toward, position_object, world_from_normal, normal, view,
+        magnification, angle);
     return MarkPlace {m.place, {}, m.stretch};
 }
 
@@ -524,20 +571,32 @@ metal::float4 shade(
     Surface surface,
     constant Look& look
 ) {
+    // Reflectance
     float shade_2 = metal::max((metal::dot(surface.normal, look.key.direction) + 0.3) / 1.3, 0.0);
     float tone = metal::mix(0.02, 1.0, metal::min((shade_2 - 0.0) / 0.8, 1.0));
     float lit = threshold(tone, 0.72, 0.0);
-    metal::float4 ochre_block = metal::mix(metal::float4(0.8392, 0.6039, 0.2902, 1.0), metal::float4(0.9529, 0.902, 0.7843, 1.0), lit);
-    MarkPlace way_of_the_gouge = mark_place_light(look.key, surface.normal, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
-    SpacedPlace spaced_value = spaced(way_of_the_gouge.place, way_of_the_gouge.stretch, look.viewport, 78.0);
-    float cuts = cross_hatched(spaced_value, 1.0 - metal::min(tone, 1.0), 1, 1.0471976, Strokes {0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u});
+    metal::float4 ochre_block = metal::mix(metal::float4(0.8392, 0.6039, 0.2902, 1.0),
+        metal::float4(0.9529, 0.902, 0.7843, 1.0), lit);
+    MarkPlace way_of_the_gouge = mark_place_light(look.key, surface.normal, 0.0, surface.view,
+        surface.position_object, surface.world_from_normal, surface.magnification);
+    SpacedPlace spaced_value = spaced(way_of_the_gouge.place, way_of_the_gouge.stretch,
+        look.viewport, 78.0);
+    // Hatching
+    float cuts = cross_hatched(spaced_value, 1.0 - metal::min(tone, 1.0), 1, 1.0471976,
+        Strokes {0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u});
     float deep_shade = threshold(tone, 0.2, 0.0);
     float curvature = surface.kappa;
-    float hollow_to_bulge = 0.5 + (0.5 * (1.0 - (2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(curvature * 0.22, -20.0, 20.0))))));
+    // Curvature transition
+    float hollow_to_bulge = 0.5 + 0.5
+        * (1.0 - 2.0 / (1.0 + metal::exp2(2.88539 * metal::clamp(curvature * 0.22, -20.0, 20.0))));
     float hollows = threshold(hollow_to_bulge, 0.2, 0.0);
-    float outline = threshold(metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.0);
-    float black_block = metal::max(metal::max(cuts, 1.0 - deep_shade), metal::max(1.0 - hollows, 1.0 - outline));
-    metal::float4 print = metal::mix(ochre_block, metal::float4(0.1137, 0.0824, 0.0706, 1.0), black_block);
+    float outline = threshold(metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0), 0.3,
+        0.0);
+    // Combine tones
+    float black_block = metal::max(metal::max(cuts, 1.0 - deep_shade),
+        metal::max(1.0 - hollows, 1.0 - outline));
+    metal::float4 print = metal::mix(ochre_block, metal::float4(0.1137, 0.0824, 0.0706, 1.0),
+        black_block);
     return print;
 }
 
@@ -545,12 +604,14 @@ struct vs_mainInput {
     metal::float3 position_1 [[attribute(0)]];
     metal::float3 normal_4 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
     metal::float3 normal [[user(loc2), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -558,7 +619,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position_1, varyings.normal_4 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, vertex_.position,
+        object.world_from_normal * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.position_object, _tmp.normal };
 }
 
@@ -572,9 +634,11 @@ struct fs_mainInput {
     metal::float3 position_object_1 [[user(loc1), center_perspective]];
     metal::float3 normal_4 [[user(loc2), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -584,11 +648,16 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object_1, varyings_1.normal_4 };
+    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object_1,
+        varyings_1.normal_4 };
     metal::float3 facing = normalize_seen(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    float size_on_screen_value = size_on_screen(-((view.camera_from_world * metal::float4(in.position, 1.0)).z), view.eye.w, metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), in.position_object, texel.x, size_on_screen_value, {}, object.world_from_normal};
+    float size_on_screen_value = size_on_screen(-(view.camera_from_world
+        * metal::float4(in.position, 1.0)).z, view.eye.w,
+        metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y)));
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        in.position_object, texel.x, size_on_screen_value, {}, object.world_from_normal};
     return fs_mainOutput { shade(surface, look) };
 }

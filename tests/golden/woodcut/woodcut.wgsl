@@ -398,6 +398,7 @@ struct MarkPlace {
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
+    // Reflectance
     let shade_2 = max((dot(surface.normal, look.key.direction) + 0.3) / (1.0 + 0.3), 0.0);
     let tone = mix(0.02, 1.0, min((shade_2 - 0.0) / (0.8 - 0.0), 1.0));
     let lit = threshold(tone, 0.72, 0.0);
@@ -405,14 +406,17 @@ fn shade(surface: Surface) -> vec4f {
         lit);
     let way_of_the_gouge = mark_place_light(look.key, surface.normal, 0.0, surface.view,
         surface.position_object, surface.world_from_normal, surface.magnification);
+    // Hatching
     let cuts = cross_hatched(spaced(way_of_the_gouge.place, way_of_the_gouge.stretch, look.viewport,
         78.0), 1.0 - min(tone, 1.0), 1i, 1.0471976, Strokes(0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u));
     let deep_shade = threshold(tone, 0.2, 0.0);
     let curvature = surface.kappa;
+    // Curvature transition
     let hollow_to_bulge = 0.5 + 0.5 * (1.0 - 2.0
         / (1.0 + exp2(2.8853900817779268 * clamp(curvature * 0.22, -20.0, 20.0))));
     let hollows = threshold(hollow_to_bulge, 0.2, 0.0);
     let outline = threshold(clamp(dot(surface.normal, surface.view), 0.0, 1.0), 0.3, 0.0);
+    // Combine tones
     let black_block = max(max(cuts, 1.0 - deep_shade), max(1.0 - hollows, 1.0 - outline));
     let print = mix(ochre_block, vec4f(0.1137, 0.0824, 0.0706, 1.0), black_block);
     return print;

@@ -24,12 +24,14 @@ struct Curvature {
     /// Samples per pixel of the picture.
     float samples;
 };
+
 /// A pixel and its texel of the surface.
 struct SeenPixel {
     metal::int2 at;
     char _pad1[8];
     metal::float4 texel;
 };
+
 /// The plane of the surface at a pixel: it tells which neighbors lie on the same surface. Changes
 /// of depth are along columns and rows of the image.
 struct Plane {
@@ -41,12 +43,14 @@ struct Plane {
     float tolerance;
     char _pad4[4];
 };
+
 /// A pixel whose curvature is measured.
 struct Center {
     metal::int2 at;
     metal::float2 slope;
     Plane plane;
 };
+
 /// Neighbors on the four sides of a center: in the column after it, in the column before it, in the
 /// row after it, and in the row before it.
 struct Ring {
@@ -56,6 +60,7 @@ struct Ring {
     metal::float4 y;
     metal::float4 weights;
 };
+
 /// Edges of four kinds: the unit normals of straight lines, and how far along them the lines lie,
 /// in pixels of the image.
 struct EdgeLines {
@@ -63,6 +68,7 @@ struct EdgeLines {
     metal::float4 y;
     metal::float4 offset;
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -73,6 +79,7 @@ struct Angle {
     /// cos(u/2), 0 or more.
     float half_cos;
 };
+
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -84,9 +91,11 @@ struct Light {
     /// The light's intensity with its distance and cone attenuation; 0 or more.
     float intensity;
 };
+
 struct type_10 {
     metal::float4 inner[16];
 };
+
 /// A free function of one number, drawn through points; flat outside of them. The layout is one for
 /// uniform buffers.
 struct Curve {
@@ -99,9 +108,11 @@ struct Curve {
     uint interpolation;
     char _pad3[8];
 };
+
 struct type_11 {
     metal::float4 inner[4];
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -116,6 +127,7 @@ struct Ramp {
     uint interpolation;
     char _pad4[8];
 };
+
 /// Widths of lines of each kind, in pixels.
 struct LineWidths {
     /// Of silhouettes, creases, borders of objects and borders of materials.
@@ -124,6 +136,7 @@ struct LineWidths {
     float ids;
     char _pad2[12];
 };
+
 constant float PI = 3.1415927;
 constant float HALF_PI = 1.5707964;
 constant float LN_2 = 0.6931472;
@@ -148,14 +161,14 @@ metal::float4 surface_texel(
     float number
 ) {
     metal::float2 slope_of_value = slope_of(normal);
-    return metal::float4(slope_of_value, depth, (normal.z < 0.0) ? -(number) : number);
+    return metal::float4(slope_of_value, depth, normal.z < 0.0 ? -number : number);
 }
 
 /// The number of an object in texels, from 1 on.
 float object_number(
     float object
 ) {
-    return (object - (4096.0 * metal::floor(object / 4096.0))) + 1.0;
+    return object - 4096.0 * metal::floor(object / 4096.0) + 1.0;
 }
 
 /// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
@@ -166,9 +179,10 @@ float facet_number(
     float material,
     float id
 ) {
-    float whole = metal::rint((metal::abs(id) <= 1000000.0) ? id : 0.0);
-    float parts = ((128.0 * (material - (32.0 * metal::floor(material / 32.0)))) + whole) - (128.0 * metal::floor(whole / 128.0));
-    return object_number(object) + (parts / 4096.0);
+    float whole = metal::rint(metal::abs(id) <= 1000000.0 ? id : 0.0);
+    float parts = 128.0 * (material - 32.0 * metal::floor(material / 32.0)) + whole - 128.0
+        * metal::floor(whole / 128.0);
+    return object_number(object) + parts / 4096.0;
 }
 
 /// The normal that a texel was made from.
@@ -179,16 +193,18 @@ metal::float3 normal_of(
     // elsewhere that is no less than LEAST_NZ, and the normal points along the slope and 1.
     metal::float2 aside = 0.2 * texel.xy;
     float rest = metal::sqrt(metal::max(1.0 - metal::dot(aside, aside), 0.0));
-    float nz = (texel.w < 0.0) ? -(rest) : rest;
-    metal::float3 facing = metal::float3(texel.xy, 1.0) / metal::float3(metal::sqrt(1.0 + metal::dot(texel.xy, texel.xy)));
-    return (nz >= 0.2) ? facing : metal::float3(aside, nz);
+    float nz = texel.w < 0.0 ? -rest : rest;
+    metal::float3 facing = metal::float3(texel.xy, 1.0)
+        / metal::float3(metal::sqrt(1.0 + metal::dot(texel.xy, texel.xy)));
+    return nz >= 0.2 ? facing : metal::float3(aside, nz);
 }
 
 /// A triangle over the whole picture.
 metal::float4 whole_picture(
     uint index
 ) {
-    return metal::float4((static_cast<float>(index & 1u) * 4.0) - 1.0, (static_cast<float>(index >> 1u) * 4.0) - 1.0, 0.0, 1.0);
+    return metal::float4(static_cast<float>(index & 1u) * 4.0 - 1.0,
+        static_cast<float>(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
@@ -207,16 +223,18 @@ int step_pixels(
 float row_direction(
     constant Curvature& curvature
 ) {
-    return (curvature.rows_up > 0.5) ? 1.0 : -1.0;
+    return curvature.rows_up > 0.5 ? 1.0 : -1.0;
 }
 
 /// Offset to one of the eight pixels around a pixel, by an index from 0 to 7; the nearest first.
 metal::int2 around(
     int index
 ) {
-    int side = as_type<int>(as_type<uint>(1) - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(index & 1))));
-    metal::int2 straight = (index < 2) ? metal::int2(side, 0) : metal::int2(0, side);
-    return (index > 3) ? metal::int2(side, as_type<int>(as_type<uint>(1) - as_type<uint>(index & 2))) : straight;
+    int side = as_type<int>(as_type<uint>(1)
+        - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(index & 1))));
+    metal::int2 straight = index < 2 ? metal::int2(side, 0) : metal::int2(0, side);
+    return index > 3 ? metal::int2(side,
+        as_type<int>(as_type<uint>(1) - as_type<uint>(index & 2))) : straight;
 }
 
 /// The pixel whose surface a pixel has: its own, or that of a neighbor.
@@ -232,7 +250,8 @@ SeenPixel seen_pixel(
     bool local_1 = {};
     int index = {};
     seen = SeenPixel {pixel, {}, surface.read(metal::uint2(pixel), 0)};
-    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
+        surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
     if (curvature.samples >= 2.0) {
         local_1 = seen.texel.w == 0.0;
     } else {
@@ -252,7 +271,8 @@ SeenPixel seen_pixel(
         }
         {
             metal::int2 around_value = around(index);
-            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(around_value)), metal::int2(0), last);
+            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel)
+                + as_type<metal::uint2>(around_value)), metal::int2(0), last);
             metal::float4 texel = surface.read(metal::uint2(near), 0);
             if (texel.w != 0.0) {
                 seen = SeenPixel {near, {}, texel};
@@ -271,7 +291,8 @@ Plane plane_of(
     float pixel = curvature.pixel * metal::mix(1.0, depth, curvature.perspective);
     metal::float2 gradient = normal.xy / metal::float2(metal::max(normal.z, 0.02));
     float row_direction_value = row_direction(curvature);
-    return Plane {object, depth, (pixel * gradient) * metal::float2(1.0, row_direction_value), (2.0 * pixel) * (1.0 + metal::length(gradient))};
+    return Plane {object, depth, pixel * gradient * metal::float2(1.0, row_direction_value), 2.0
+        * pixel * (1.0 + metal::length(gradient))};
 }
 
 /// Weights of four neighbors that are `distance` pixels away, 0 to 1, by their objects, their
@@ -283,10 +304,11 @@ metal::float4 neighbor_weights(
     metal::float4 rises,
     float distance
 ) {
-    metal::float4 error = metal::abs((depths - metal::float4(plane.depth)) - rises);
+    metal::float4 error = metal::abs(depths - metal::float4(plane.depth) - rises);
     float scale = 1.0 / metal::max(plane.tolerance * distance, 0.000000000000000000000000000001);
     // The weight fades, so that the last bit of a depth does not decide between all and nothing.
-    metal::float4 weights = metal::clamp(metal::float4(2.0) - (error * scale), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 weights = metal::clamp(metal::float4(2.0) - error * scale, metal::float4(0.0),
+        metal::float4(1.0));
     return metal::select(metal::float4(0.0), weights, objects == metal::float4(plane.object));
 }
 
@@ -298,7 +320,8 @@ Center center_at(
 ) {
     SeenPixel seen = seen_pixel(pixel, surface, curvature);
     metal::float4 texel = seen.texel;
-    return Center {seen.at, texel.xy, plane_of(metal::abs(seen.texel.w), seen.texel.z, normal_of(texel), curvature)};
+    return Center {seen.at, texel.xy,
+        plane_of(metal::abs(seen.texel.w), seen.texel.z, normal_of(texel), curvature)};
 }
 
 /// The ring that is so many steps away, with its weight.
@@ -312,19 +335,31 @@ Ring ring_at(
     int reach = as_type<int>(as_type<uint>(steps) * as_type<uint>(step_pixels(curvature)));
     float distance = static_cast<float>(reach);
     metal::int2 at = center.at;
-    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
-    metal::float4 a = surface.read(metal::uint2(metal::int2(metal::min(as_type<int>(as_type<uint>(center.at.x) + as_type<uint>(reach)), last.x), center.at.y)), 0);
-    metal::float4 b = surface.read(metal::uint2(metal::int2(metal::max(as_type<int>(as_type<uint>(center.at.x) - as_type<uint>(reach)), 0), center.at.y)), 0);
-    metal::float4 c = surface.read(metal::uint2(metal::int2(center.at.x, metal::min(as_type<int>(as_type<uint>(center.at.y) + as_type<uint>(reach)), last.y))), 0);
-    metal::float4 d = surface.read(metal::uint2(metal::int2(center.at.x, metal::max(as_type<int>(as_type<uint>(center.at.y) - as_type<uint>(reach)), 0))), 0);
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
+        surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::float4 a = surface.read(metal::uint2(metal::int2(metal::min(as_type<int>(as_type<uint>(center.at.x) + as_type<uint>(reach)),
+        last.x), center.at.y)), 0);
+    metal::float4 b = surface.read(metal::uint2(metal::int2(metal::max(as_type<int>(as_type<uint>(center.at.x) - as_type<uint>(reach)),
+        0), center.at.y)), 0);
+    metal::float4 c = surface.read(metal::uint2(metal::int2(center.at.x,
+        metal::min(as_type<int>(as_type<uint>(center.at.y) + as_type<uint>(reach)), last.y))), 0);
+    metal::float4 d = surface.read(metal::uint2(metal::int2(center.at.x,
+        metal::max(as_type<int>(as_type<uint>(center.at.y) - as_type<uint>(reach)), 0))), 0);
     // Beyond the image nothing is.
-    metal::bool4 is_inside = metal::int4(as_type<int>(as_type<uint>(last.x) - as_type<uint>(center.at.x)), center.at.x, as_type<int>(as_type<uint>(last.y) - as_type<uint>(center.at.y)), center.at.y) >= metal::int4(reach);
-    metal::float4 objects = metal::select(metal::float4(0.0), metal::abs(metal::float4(a.w, b.w, c.w, d.w)), is_inside);
+    metal::bool4 is_inside = metal::int4(as_type<int>(as_type<uint>(last.x)
+        - as_type<uint>(center.at.x)), center.at.x,
+        as_type<int>(as_type<uint>(last.y) - as_type<uint>(center.at.y)), center.at.y)
+        >= metal::int4(reach);
+    metal::float4 objects = metal::select(metal::float4(0.0),
+        metal::abs(metal::float4(a.w, b.w, c.w, d.w)), is_inside);
     metal::float2 rise = distance * center.plane.rise;
-    metal::float4 rises = metal::float4(rise.x, -(rise.x), rise.y, -(rise.y));
-    metal::float4 neighbor_weights_value = neighbor_weights(center.plane, objects, metal::float4(a.z, b.z, c.z, d.z), rises, distance);
-    metal::float4 shares = (weight * distance) * neighbor_weights_value;
-    return Ring {shares * (metal::float4(a.x, b.x, c.x, d.x) - metal::float4(center.slope.x)), shares * (metal::float4(a.y, b.y, c.y, d.y) - metal::float4(center.slope.y)), shares * distance};
+    metal::float4 rises = metal::float4(rise.x, -rise.x, rise.y, -rise.y);
+    metal::float4 neighbor_weights_value = neighbor_weights(center.plane, objects,
+        metal::float4(a.z, b.z, c.z, d.z), rises, distance);
+    metal::float4 shares = weight * distance * neighbor_weights_value;
+    return Ring {shares * (metal::float4(a.x, b.x, c.x, d.x) - metal::float4(center.slope.x)),
+        shares * (metal::float4(a.y, b.y, c.y, d.y) - metal::float4(center.slope.y)), shares
+        * distance};
 }
 
 /// Two rings as one.
@@ -341,7 +376,8 @@ Ring rings_at(
     metal::texture2d<float, metal::access::sample> surface,
     constant Curvature& curvature
 ) {
-    Ring near = joined(ring_at(center, 1, 1.0, surface, curvature), ring_at(center, 2, 0.85, surface, curvature));
+    Ring near = joined(ring_at(center, 1, 1.0, surface, curvature),
+        ring_at(center, 2, 0.85, surface, curvature));
     return joined(near, ring_at(center, 3, 0.5, surface, curvature));
 }
 
@@ -354,8 +390,9 @@ metal::float2 derivatives(
 ) {
     // A side that hardly counts any more is left to the other one, gradually.
     metal::float4 trust = metal::smoothstep(metal::float4(0.0), metal::float4(0.5), weights);
-    metal::float4 sides = (changes / metal::max(weights, metal::float4(0.000001))) * trust;
-    metal::float2 along = (sides.xz - sides.yw) / metal::max(trust.xz + trust.yw, metal::float2(0.000001));
+    metal::float4 sides = changes / metal::max(weights, metal::float4(0.000001)) * trust;
+    metal::float2 along = (sides.xz - sides.yw)
+        / metal::max(trust.xz + trust.yw, metal::float2(0.000001));
     return along * metal::float2(1.0, row_direction(curvature));
 }
 
@@ -365,7 +402,7 @@ float mean_curvature(
     constant Curvature& curvature
 ) {
     metal::float2 along = derivatives(metal::float4(ring.x.xy, ring.y.zw), ring.weights, curvature);
-    return metal::clamp((0.5 * (along.x + along.y)) * curvature.viewport_height, -10000.0, 10000.0);
+    return metal::clamp(0.5 * (along.x + along.y) * curvature.viewport_height, -10000.0, 10000.0);
 }
 
 /// The number of the object in a texel's number, from 1 on; 0 where nothing is.
@@ -387,11 +424,12 @@ float edge_code(
     metal::float2 normal,
     float offset
 ) {
-    float share = normal.x / metal::max(metal::abs(normal.x) + metal::abs(normal.y), 0.00000000000000000001);
-    float turn = (normal.y >= 0.0) ? (1.0 - share) : (3.0 + share);
+    float share = normal.x / metal::max(metal::abs(normal.x) + metal::abs(normal.y),
+        0.00000000000000000001);
+    float turn = normal.y >= 0.0 ? 1.0 - share : 3.0 + share;
     float direction = metal::min(metal::floor(turn * 1024.0), 4095.0);
     float place = metal::floor((metal::clamp(offset, -1.99, 1.99) + 2.0) * 1024.0);
-    return (place * 4096.0) + direction;
+    return place * 4096.0 + direction;
 }
 
 /// Codes of few levels from fine ones.
@@ -399,8 +437,8 @@ metal::float4 coarse_codes(
     metal::float4 codes
 ) {
     metal::float4 place = metal::floor(codes / metal::float4(4096.0));
-    metal::float4 direction = codes - (4096.0 * place);
-    return (metal::floor(place * 0.125) * 512.0) + metal::floor(direction * 0.125);
+    metal::float4 direction = codes - 4096.0 * place;
+    return metal::floor(place * 0.125) * 512.0 + metal::floor(direction * 0.125);
 }
 
 /// The edges that codes of so many levels say, each 0 or more.
@@ -409,13 +447,14 @@ EdgeLines edges_of(
     float levels
 ) {
     metal::float4 place = metal::floor(codes / metal::float4(levels));
-    metal::float4 turn = ((codes - (levels * place)) + metal::float4(0.5)) * (4.0 / levels);
+    metal::float4 turn = (codes - levels * place + metal::float4(0.5)) * (4.0 / levels);
     metal::bool4 is_back = turn >= metal::float4(2.0);
     metal::float4 x = metal::select(metal::float4(1.0) - turn, turn - metal::float4(3.0), is_back);
     metal::float4 rest = metal::float4(1.0) - metal::abs(x);
-    metal::float4 y = metal::select(rest, -(rest), is_back);
-    metal::float4 size = metal::sqrt((x * x) + (y * y));
-    return EdgeLines {x / size, y / size, ((place + metal::float4(0.5)) * (4.0 / levels)) - metal::float4(2.0)};
+    metal::float4 y = metal::select(rest, -rest, is_back);
+    metal::float4 size = metal::sqrt(x * x + y * y);
+    return EdgeLines {x / size, y / size, (place + metal::float4(0.5)) * (4.0 / levels)
+        - metal::float4(2.0)};
 }
 
 /// Distances in pixels between a pixel and the middles of the pieces of edges, by the places of the
@@ -429,12 +468,12 @@ metal::float4 middle_distances(
     bool beyond
 ) {
     bool local_2 = {};
-    metal::float4 x = columns + (edges.x * edges.offset);
-    metal::float4 y = rows + (edges.y * edges.offset);
-    float inward = (x.x * edges.x.x) + (y.x * edges.y.x);
-    metal::float4 distances = metal::sqrt((x * x) + (y * y));
+    metal::float4 x = columns + edges.x * edges.offset;
+    metal::float4 y = rows + edges.y * edges.offset;
+    float inward = x.x * edges.x.x + y.x * edges.y.x;
+    metal::float4 distances = metal::sqrt(x * x + y * y);
     if (inward < -1.0) {
-        local_2 = !(beyond);
+        local_2 = !beyond;
     } else {
         local_2 = false;
     }
@@ -450,13 +489,13 @@ metal::float4 edge_distances(
     metal::float4 rows,
     bool beyond
 ) {
-    metal::float4 across = (edges.offset + (edges.x * columns)) + (edges.y * rows);
-    metal::float4 along = metal::abs((edges.y * columns) - (edges.x * rows));
+    metal::float4 across = edges.offset + edges.x * columns + edges.y * rows;
+    metal::float4 along = metal::abs(edges.y * columns - edges.x * rows);
     // What is farther along than the edge's own pixel lies beyond the edge's end.
     metal::float4 past = metal::max(along - metal::float4(1.0), metal::float4(0.0));
     float inner = beyond ? metal::abs(across.x) : metal::max(across.x, 0.0);
     metal::float4 side = metal::float4(inner, metal::abs(across.yzw));
-    return metal::sqrt((side * side) + (past * past));
+    return metal::sqrt(side * side + past * past);
 }
 
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
@@ -507,13 +546,14 @@ metal::float3 normalize_or(
     metal::float3 otherwise
 ) {
     float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
-    if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
+    if (!((largest > 0.000000000000000000000000000001)
+        & (largest < 1000000000000000000000000000000.0))) {
         return otherwise;
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
     // max() passes over a NaN.
-    if (!(is_finite(square))) {
+    if (!is_finite(square)) {
         return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
@@ -528,15 +568,19 @@ float exp2_stable(
     float whole = metal::rint(clamped);
     float f = clamped - whole;
     // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
-    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
-    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
+    float twice = 2.0 + f * (1.3862944 + f
+        * (0.48045295 + f * (0.11100665 + f
+        * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole))
+        + as_type<uint>(126))) << 23u);
 }
 
 /// 2^n for n in [-126, 127], by its bits.
 float power_of_two(
     int n
 ) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
+    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127)))
+        << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -550,7 +594,8 @@ float log2_stable(
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
-    return static_cast<float>(exponent) + (z * (2.88539 + (z2 * (0.96179885 + (z2 * (0.57671434 + (z2 * 0.4317379)))))));
+    return static_cast<float>(exponent) + z
+        * (2.88539 + z2 * (0.96179885 + z2 * (0.57671434 + z2 * 0.4317379)));
 }
 
 /// ln(x) for normal x > 0.
@@ -566,7 +611,7 @@ float log1p_negative_small(
 ) {
     float z = y / (2.0 - y);
     float z2 = z * z;
-    return (-2.0 * z) * (1.0 + (z2 * (0.33333334 + (z2 * (0.2 + (z2 * (0.14285715 + (z2 * 0.11111111))))))));
+    return -2.0 * z * (1.0 + z2 * (0.33333334 + z2 * (0.2 + z2 * (0.14285715 + z2 * 0.11111111))));
 }
 
 /// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
@@ -591,10 +636,13 @@ metal::float2 sin_cos_quarter(
     // whose cut-off is pi is 0 there, in f64 too.
     float h = 0.5 * x;
     float h2 = h * h;
-    float s = h * (1.0 + (h2 * (-0.16666667 + (h2 * (0.008333334 + (h2 * (-0.0001984127 + (h2 * (0.0000027557319 + (h2 * -0.000000025052108))))))))));
-    float one_minus_c = h2 * (0.5 + (h2 * (-0.041666668 + (h2 * (0.0013888889 + (h2 * (-0.000024801588 + (h2 * (0.0000002755732 + (h2 * -0.0000000020876756))))))))));
+    float s = h * (1.0 + h2 * (-0.16666667 + h2
+        * (0.008333334 + h2 * (-0.0001984127 + h2 * (0.0000027557319 + h2 * -0.000000025052108)))));
+    float one_minus_c = h2 * (0.5 + h2
+        * (-0.041666668 + h2 * (0.0013888889 + h2
+        * (-0.000024801588 + h2 * (0.0000002755732 + h2 * -0.0000000020876756)))));
     float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    return metal::float2(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
 /// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
@@ -602,8 +650,10 @@ metal::float2 sin_cos_eighth(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666667 + (y * (0.008333334 + (y * (-0.0001984127 + (y * 0.0000027557319))))))));
-    float c = 1.0 - (y * (0.5 + (y * (-0.041666668 + (y * (0.0013888889 + (y * (-0.000024801588 + (y * 0.0000002755732)))))))));
+    float s = x * (1.0 + y * (-0.16666667 + y
+        * (0.008333334 + y * (-0.0001984127 + y * 0.0000027557319))));
+    float c = 1.0 - y * (0.5 + y * (-0.041666668 + y
+        * (0.0013888889 + y * (-0.000024801588 + y * 0.0000002755732))));
     return metal::float2(s, c);
 }
 
@@ -612,8 +662,8 @@ metal::float2 sin_cos_tiny(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666667 + (y * 0.008333334))));
-    float c = 1.0 - (y * (0.5 + (y * (-0.041666668 + (y * 0.0013888889)))));
+    float s = x * (1.0 + y * (-0.16666667 + y * 0.008333334));
+    float c = 1.0 - y * (0.5 + y * (-0.041666668 + y * 0.0013888889));
     return metal::float2(s, c);
 }
 
@@ -624,7 +674,7 @@ metal::float2 sin_cos_half(
     float left
 ) {
     metal::float2 half_ = sin_cos_quarter(0.5 * metal::min(x, left));
-    return (x <= left) ? half_ : half_.yx;
+    return x <= left ? half_ : half_.yx;
 }
 
 /// pi - x for x up to pi, with the digits of pi that an f32 does not hold; 0 where x is the f32
@@ -645,8 +695,8 @@ metal::float2 sin_cos(
 ) {
     float turns = metal::rint(x * 0.31830987);
     // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
-    float r = ((x - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 0.00000062783295);
-    float sign = 1.0 - (2.0 * metal::abs(turns - (2.0 * metal::trunc(turns * 0.5))));
+    float r = x - turns * 3.140625 - turns * 0.00096702576 - turns * 0.00000062783295;
+    float sign = 1.0 - 2.0 * metal::abs(turns - 2.0 * metal::trunc(turns * 0.5));
     return sign * sin_cos_quarter(metal::clamp(r, -1.5707964, HALF_PI));
 }
 
@@ -661,8 +711,9 @@ metal::float3 normalize_quick(
 ) {
     float square = metal::dot(v, v);
     // Comparisons are false for NaN; what `select` leaves out never reaches the result.
-    bool is_usable = (square > 0.000000000000000000000000000001) & (square < 1000000000000000000000000000000000000.0);
-    return is_usable ? (v * metal::rsqrt(is_usable ? square : 1.0)) : otherwise;
+    bool is_usable = (square > 0.000000000000000000000000000001)
+        & (square < 1000000000000000000000000000000000000.0);
+    return is_usable ? v * metal::rsqrt(is_usable ? square : 1.0) : otherwise;
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -674,7 +725,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -699,8 +751,10 @@ metal::float2 sin_cos_quick(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666666 + (y * (0.0083332425 + (y * (-0.0001982274 + (y * 0.0000026347564))))))));
-    float c = 1.0 + (y * (-0.5 + (y * (0.04166666 + (y * (-0.0013888652 + (y * (0.00002477458 - (y * 0.00000026297516)))))))));
+    float s = x * (1.0 + y * (-0.16666666 + y
+        * (0.0083332425 + y * (-0.0001982274 + y * 0.0000026347564))));
+    float c = 1.0 + y * (-0.5 + y * (0.04166666 + y
+        * (-0.0013888652 + y * (0.00002477458 - y * 0.00000026297516))));
     return metal::float2(s, c);
 }
 
@@ -709,8 +763,8 @@ metal::float2 sin_cos_short(
     float x
 ) {
     float y = x * x;
-    float s = x * (1.0 + (y * (-0.16666542 + (y * (0.008324197 - (y * 0.00018846673))))));
-    float c = 1.0 + (y * (-0.4999999 + (y * (0.04166567 + (y * (-0.0013868611 + (y * 0.000023476086)))))));
+    float s = x * (1.0 + y * (-0.16666542 + y * (0.008324197 - y * 0.00018846673)));
+    float c = 1.0 + y * (-0.4999999 + y * (0.04166567 + y * (-0.0013868611 + y * 0.000023476086)));
     return metal::float2(s, c);
 }
 
@@ -719,8 +773,9 @@ metal::float2 sin_cos_short(
 float log2_one_minus(
     float y
 ) {
-    float series = (-(y) * LOG2_E) * (1.0 + (y * (0.5 + (y * (0.33333334 + (y * (0.25 + (y * 0.2))))))));
-    return (y < 0.0625) ? series : metal::log2(metal::max(1.0 - y, 0.0000000000000000000000000000007888609));
+    float series = -y * LOG2_E * (1.0 + y * (0.5 + y * (0.33333334 + y * (0.25 + y * 0.2))));
+    return y < 0.0625 ? series : metal::log2(metal::max(1.0 - y,
+        0.0000000000000000000000000000007888609));
 }
 
 /// The angle between the unit vectors d and l, from the chords |d - l| and |d + l|.
@@ -731,7 +786,7 @@ Angle angle_between(
 ) {
     float p = metal::length(d - l);
     float s = metal::length(d + l);
-    float k = 1.0 / metal::sqrt(metal::max((p * p) + (s * s), 0.000000000000000000000000000001));
+    float k = 1.0 / metal::sqrt(metal::max(p * p + s * s, 0.000000000000000000000000000001));
     return Angle {p * k, s * k};
 }
 
@@ -748,11 +803,14 @@ float atan2_positive(
     float t = small / large;
     // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
     bool is_wide = t > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t;
+    float r = is_wide ? (small - large) / (small + large) : t;
     float r2 = r * r;
-    float series = r * (1.0 + (r2 * (-0.33333334 + (r2 * (0.2 + (r2 * (-0.14285715 + (r2 * (0.11111111 + (r2 * (-0.09090909 + (r2 * (0.07692308 + (r2 * (-0.06666667 + (r2 * 0.05882353))))))))))))))));
-    float a = is_wide ? (series + 0.7853982) : series;
-    return (y > x) ? (HALF_PI - a) : a;
+    float series = r * (1.0 + r2 * (-0.33333334 + r2
+        * (0.2 + r2 * (-0.14285715 + r2
+        * (0.11111111 + r2 * (-0.09090909 + r2
+        * (0.07692308 + r2 * (-0.06666667 + r2 * 0.05882353))))))));
+    float a = is_wide ? series + 0.7853982 : series;
+    return y > x ? HALF_PI - a : a;
 }
 
 /// The angle u in radians.
@@ -776,9 +834,9 @@ Angle angle_turned(
     Angle u,
     metal::float2 t
 ) {
-    float s = (u.half_sin * t.y) - (u.half_cos * t.x);
-    float c = (u.half_cos * t.y) + (u.half_sin * t.x);
-    metal::float2 upper = (c <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s, c);
+    float s = u.half_sin * t.y - u.half_cos * t.x;
+    float c = u.half_cos * t.y + u.half_sin * t.x;
+    metal::float2 upper = c <= 0.0 ? metal::float2(1.0, 0.0) : metal::float2(s, c);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
     metal::float2 turned = ((s <= 0.0) & (s < c)) ? metal::float2(0.0, 1.0) : upper;
@@ -824,7 +882,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -834,8 +892,10 @@ metal::float2 bounded_vec2(
 ) {
     metal::uint2 bits = as_type<metal::uint2>(v);
     metal::uint2 magnitude = bits & metal::uint2(2147483647u);
-    metal::float2 largest = as_type<metal::float2>((bits & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
-    metal::float2 numbers = metal::select(metal::float2(0.0), largest, magnitude == metal::uint2(2139095040u));
+    metal::float2 largest = as_type<metal::float2>((bits & metal::uint2(2147483648u))
+        | metal::uint2(2139095039u));
+    metal::float2 numbers = metal::select(metal::float2(0.0), largest,
+        magnitude == metal::uint2(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint2(2139095040u));
 }
 
@@ -846,8 +906,10 @@ metal::float3 bounded_vec3(
 ) {
     metal::uint3 bits = as_type<metal::uint3>(v);
     metal::uint3 magnitude = bits & metal::uint3(2147483647u);
-    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
-    metal::float3 numbers = metal::select(metal::float3(0.0), largest, magnitude == metal::uint3(2139095040u));
+    metal::float3 largest = as_type<metal::float3>((bits & metal::uint3(2147483648u))
+        | metal::uint3(2139095039u));
+    metal::float3 numbers = metal::select(metal::float3(0.0), largest,
+        magnitude == metal::uint3(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint3(2139095040u));
 }
 
@@ -858,8 +920,10 @@ metal::float4 bounded_vec4(
 ) {
     metal::uint4 bits = as_type<metal::uint4>(v);
     metal::uint4 magnitude = bits & metal::uint4(2147483647u);
-    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
-    metal::float4 numbers = metal::select(metal::float4(0.0), largest, magnitude == metal::uint4(2139095040u));
+    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u))
+        | metal::uint4(2139095039u));
+    metal::float4 numbers = metal::select(metal::float4(0.0), largest,
+        magnitude == metal::uint4(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint4(2139095040u));
 }
 
@@ -883,13 +947,13 @@ float modulo_floored(
     if (size < SMALLEST_NORMAL) {
         return 0.0;
     }
-    float turned = (y > 0.0) ? x : -(x);
+    float turned = y > 0.0 ? x : -x;
     // Rounding may put the remainder just outside of its range, and far outside where x / y has no
     // digits left.
-    float left = bounded(turned - (size * metal::floor(bounded(turned / size))));
-    float wrapped = (left < 0.0) ? (left + size) : left;
+    float left = bounded(turned - size * metal::floor(bounded(turned / size)));
+    float wrapped = left < 0.0 ? left + size : left;
     float inside = ((wrapped >= 0.0) & (wrapped < size)) ? wrapped : 0.0;
-    return (y > 0.0) ? inside : -(inside);
+    return y > 0.0 ? inside : -inside;
 }
 
 /// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
@@ -917,9 +981,9 @@ float powered(
     }
     float magnitude = metal::abs(b);
     float raised = exp2_stable(bounded(e * log2_stable(metal::max(magnitude, SMALLEST_NORMAL))));
-    bool is_even = metal::floor(e * 0.5) == (e * 0.5);
-    float signed_ = ((b < 0.0) & !(is_even)) ? -(raised) : raised;
-    return (magnitude < SMALLEST_NORMAL) ? 0.0 : signed_;
+    bool is_even = metal::floor(e * 0.5) == e * 0.5;
+    float signed_ = ((b < 0.0) & !is_even) ? -raised : raised;
+    return magnitude < SMALLEST_NORMAL ? 0.0 : signed_;
 }
 
 /// [`powered`], component by component.
@@ -931,7 +995,8 @@ metal::float3 powered_vec3(
     metal::float3 base,
     float exponent
 ) {
-    return metal::float3(powered(base.x, exponent), powered(base.y, exponent), powered(base.z, exponent));
+    return metal::float3(powered(base.x, exponent), powered(base.y, exponent),
+        powered(base.z, exponent));
 }
 
 /// e^x; 0 far below, the largest number from 88.73 on.
@@ -960,7 +1025,7 @@ float mixed(
     float t
 ) {
     float d = bounded(b - a);
-    return bounded((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d)));
+    return bounded(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// [`mixed`], component by component.
@@ -971,7 +1036,7 @@ metal::float2 mixed_vec2(
     float t
 ) {
     metal::float2 d = bounded_vec2(b - a);
-    return bounded_vec2((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d)));
+    return bounded_vec2(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// [`mixed`], component by component.
@@ -982,7 +1047,7 @@ metal::float3 mixed_vec3(
     float t
 ) {
     metal::float3 d = bounded_vec3(b - a);
-    return bounded_vec3((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d)));
+    return bounded_vec3(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// [`mixed`], component by component.
@@ -993,7 +1058,7 @@ metal::float4 mixed_vec4(
     float t
 ) {
     metal::float4 d = bounded_vec4(b - a);
-    return bounded_vec4((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d)));
+    return bounded_vec4(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
@@ -1005,7 +1070,7 @@ float place_between(
 ) {
     float span = high - low;
     if (metal::abs(span) < SMALLEST_NORMAL) {
-        return (x >= high) ? 1.0 : 0.0;
+        return x >= high ? 1.0 : 0.0;
     }
     return bounded((x - low) / bounded(span));
 }
@@ -1036,7 +1101,7 @@ float eased(
     float high
 ) {
     float t = metal::clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
-    return (t * t) * (3.0 - (2.0 * t));
+    return t * t * (3.0 - 2.0 * t);
 }
 
 /// A factor as it is, or kept within 0 and 1 when `clamped`.
@@ -1122,20 +1187,20 @@ float cosine_of(
     float x
 ) {
     float b = bounded(x);
-    float turns = metal::rint((b * 0.31830987) - 0.5);
+    float turns = metal::rint(b * 0.31830987 - 0.5);
     float middle = turns + 0.5;
     float coarse = metal::fma(middle, -0.00096702576, metal::fma(middle, -3.140625, b));
     float r = metal::fma(middle, -0.00000062783295, coarse);
-    return sine_turned(-(metal::clamp(r, -1.6, 1.6)), turns);
+    return sine_turned(-metal::clamp(r, -1.6, 1.6), turns);
 }
 
 /// [`cosine_of`] where two parts of pi are enough.
 float cosine_near(
     float x
 ) {
-    float turns = metal::rint((x * 0.31830987) - 0.5);
+    float turns = metal::rint(x * 0.31830987 - 0.5);
     float middle = turns + 0.5;
-    float r = metal::fma(middle, 0.0009676536, metal::fma(middle, 3.140625, -(x)));
+    float r = metal::fma(middle, 0.0009676536, metal::fma(middle, 3.140625, -x));
     return sine_turned(r, turns);
 }
 
@@ -1145,8 +1210,10 @@ float cosine_low(
     float r
 ) {
     float y = r * r;
-    float high = metal::fma(y, metal::fma(y, 0.0000000018474174, -0.00000027357322), 0.000024793637);
-    return metal::fma(y, metal::fma(y, metal::fma(y, metal::fma(y, high, -0.0013888741), 0.041666657), -0.5), 1.0);
+    float high = metal::fma(y, metal::fma(y, 0.0000000018474174, -0.00000027357322),
+        0.000024793637);
+    return metal::fma(y, metal::fma(y,
+        metal::fma(y, metal::fma(y, high, -0.0013888741), 0.041666657), -0.5), 1.0);
 }
 
 /// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the
@@ -1165,10 +1232,10 @@ float angle_of_point(
 ) {
     // Coordinates are halved where they are large, so that the sum of both stays finite.
     metal::float2 p = metal::abs(bounded_vec2(metal::float2(x, y)));
-    metal::float2 scaled = (metal::max(p.x, p.y) > 1.0) ? (0.5 * p) : p;
+    metal::float2 scaled = metal::max(p.x, p.y) > 1.0 ? 0.5 * p : p;
     float a = atan2_positive(scaled.y, scaled.x);
-    float turned = (x < 0.0) ? (PI - a) : a;
-    return (y < 0.0) ? -(turned) : turned;
+    float turned = x < 0.0 ? PI - a : a;
+    return y < 0.0 ? -turned : turned;
 }
 
 /// Farthest that a line is known from its edge, in pixels: so many steps of 1/800 of the picture's
@@ -1196,7 +1263,7 @@ metal::float4 own_nearness(
     bool local_4 = {};
     bool is_same_object = middle.y == object_number(object);
     float behind = (depth - middle.x) * pixels;
-    if (!((metal::abs(middle.y) < 0.5))) {
+    if (!(metal::abs(middle.y) < 0.5)) {
         if (is_same_object) {
             local_4 = metal::abs(behind) <= 8.0625;
         } else {
@@ -1219,7 +1286,8 @@ float line_pixels(
     float width,
     float pixels
 ) {
-    return metal::clamp(bounded(width), 0.0, 1000000.0) * metal::clamp(bounded(pixels), 0.0, 1000000.0);
+    return metal::clamp(bounded(width), 0.0, 1000000.0)
+        * metal::clamp(bounded(pixels), 0.0, 1000000.0);
 }
 
 /// Widths of lines of each kind: shares of one width, `ids` that of borders of ids.
@@ -1229,10 +1297,12 @@ LineWidths line_widths(
     float ids
 ) {
     metal::float4 bounded_vec4_value = bounded_vec4(shares);
-    metal::float4 widths = metal::min(width, 10000.0) * metal::clamp(bounded_vec4_value, metal::float4(0.0), metal::float4(100.0));
+    metal::float4 widths = metal::min(width, 10000.0)
+        * metal::clamp(bounded_vec4_value, metal::float4(0.0), metal::float4(100.0));
     float id_width = metal::min(width, 10000.0) * metal::clamp(bounded(ids), 0.0, 100.0);
     // What no pixel can show is no line.
-    return LineWidths {metal::select(metal::float4(0.0), widths, widths > metal::float4(0.000001)), (id_width > 0.000001) ? id_width : 0.0};
+    return LineWidths {metal::select(metal::float4(0.0), widths, widths > metal::float4(0.000001)),
+        id_width > 0.000001 ? id_width : 0.0};
 }
 
 /// Widths of the four lines that are near: a negative nearness in the place of materials is that of
@@ -1241,7 +1311,7 @@ metal::float4 widths_near(
     metal::float4 nearness,
     LineWidths widths
 ) {
-    return metal::float4(widths.kinds.xyz, (nearness.w < 0.0) ? widths.ids : widths.kinds.w);
+    return metal::float4(widths.kinds.xyz, nearness.w < 0.0 ? widths.ids : widths.kinds.w);
 }
 
 /// Share of a pixel that lines cover which lie on one side of their edges: from the edge, which is
@@ -1250,7 +1320,7 @@ float inner_line_covers(
     float distance,
     float width
 ) {
-    return metal::clamp((width + 0.5) - distance, 0.0, metal::min(width, 1.0));
+    return metal::clamp(width + 0.5 - distance, 0.0, metal::min(width, 1.0));
 }
 
 /// Share of a pixel that lines cover which lie evenly on both sides of their edges.
@@ -1259,7 +1329,9 @@ metal::float4 middle_line_covers(
     metal::float4 width
 ) {
     metal::float4 half_ = 0.5 * width;
-    return metal::clamp(metal::min(distance + metal::float4(0.5), half_) - metal::max(distance - metal::float4(0.5), -(half_)), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::min(distance + metal::float4(0.5), half_)
+        - metal::max(distance - metal::float4(0.5), -half_), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// What a line of any kind covers of a pixel, by how much nearer than the reach the edges of each
@@ -1269,9 +1341,11 @@ float any_line_covers(
     LineWidths widths,
     float reach
 ) {
-    metal::float4 near = metal::clamp(bounded_vec4(nearness), metal::float4(-(reach)), metal::float4(reach));
+    metal::float4 near = metal::clamp(bounded_vec4(nearness), metal::float4(-reach),
+        metal::float4(reach));
     metal::float4 widths_near_value = widths_near(near, widths);
-    metal::float4 own = metal::select(metal::float4(0.0), widths_near_value, metal::abs(near) > metal::float4(0.000001));
+    metal::float4 own = metal::select(metal::float4(0.0), widths_near_value, metal::abs(near)
+        > metal::float4(0.000001));
     metal::float4 covers = middle_line_covers(metal::float4(reach) - metal::abs(near), own);
     return metal::max(metal::max(covers.x, covers.y), metal::max(covers.z, covers.w));
 }
@@ -1285,7 +1359,8 @@ metal::float4 lines_cover(
     float reach
 ) {
     metal::float4 distance = metal::float4(reach) - nearness;
-    metal::float4 covers = metal::float4(inner_line_covers(distance.x, widths.x), middle_line_covers(distance, widths).yzw);
+    metal::float4 covers = metal::float4(inner_line_covers(distance.x, widths.x),
+        middle_line_covers(distance, widths).yzw);
     return metal::select(metal::float4(0.0), covers, nearness > metal::float4(0.000001));
 }
 
@@ -1296,9 +1371,9 @@ bool is_same_surface(
     metal::float2 offset
 ) {
     bool local_5 = {};
-    float error = metal::abs((texel.z - own.depth) - metal::dot(own.rise, offset));
+    float error = metal::abs(texel.z - own.depth - metal::dot(own.rise, offset));
     if (object_in(texel.w) == object_in(own.object)) {
-        local_5 = error <= ((3.0 * own.tolerance) * metal::max(metal::length(offset), 1.0));
+        local_5 = error <= 3.0 * own.tolerance * metal::max(metal::length(offset), 1.0);
     } else {
         local_5 = false;
     }
@@ -1324,7 +1399,8 @@ metal::float4 nearest_in_column(
     metal::float4 codes = metal::float4(0.0);
     int row = {};
     bool local_6 = {};
-    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
+        surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
     row = metal::max(naga_neg(reach), naga_neg(pixel.y));
     bool loop_init = true;
     while(true) {
@@ -1332,18 +1408,21 @@ metal::float4 nearest_in_column(
             row = as_type<int>(as_type<uint>(row) + as_type<uint>(1));
         }
         loop_init = false;
-        if (row <= metal::min(reach, as_type<int>(as_type<uint>(last.y) - as_type<uint>(pixel.y)))) {
+        if (row <= metal::min(reach, as_type<int>(as_type<uint>(last.y)
+            - as_type<uint>(pixel.y)))) {
         } else {
             break;
         }
         {
-            metal::int2 at = as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(metal::int2(0, row)));
+            metal::int2 at = as_type<metal::int2>(as_type<metal::uint2>(pixel)
+                + as_type<metal::uint2>(metal::int2(0, row)));
             metal::float4 found = edges.read(metal::uint2(at), 0);
             if (metal::all(found == metal::float4(0.0))) {
                 continue;
             }
-            if (!(of_all)) {
-                local_6 = !(is_same_surface(own, surface.read(metal::uint2(at), 0), metal::float2(0.0, static_cast<float>(row))));
+            if (!of_all) {
+                local_6 = !is_same_surface(own, surface.read(metal::uint2(at), 0),
+                    metal::float2(0.0, static_cast<float>(row)));
             } else {
                 local_6 = false;
             }
@@ -1352,12 +1431,16 @@ metal::float4 nearest_in_column(
             }
             metal::float4 fine = metal::abs(found);
             EdgeLines edges_of_value = edges_of(fine, 4096.0);
-            metal::float4 middle_distances_value = middle_distances(edges_of_value, metal::float4(0.0), metal::float4(static_cast<float>(row)), of_all);
-            metal::float4 distances = metal::select(metal::float4(1000000000.0), middle_distances_value, fine > metal::float4(0.0));
+            metal::float4 middle_distances_value = middle_distances(edges_of_value,
+                metal::float4(0.0), metal::float4(static_cast<float>(row)), of_all);
+            metal::float4 distances = metal::select(metal::float4(1000000000.0),
+                middle_distances_value, fine > metal::float4(0.0));
             metal::bool4 is_nearer = distances < nearest;
             nearest = metal::select(nearest, distances, is_nearer);
-            metal::float4 coarse = coarse_codes(fine) + metal::float4(262144.0 * (static_cast<float>(row) + 31.0));
-            codes = metal::select(codes, metal::select(coarse, -(coarse), found < metal::float4(0.0)), is_nearer);
+            metal::float4 coarse = coarse_codes(fine)
+                + metal::float4(262144.0 * (static_cast<float>(row) + 31.0));
+            codes = metal::select(codes, metal::select(coarse, -coarse, found < metal::float4(0.0)),
+                is_nearer);
         }
     }
     return codes;
@@ -1365,9 +1448,11 @@ metal::float4 nearest_in_column(
 
 struct vs_mainInput {
 };
+
 struct vs_mainOutput {
     metal::float4 member [[position]];
 };
+
 vertex vs_mainOutput vs_main(
   uint index [[vertex_id]]
 ) {
@@ -1381,9 +1466,11 @@ metal::int2 naga_f2i32(metal::float2 value) {
 
 struct fs_mainInput {
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   metal::float4 position [[position]]
 , metal::texture2d<float, metal::access::sample> surface [[texture(0)]]
@@ -1403,6 +1490,8 @@ fragment fs_mainOutput fs_main(
         return fs_mainOutput { metal::float4(0.0) };
     }
     float reach = line_reach(curvature.viewport_height, 16.0);
-    Plane own = plane_of(metal::abs(seen_pixel_value.texel.w), seen_pixel_value.texel.z, normal_of(seen), curvature);
-    return fs_mainOutput { nearest_in_column(pixel, own, naga_f2i32(reach), false, surface, edges) };
+    Plane own = plane_of(metal::abs(seen_pixel_value.texel.w), seen_pixel_value.texel.z,
+        normal_of(seen), curvature);
+    return fs_mainOutput { nearest_in_column(pixel, own, naga_f2i32(reach), false, surface,
+        edges) };
 }

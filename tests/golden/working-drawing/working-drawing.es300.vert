@@ -16,12 +16,14 @@ struct View {
     /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     vec4 screen;
 };
+
 struct Object {
     mat4x4 world_from_object;
     /// The inverse transpose, for normals.
     mat3x3 world_from_normal;
     float id;
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -35,15 +37,18 @@ struct Ramp {
     /// until the next stop.
     uint interpolation;
 };
+
 struct Vertex {
     vec3 position;
     vec3 normal;
 };
+
 struct Varyings {
     vec4 clip;
     vec3 position;
     vec3 normal;
 };
+
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint INTERPOLATION_SMOOTH = 1u;
 const uint INTERPOLATION_STEPPED = 2u;
@@ -51,7 +56,10 @@ const uint INTERPOLATION_STEPPED = 2u;
 const float MOST_ON_SCREEN = 1000000000000000.0;
 /// What is no nearer than this many pixels is not near at all: less is rounding.
 const float LEAST_NEARNESS = 1e-6;
-const Ramp paper = Ramp(vec4[16](vec4(0.8, 0.845, 0.885, 1.0), vec4(0.955, 0.965, 0.955, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.75, 0.0, 0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 2u, 1u);
+const Ramp paper = Ramp(vec4[16](vec4(0.8, 0.845, 0.885, 1.0), vec4(0.955, 0.965, 0.955, 1.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
+    vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)),
+    vec4[4](vec4(0.0, 0.75, 0.0, 0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 2u, 1u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -64,11 +72,10 @@ smooth out vec3 v_normal;
 
 void main() {
     Vertex vertex = Vertex(a_position, a_normal);
-    vec4 world = (u_object.world_from_object * vec4(vertex.position, 1.0));
-    Varyings _tmp_return = Varyings((u_view.clip_from_world * world), world.xyz, (u_object.world_from_normal * vertex.normal));
-    gl_Position = _tmp_return.clip;
-    v_position = _tmp_return.position;
-    v_normal = _tmp_return.normal;
-    return;
+    vec4 world = u_object.world_from_object * vec4(vertex.position, 1.0);
+    Varyings varyings = Varyings(u_view.clip_from_world * world, world.xyz,
+        u_object.world_from_normal * vertex.normal);
+    gl_Position = varyings.clip;
+    v_position = varyings.position;
+    v_normal = varyings.normal;
 }
-

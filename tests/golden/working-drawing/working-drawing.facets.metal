@@ -16,6 +16,7 @@ struct View {
     /// The eye and 1; for parallel projection the direction toward the viewer and 0.
     metal::float4 eye;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -25,14 +26,17 @@ struct Object {
     float material;
     char _pad4[8];
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
@@ -46,7 +50,8 @@ metal::float3 normalize_moderate(
     metal::float3 otherwise
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return square > 0.000000000000000000000000000001 ? v
+        * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001)) : otherwise;
 }
 
 /// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
@@ -73,14 +78,14 @@ metal::float4 surface_texel(
     float number
 ) {
     metal::float2 slope_of_value = slope_of(normal);
-    return metal::float4(slope_of_value, depth, (normal.z < 0.0) ? -(number) : number);
+    return metal::float4(slope_of_value, depth, normal.z < 0.0 ? -number : number);
 }
 
 /// The number of an object in texels, from 1 on.
 float object_number(
     float object
 ) {
-    return (object - (4096.0 * metal::floor(object / 4096.0))) + 1.0;
+    return object - 4096.0 * metal::floor(object / 4096.0) + 1.0;
 }
 
 /// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
@@ -91,9 +96,10 @@ float facet_number(
     float material,
     float id
 ) {
-    float whole = metal::rint((metal::abs(id) <= 1000000.0) ? id : 0.0);
-    float parts = ((128.0 * (material - (32.0 * metal::floor(material / 32.0)))) + whole) - (128.0 * metal::floor(whole / 128.0));
-    return object_number(object) + (parts / 4096.0);
+    float whole = metal::rint(metal::abs(id) <= 1000000.0 ? id : 0.0);
+    float parts = 128.0 * (material - 32.0 * metal::floor(material / 32.0)) + whole - 128.0
+        * metal::floor(whole / 128.0);
+    return object_number(object) + parts / 4096.0;
 }
 
 /// The normal that the passes of lines see.
@@ -107,11 +113,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal_2 [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -119,7 +127,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal_2 };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -128,9 +137,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal_2 [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -141,16 +152,17 @@ fragment fs_mainOutput fs_main(
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     bool local = {};
     metal::float3 facing = normalize_seen(in.normal);
-    metal::float3 toward = metal::normalize(view.eye.xyz - (view.eye.w * in.position));
-    if (!(is_front)) {
+    metal::float3 toward = metal::normalize(view.eye.xyz - view.eye.w * in.position);
+    if (!is_front) {
         local = metal::dot(facing, toward) < -0.1;
     } else {
         local = false;
     }
     bool is_behind = local;
-    metal::float3 normal = is_behind ? -(facing) : facing;
+    metal::float3 normal = is_behind ? -facing : facing;
     Surface surface = Surface {normal};
     metal::float3 seen = (view.camera_from_world * metal::float4(shade(surface), 0.0)).xyz;
-    float depth = -((view.camera_from_world * metal::float4(in.position, 1.0)).z);
-    return fs_mainOutput { surface_texel(seen, depth, facet_number(object.id, object.material, 0.0)) };
+    float depth = -(view.camera_from_world * metal::float4(in.position, 1.0)).z;
+    return fs_mainOutput { surface_texel(seen, depth,
+        facet_number(object.id, object.material, 0.0)) };
 }

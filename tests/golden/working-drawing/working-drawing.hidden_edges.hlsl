@@ -125,7 +125,7 @@ struct FragmentInput_fs_main {
 /// The slope n.xy / n.z of a normal in camera axes.
 float2 slope_of(float3 normal)
 {
-    return (normal.xy / (max(normal.z, 0.2)).xx);
+    return normal.xy / (max(normal.z, 0.2)).xx;
 }
 
 /// The surface that a pixel shows, in one texel: its slope in xy, its depth in z, and in w the
@@ -134,13 +134,13 @@ float2 slope_of(float3 normal)
 float4 surface_texel(float3 normal, float depth, float number)
 {
     const float2 slope_of_value = slope_of(normal);
-    return float4(slope_of_value, depth, ((normal.z < 0.0) ? -(number) : number));
+    return float4(slope_of_value, depth, normal.z < 0.0 ? -number : number);
 }
 
 /// The number of an object in texels, from 1 on.
 float object_number(float object)
 {
-    return ((object - (4096.0 * floor((object / 4096.0)))) + 1.0);
+    return object - 4096.0 * floor(object / 4096.0) + 1.0;
 }
 
 /// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
@@ -148,9 +148,10 @@ float object_number(float object)
 /// 0.
 float facet_number(float object, float material, float id)
 {
-    float whole = round(((abs(id) <= 1000000.0) ? id : 0.0));
-    float parts = (((128.0 * (material - (32.0 * floor((material / 32.0))))) + whole) - (128.0 * floor((whole / 128.0))));
-    return (object_number(object) + (parts / 4096.0));
+    float whole = round(abs(id) <= 1000000.0 ? id : 0.0);
+    float parts = 128.0 * (material - 32.0 * floor(material / 32.0)) + whole - 128.0
+        * floor(whole / 128.0);
+    return object_number(object) + parts / 4096.0;
 }
 
 /// The normal that a texel was made from.
@@ -158,17 +159,17 @@ float3 normal_of(float4 texel)
 {
     // Below LEAST_NZ the slope is n.xy by a constant, and n.z is what is left of the length 1;
     // elsewhere that is no less than LEAST_NZ, and the normal points along the slope and 1.
-    float2 aside = (0.2 * texel.xy);
-    float rest = sqrt(max((1.0 - dot(aside, aside)), 0.0));
-    float nz = ((texel.w < 0.0) ? -(rest) : rest);
-    float3 facing = (float3(texel.xy, 1.0) / (sqrt((1.0 + dot(texel.xy, texel.xy)))).xxx);
-    return ((nz >= 0.2) ? facing : float3(aside, nz));
+    float2 aside = 0.2 * texel.xy;
+    float rest = sqrt(max(1.0 - dot(aside, aside), 0.0));
+    float nz = texel.w < 0.0 ? -rest : rest;
+    float3 facing = float3(texel.xy, 1.0) / (sqrt(1.0 + dot(texel.xy, texel.xy))).xxx;
+    return nz >= 0.2 ? facing : float3(aside, nz);
 }
 
 /// A triangle over the whole picture.
 float4 whole_picture(uint index)
 {
-    return float4(((float((index & 1u)) * 4.0) - 1.0), ((float((index >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+    return float4(float((index & 1u)) * 4.0 - 1.0, float((index >> 1u)) * 4.0 - 1.0, 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
@@ -179,21 +180,21 @@ int naga_f2i32(float value) {
 /// curvature, not a finer one.
 int step_pixels()
 {
-    return max(naga_f2i32(round((curvature.viewport_height / 800.0))), int(1));
+    return max(naga_f2i32(round(curvature.viewport_height / 800.0)), int(1));
 }
 
 /// 1 where a row of the image lies above the row before it, -1 where it lies below.
 float row_direction()
 {
-    return ((curvature.rows_up > 0.5) ? 1.0 : -1.0);
+    return curvature.rows_up > 0.5 ? 1.0 : -1.0;
 }
 
 /// Offset to one of the eight pixels around a pixel, by an index from 0 to 7; the nearest first.
 int2 around(int index)
 {
     int side = asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint((index & int(1))))));
-    int2 straight = ((index < int(2)) ? int2(side, int(0)) : int2(int(0), side));
-    return ((index > int(3)) ? int2(side, asint(asuint(int(1)) - asuint((index & int(2))))) : straight);
+    int2 straight = index < int(2) ? int2(side, int(0)) : int2(int(0), side);
+    return index > int(3) ? int2(side, asint(asuint(int(1)) - asuint((index & int(2))))) : straight;
 }
 
 SeenPixel ConstructSeenPixel(int2 arg0, float4 arg1) {
@@ -222,33 +223,32 @@ SeenPixel seen_pixel(int2 pixel)
 
     seen = ConstructSeenPixel(pixel, surface.Load(int3(pixel, int(0))));
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    if ((curvature.samples >= 2.0)) {
-        local_1 = (seen.texel.w == 0.0);
+    if (curvature.samples >= 2.0) {
+        local_1 = seen.texel.w == 0.0;
     } else {
         local_1 = false;
     }
     bool may_be_missed = local_1;
-    index = (may_be_missed ? int(7) : int(-1));
+    index = may_be_missed ? int(7) : int(-1);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
             index = asint(asuint(index) - asuint(int(1)));
         }
         loop_init = false;
-        if ((index >= int(0))) {
+        if (index >= int(0)) {
         } else {
             break;
         }
         {
             int2 near = clamp(asint(asuint(pixel) + asuint(around(index))), (int(0)).xx, last);
             float4 texel = surface.Load(int3(near, int(0)));
-            if ((texel.w != 0.0)) {
+            if (texel.w != 0.0) {
                 seen = ConstructSeenPixel(near, texel);
             }
         }
     }
-    const SeenPixel seenpixel = seen;
-    return seenpixel;
+    return seen;
 }
 
 Plane ConstructPlane(float arg0, float arg1, float2 arg2, float arg3) {
@@ -262,22 +262,22 @@ Plane ConstructPlane(float arg0, float arg1, float2 arg2, float arg3) {
 
 Plane plane_of(float object, float depth, float3 normal)
 {
-    float pixel = (curvature.pixel * lerp(1.0, depth, curvature.perspective));
-    float2 gradient = (normal.xy / (max(normal.z, 0.02)).xx);
+    float pixel = curvature.pixel * lerp(1.0, depth, curvature.perspective);
+    float2 gradient = normal.xy / (max(normal.z, 0.02)).xx;
     const float row_direction_value = row_direction();
-    const Plane plane_1 = ConstructPlane(object, depth, ((pixel * gradient) * float2(1.0, row_direction_value)), ((2.0 * pixel) * (1.0 + length(gradient))));
-    return plane_1;
+    return ConstructPlane(object, depth, pixel * gradient * float2(1.0, row_direction_value), 2.0
+        * pixel * (1.0 + length(gradient)));
 }
 
 /// Weights of four neighbors that are `distance` pixels away, 0 to 1, by their objects, their
 /// depths, and the rises of depth to them on the plane.
 float4 neighbor_weights(Plane plane, float4 objects, float4 depths, float4 rises, float distance_)
 {
-    float4 error = abs(((depths - (plane.depth).xxxx) - rises));
-    float scale = (1.0 / max((plane.tolerance * distance_), 1e-30));
+    float4 error = abs(depths - (plane.depth).xxxx - rises);
+    float scale = 1.0 / max(plane.tolerance * distance_, 1e-30);
     // The weight fades, so that the last bit of a depth does not decide between all and nothing.
-    float4 weights = clamp(((2.0).xxxx - (error * scale)), (0.0).xxxx, (1.0).xxxx);
-    return ((objects == (plane.object).xxxx) ? weights : (0.0).xxxx);
+    float4 weights = clamp((2.0).xxxx - error * scale, (0.0).xxxx, (1.0).xxxx);
+    return objects == (plane.object).xxxx ? weights : (0.0).xxxx;
 }
 
 Center ConstructCenter(int2 arg0, float2 arg1, Plane arg2) {
@@ -293,8 +293,7 @@ Center center_at(int2 pixel)
 {
     const SeenPixel seen = seen_pixel(pixel);
     float4 texel = seen.texel;
-    const Center center_2 = ConstructCenter(seen.at, texel.xy, plane_of(abs(texel.w), texel.z, normal_of(texel)));
-    return center_2;
+    return ConstructCenter(seen.at, texel.xy, plane_of(abs(texel.w), texel.z, normal_of(texel)));
 }
 
 Ring ConstructRing(float4 arg0, float4 arg1, float4 arg2) {
@@ -312,34 +311,38 @@ Ring ring_at(Center center_, int steps, float weight)
     float distance_ = float(reach);
     int2 at = center_.at;
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    float4 a = surface.Load(int3(int2(min(asint(asuint(at.x) + asuint(reach)), last.x), at.y), int(0)));
-    float4 b = surface.Load(int3(int2(max(asint(asuint(at.x) - asuint(reach)), int(0)), at.y), int(0)));
-    float4 c = surface.Load(int3(int2(at.x, min(asint(asuint(at.y) + asuint(reach)), last.y)), int(0)));
-    float4 d = surface.Load(int3(int2(at.x, max(asint(asuint(at.y) - asuint(reach)), int(0))), int(0)));
+    float4 a = surface.Load(int3(int2(min(asint(asuint(at.x) + asuint(reach)), last.x), at.y),
+        int(0)));
+    float4 b = surface.Load(int3(int2(max(asint(asuint(at.x) - asuint(reach)), int(0)), at.y),
+        int(0)));
+    float4 c = surface.Load(int3(int2(at.x, min(asint(asuint(at.y) + asuint(reach)), last.y)),
+        int(0)));
+    float4 d = surface.Load(int3(int2(at.x, max(asint(asuint(at.y) - asuint(reach)), int(0))),
+        int(0)));
     // Beyond the image nothing is.
-    bool4 is_inside = (int4(asint(asuint(last.x) - asuint(at.x)), at.x, asint(asuint(last.y) - asuint(at.y)), at.y) >= (reach).xxxx);
-    float4 objects = (is_inside ? abs(float4(a.w, b.w, c.w, d.w)) : (0.0).xxxx);
-    float2 rise = (distance_ * center_.plane.rise);
-    float4 rises = float4(rise.x, -(rise.x), rise.y, -(rise.y));
-    const float4 neighbor_weights_value = neighbor_weights(center_.plane, objects, float4(a.z, b.z, c.z, d.z), rises, distance_);
-    float4 shares = ((weight * distance_) * neighbor_weights_value);
-    const Ring ring_1 = ConstructRing((shares * (float4(a.x, b.x, c.x, d.x) - (center_.slope.x).xxxx)), (shares * (float4(a.y, b.y, c.y, d.y) - (center_.slope.y).xxxx)), (shares * distance_));
-    return ring_1;
+    bool4 is_inside = int4(asint(asuint(last.x) - asuint(at.x)), at.x,
+        asint(asuint(last.y) - asuint(at.y)), at.y) >= (reach).xxxx;
+    float4 objects = is_inside ? abs(float4(a.w, b.w, c.w, d.w)) : (0.0).xxxx;
+    float2 rise = distance_ * center_.plane.rise;
+    float4 rises = float4(rise.x, -rise.x, rise.y, -rise.y);
+    const float4 neighbor_weights_value = neighbor_weights(center_.plane, objects,
+        float4(a.z, b.z, c.z, d.z), rises, distance_);
+    float4 shares = weight * distance_ * neighbor_weights_value;
+    return ConstructRing(shares * (float4(a.x, b.x, c.x, d.x) - (center_.slope.x).xxxx), shares
+        * (float4(a.y, b.y, c.y, d.y) - (center_.slope.y).xxxx), shares * distance_);
 }
 
 /// Two rings as one.
 Ring joined(Ring a, Ring b)
 {
-    const Ring ring_2 = ConstructRing((a.x + b.x), (a.y + b.y), (a.weights + b.weights));
-    return ring_2;
+    return ConstructRing(a.x + b.x, a.y + b.y, a.weights + b.weights);
 }
 
 /// The twelve neighbors one, two and three steps away.
 Ring rings_at(Center center_)
 {
     const Ring near = joined(ring_at(center_, int(1), 1.0), ring_at(center_, int(2), 0.85));
-    const Ring ring_3 = joined(near, ring_at(center_, int(3), 0.5));
-    return ring_3;
+    return joined(near, ring_at(center_, int(3), 0.5));
 }
 
 /// The derivatives along x and y, camera axes, from weighted changes to the four sides, as far as
@@ -348,16 +351,16 @@ float2 derivatives(float4 changes, float4 weights)
 {
     // A side that hardly counts any more is left to the other one, gradually.
     float4 trust = smoothstep((0.0).xxxx, (0.5).xxxx, weights);
-    float4 sides = ((changes / max(weights, (1e-6).xxxx)) * trust);
-    float2 along = ((sides.xz - sides.yw) / max((trust.xz + trust.yw), (1e-6).xx));
-    return (along * float2(1.0, row_direction()));
+    float4 sides = changes / max(weights, (1e-6).xxxx) * trust;
+    float2 along = (sides.xz - sides.yw) / max(trust.xz + trust.yw, (1e-6).xx);
+    return along * float2(1.0, row_direction());
 }
 
 /// Mean curvature from the neighbors.
 float mean_curvature(Ring ring)
 {
     const float2 along = derivatives(float4(ring.x.xy, ring.y.zw), ring.weights);
-    return clamp(((0.5 * (along.x + along.y)) * curvature.viewport_height), -10000.0, 10000.0);
+    return clamp(0.5 * (along.x + along.y) * curvature.viewport_height, -10000.0, 10000.0);
 }
 
 /// The number of the object in a texel's number, from 1 on; 0 where nothing is.
@@ -369,25 +372,25 @@ float object_in(float number)
 /// The number of the material in a texel's number, from 0 on.
 float material_in(float number)
 {
-    return floor((frac(abs(number)) * 32.0));
+    return floor(frac(abs(number)) * 32.0);
 }
 
 /// The fine code of an edge by its unit normal and its offset, less than 2 pixels; never 0.
 float edge_code(float2 normal, float offset)
 {
-    float share = (normal.x / max((abs(normal.x) + abs(normal.y)), 1e-20));
-    float turn = ((normal.y >= 0.0) ? (1.0 - share) : (3.0 + share));
-    float direction = min(floor((turn * 1024.0)), 4095.0);
-    float place = floor(((clamp(offset, -1.99, 1.99) + 2.0) * 1024.0));
-    return ((place * 4096.0) + direction);
+    float share = normal.x / max(abs(normal.x) + abs(normal.y), 1e-20);
+    float turn = normal.y >= 0.0 ? 1.0 - share : 3.0 + share;
+    float direction = min(floor(turn * 1024.0), 4095.0);
+    float place = floor((clamp(offset, -1.99, 1.99) + 2.0) * 1024.0);
+    return place * 4096.0 + direction;
 }
 
 /// Codes of few levels from fine ones.
 float4 coarse_codes(float4 codes)
 {
-    float4 place = floor((codes / (4096.0).xxxx));
-    float4 direction = (codes - (4096.0 * place));
-    return ((floor((place * 0.125)) * 512.0) + floor((direction * 0.125)));
+    float4 place = floor(codes / (4096.0).xxxx);
+    float4 direction = codes - 4096.0 * place;
+    return floor(place * 0.125) * 512.0 + floor(direction * 0.125);
 }
 
 EdgeLines ConstructEdgeLines(float4 arg0, float4 arg1, float4 arg2) {
@@ -401,15 +404,15 @@ EdgeLines ConstructEdgeLines(float4 arg0, float4 arg1, float4 arg2) {
 /// The edges that codes of so many levels say, each 0 or more.
 EdgeLines edges_of(float4 codes, float levels)
 {
-    float4 place = floor((codes / (levels).xxxx));
-    float4 turn = (((codes - (levels * place)) + (0.5).xxxx) * (4.0 / levels));
-    bool4 is_back = (turn >= (2.0).xxxx);
-    float4 x = (is_back ? (turn - (3.0).xxxx) : ((1.0).xxxx - turn));
-    float4 rest = ((1.0).xxxx - abs(x));
-    float4 y = (is_back ? -(rest) : rest);
-    float4 size = sqrt(((x * x) + (y * y)));
-    const EdgeLines edgelines = ConstructEdgeLines((x / size), (y / size), (((place + (0.5).xxxx) * (4.0 / levels)) - (2.0).xxxx));
-    return edgelines;
+    float4 place = floor(codes / (levels).xxxx);
+    float4 turn = (codes - levels * place + (0.5).xxxx) * (4.0 / levels);
+    bool4 is_back = turn >= (2.0).xxxx;
+    float4 x = is_back ? turn - (3.0).xxxx : (1.0).xxxx - turn;
+    float4 rest = (1.0).xxxx - abs(x);
+    float4 y = is_back ? -rest : rest;
+    float4 size = sqrt(x * x + y * y);
+    return ConstructEdgeLines(x / size, y / size, (place + (0.5).xxxx) * (4.0 / levels)
+        - (2.0).xxxx);
 }
 
 /// Distances in pixels between a pixel and the middles of the pieces of edges, by the places of the
@@ -420,16 +423,16 @@ float4 middle_distances(EdgeLines edges, float4 columns, float4 rows, bool beyon
 {
     bool local_2 = (bool)0;
 
-    float4 x = (columns + (edges.x * edges.offset));
-    float4 y = (rows + (edges.y * edges.offset));
-    float inward = ((x.x * edges.x.x) + (y.x * edges.y.x));
-    float4 distances = sqrt(((x * x) + (y * y)));
-    if ((inward < -1.0)) {
-        local_2 = !(beyond);
+    float4 x = columns + edges.x * edges.offset;
+    float4 y = rows + edges.y * edges.offset;
+    float inward = x.x * edges.x.x + y.x * edges.y.x;
+    float4 distances = sqrt(x * x + y * y);
+    if (inward < -1.0) {
+        local_2 = !beyond;
     } else {
         local_2 = false;
     }
-    return float4((local_2 ? 1000000000.0 : distances.x), distances.yzw);
+    return float4(local_2 ? 1000000000.0 : distances.x, distances.yzw);
 }
 
 /// Distances in pixels between a pixel and the nearest pieces of edges, by the places of the edges'
@@ -437,19 +440,19 @@ float4 middle_distances(EdgeLines edges, float4 columns, float4 rows, bool beyon
 /// unless `beyond` pixels count as those within do.
 float4 edge_distances(EdgeLines edges, float4 columns, float4 rows, bool beyond)
 {
-    float4 across = ((edges.offset + (edges.x * columns)) + (edges.y * rows));
-    float4 along = abs(((edges.y * columns) - (edges.x * rows)));
+    float4 across = edges.offset + edges.x * columns + edges.y * rows;
+    float4 along = abs(edges.y * columns - edges.x * rows);
     // What is farther along than the edge's own pixel lies beyond the edge's end.
-    float4 past = max((along - (1.0).xxxx), (0.0).xxxx);
-    float inner = (beyond ? abs(across.x) : max(across.x, 0.0));
+    float4 past = max(along - (1.0).xxxx, (0.0).xxxx);
+    float inner = beyond ? abs(across.x) : max(across.x, 0.0);
     float4 side = float4(inner, abs(across.yzw));
-    return sqrt(((side * side) + (past * past)));
+    return sqrt(side * side + past * past);
 }
 
 /// Size in scene units of a pixel at a depth.
 float pixel_size_at(float depth)
 {
-    return (curvature.pixel * lerp(1.0, depth, curvature.perspective));
+    return curvature.pixel * lerp(1.0, depth, curvature.perspective);
 }
 
 Facet ConstructFacet(float3 arg0, float3 arg1, float arg2, float arg3, float2 arg4, float2 arg5) {
@@ -467,13 +470,13 @@ Facet facet_at(int2 at)
 {
     float4 texel = surface.Load(int3(at, int(0)));
     const float3 normal = normal_of(texel);
-    float2 middle = (0.5 * float2(NagaDimensions2D(surface)));
-    float2 from_middle = (((float2(at) + (0.5).xx) - middle) * float2(1.0, row_direction()));
-    float3 toward = float3(((-(curvature.pixel) * curvature.perspective) * from_middle), 1.0);
+    float2 middle = 0.5 * float2(NagaDimensions2D(surface));
+    float2 from_middle = (float2(at) + (0.5).xx - middle) * float2(1.0, row_direction());
+    float3 toward = float3(-curvature.pixel * curvature.perspective * from_middle, 1.0);
     float facing = dot(normal, toward);
-    float2 change = ((pixel_size_at(texel.z) * normal.xy) * float2(1.0, row_direction()));
-    const Facet facet_1 = ConstructFacet(normal, toward, texel.z, abs(texel.w), (change / (max(facing, 0.02)).xx), (change / (max(facing, 0.2)).xx));
-    return facet_1;
+    float2 change = pixel_size_at(texel.z) * normal.xy * float2(1.0, row_direction());
+    return ConstructFacet(normal, toward, texel.z, abs(texel.w), change / (max(facing, 0.02)).xx,
+        change / (max(facing, 0.2)).xx);
 }
 
 /// True if the surfaces of two neighbors meet between them. The nearer one may not reach the other
@@ -482,15 +485,15 @@ bool meets(Facet own, Facet other, float2 step_)
 {
     bool local_3 = (bool)0;
 
-    bool is_nearer = (own.depth <= other.depth);
-    float rise = dot((is_nearer ? own.gentle_rise : own.rise), step_);
-    float other_rise = dot((is_nearer ? other.rise : other.gentle_rise), step_);
-    float here = (own.depth - (other.depth - other_rise));
-    float there = ((own.depth + rise) - other.depth);
+    bool is_nearer = own.depth <= other.depth;
+    float rise = dot(is_nearer ? own.gentle_rise : own.rise, step_);
+    float other_rise = dot(is_nearer ? other.rise : other.gentle_rise, step_);
+    float here = own.depth - (other.depth - other_rise);
+    float there = own.depth + rise - other.depth;
     float steepness = min(length(own.gentle_rise), length(other.gentle_rise));
-    float tolerance = (pixel_size_at(min(own.depth, other.depth)) + steepness);
-    if (!(((here * there) <= 0.0))) {
-        local_3 = (min(abs(here), abs(there)) <= tolerance);
+    float tolerance = pixel_size_at(min(own.depth, other.depth)) + steepness;
+    if (!(here * there <= 0.0)) {
+        local_3 = min(abs(here), abs(there)) <= tolerance;
     } else {
         local_3 = true;
     }
@@ -504,8 +507,8 @@ bool shows(int2 at, float number, float limit)
 
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
     float4 texel = surface.Load(int3(clamp(at, (int(0)).xx, last), int(0)));
-    if ((abs(texel.w) == number)) {
-        local_4 = (texel.z < limit);
+    if (abs(texel.w) == number) {
+        local_4 = texel.z < limit;
     } else {
         local_4 = false;
     }
@@ -523,20 +526,19 @@ Course ConstructCourse(float arg0, float arg1, float arg2) {
 /// The course that fits rows best.
 Course fitted_course(CourseSums sums, bool is_arc)
 {
-    float trust = (sums.count / 11.0);
-    float spread = ((sums.count * sums.xx) - (sums.x * sums.x));
-    float slope = (((sums.count * sums.xy) - (sums.x * sums.y)) / spread);
-    float straight = ((sums.y - (slope * sums.x)) / sums.count);
-    if ((trust < 1.0)) {
-        const Course course_2 = ConstructCourse(clamp(straight, 0.0, 1.0), slope, trust);
-        return course_2;
+    float trust = sums.count / 11.0;
+    float spread = sums.count * sums.xx - sums.x * sums.x;
+    float slope = (sums.count * sums.xy - sums.x * sums.y) / spread;
+    float straight = (sums.y - slope * sums.x) / sums.count;
+    if (trust < 1.0) {
+        return ConstructCourse(clamp(straight, 0.0, 1.0), slope, trust);
     }
     // Over all rows x sums to 0, its fourth powers to 1958.
-    float bent = (((1958.0 * sums.y) - (sums.xx * sums.xxy)) / ((sums.count * 1958.0) - (sums.xx * sums.xx)));
-    float left = (((sums.yy - (straight * sums.y)) - (slope * sums.xy)) / sums.count);
-    float share = clamp(((left - 0.09) / 0.05), 0.0, 1.0);
-    const Course course_3 = ConstructCourse(clamp(lerp(straight, bent, (is_arc ? 1.0 : share)), 0.0, 1.0), slope, trust);
-    return course_3;
+    float bent = (1958.0 * sums.y - sums.xx * sums.xxy) / (sums.count * 1958.0 - sums.xx * sums.xx);
+    float left = (sums.yy - straight * sums.y - slope * sums.xy) / sums.count;
+    float share = clamp((left - 0.09) / 0.05, 0.0, 1.0);
+    return ConstructCourse(clamp(lerp(straight, bent, is_arc ? 1.0 : share), 0.0, 1.0), slope,
+        trust);
 }
 
 int2 naga_abs(int2 val) {
@@ -549,7 +551,8 @@ ret_Constructarray2_float2_ Constructarray2_float2_(float2 arg0, float2 arg1) {
     return ret;
 }
 
-CourseSums ConstructCourseSums(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5, float arg6) {
+CourseSums ConstructCourseSums(float arg0, float arg1, float arg2, float arg3, float arg4,
+    float arg5, float arg6) {
     CourseSums ret = (CourseSums)0;
     ret.count = arg0;
     ret.x = arg1;
@@ -591,19 +594,20 @@ Course course_at(int2 pixel, int2 step_, float number, float limit)
             side = asint(asuint(side) + asuint(int(1)));
         }
         loop_init = false;
-        if ((side < int(2))) {
+        if (side < int(2)) {
         } else {
             break;
         }
         {
-            int2 way = asint(asuint(along) * asuint(asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint(side))))));
+            int2 way = asint(asuint(along)
+                * asuint(asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint(side))))));
             height = int(0);
             is_open = true;
             row = int(1);
             while(true) {
-                if ((row <= int(12))) {
-                    if (!(is_open)) {
-                        local_6 = (row <= int(5));
+                if (row <= int(12)) {
+                    if (!is_open) {
+                        local_6 = row <= int(5);
                     } else {
                         local_6 = true;
                     }
@@ -616,7 +620,9 @@ Course course_at(int2 pixel, int2 step_, float number, float limit)
                     break;
                 }
                 {
-                    int2 at = asint(asuint(asint(asuint(pixel) + asuint(asint(asuint(way) * asuint(row))))) + asuint(asint(asuint(step_) * asuint(height))));
+                    int2 at = asint(asuint(asint(asuint(pixel)
+                        + asuint(asint(asuint(way) * asuint(row)))))
+                        + asuint(asint(asuint(step_) * asuint(height))));
                     change = int(0);
                     if (shows(at, number, limit)) {
                         if (shows(asint(asuint(at) + asuint(step_)), number, limit)) {
@@ -625,61 +631,65 @@ Course course_at(int2 pixel, int2 step_, float number, float limit)
                     } else {
                         change = int(-1);
                     }
-                    if ((change > int(0))) {
-                        local_7 = shows(asint(asuint(at) + asuint(asint(asuint(int(2)) * asuint(step_)))), number, limit);
+                    if (change > int(0)) {
+                        local_7 = shows(asint(asuint(at)
+                            + asuint(asint(asuint(int(2)) * asuint(step_)))), number, limit);
                     } else {
                         local_7 = false;
                     }
                     if (local_7) {
                         break;
                     }
-                    if ((change < int(0))) {
-                        local_8 = !(shows(asint(asuint(at) - asuint(step_)), number, limit));
+                    if (change < int(0)) {
+                        local_8 = !shows(asint(asuint(at) - asuint(step_)), number, limit);
                     } else {
                         local_8 = false;
                     }
                     if (local_8) {
                         break;
                     }
-                    if ((change != int(0))) {
+                    if (change != int(0)) {
                         if (is_open) {
-                            ends[min(uint(side), 1u)] = float2((float(row) - 0.5), float(max(height, asint(asuint(height) + asuint(change)))));
+                            ends[min(uint(side), 1u)] = float2(float(row) - 0.5,
+                                float(max(height, asint(asuint(height) + asuint(change)))));
                             is_open = false;
                         }
-                        changes = asint(asuint(changes) + asuint(((row <= int(5)) ? int(1) : int(0))));
+                        changes = asint(asuint(changes) + asuint(row <= int(5) ? int(1) : int(0)));
                         height = asint(asuint(height) + asuint(change));
                     }
-                    if ((row <= int(5))) {
-                        float x = float(asint(asuint(row) * asuint(asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint(side)))))));
-                        float y = (float(height) + 0.5);
-                        sums.count = (sums.count + 1.0);
-                        sums.x = (sums.x + x);
-                        sums.y = (sums.y + y);
-                        sums.xx = (sums.xx + (x * x));
-                        sums.xy = (sums.xy + (x * y));
-                        sums.yy = (sums.yy + (y * y));
-                        sums.xxy = (sums.xxy + ((x * x) * y));
+                    if (row <= int(5)) {
+                        float x = float(asint(asuint(row)
+                            * asuint(asint(asuint(int(1))
+                            - asuint(asint(asuint(int(2)) * asuint(side)))))));
+                        float y = float(height) + 0.5;
+                        sums.count = sums.count + 1.0;
+                        sums.x = sums.x + x;
+                        sums.y = sums.y + y;
+                        sums.xx = sums.xx + x * x;
+                        sums.xy = sums.xy + x * y;
+                        sums.yy = sums.yy + y * y;
+                        sums.xxy = sums.xxy + x * x * y;
                     }
                     row = asint(asuint(row) + asuint(int(1)));
                 }
             }
             if (is_open) {
-                ends[min(uint(side), 1u)] = float2((float(row) - 0.5), (float(height) + 0.5));
+                ends[min(uint(side), 1u)] = float2(float(row) - 0.5, float(height) + 0.5);
             }
         }
     }
-    float length_ = (ends[0].x + ends[1].x);
-    float slope = ((ends[0].y - ends[1].y) / length_);
-    float place = (ends[1].y + (slope * ends[1].x));
-    if ((ends[0].y == ends[1].y)) {
-        local_9 = (place != 0.5);
+    float length_ = ends[0].x + ends[1].x;
+    float slope = (ends[0].y - ends[1].y) / length_;
+    float place = ends[1].y + slope * ends[1].x;
+    if (ends[0].y == ends[1].y) {
+        local_9 = place != 0.5;
     } else {
         local_9 = false;
     }
     bool is_arc = local_9;
-    if (!((changes >= int(3)))) {
+    if (!(changes >= int(3))) {
         if (is_arc) {
-            local_11 = (changes >= int(2));
+            local_11 = changes >= int(2);
         } else {
             local_11 = false;
         }
@@ -688,32 +698,30 @@ Course course_at(int2 pixel, int2 step_, float number, float limit)
         local_10 = true;
     }
     if (local_10) {
-        local_12 = (sums.count >= 7.0);
+        local_12 = sums.count >= 7.0;
     } else {
         local_12 = false;
     }
     if (local_12) {
-        const Course course_4 = fitted_course(sums, is_arc);
-        return course_4;
+        return fitted_course(sums, is_arc);
     }
     // The top of an arc lies beyond the changes to both sides, by half a pixel in the mean.
-    float rise = (is_arc ? (((4.0 * ends[0].x) * ends[1].x) / (length_ * length_)) : 0.0);
-    float trust = (sums.count / 11.0);
-    const Course course_5 = ConstructCourse(clamp(lerp(place, 0.5, rise), 0.0, 1.0), slope, trust);
-    return course_5;
+    float rise = is_arc ? 4.0 * ends[0].x * ends[1].x / (length_ * length_) : 0.0;
+    float trust = sums.count / 11.0;
+    return ConstructCourse(clamp(lerp(place, 0.5, rise), 0.0, 1.0), slope, trust);
 }
 
 /// Square of how much a facet faces the eye; negative for one that is turned away.
 float facing_squared(Facet facet)
 {
     float facing = dot(facet.normal, facet.toward);
-    return ((facing * abs(facing)) / dot(facet.toward, facet.toward));
+    return facing * abs(facing) / dot(facet.toward, facet.toward);
 }
 
 float2 course_normal(Course course, float2 toward)
 {
     float2 along = abs(toward.yx);
-    return ((toward - (course.slope * along)) / (sqrt((1.0 + (course.slope * course.slope)))).xx);
+    return (toward - course.slope * along) / (sqrt(1.0 + course.slope * course.slope)).xx;
 }
 
 Edge ConstructEdge(int arg0, float2 arg1, float arg2, float arg3) {
@@ -728,8 +736,7 @@ Edge ConstructEdge(int arg0, float2 arg1, float arg2, float arg3) {
 Edge edge_along(int kind, Course course, float2 toward, float2 normal)
 {
     float lean = dot(normal, toward);
-    const Edge edge_1 = ConstructEdge(kind, normal, (course.place * lean), (course.trust * lean));
-    return edge_1;
+    return ConstructEdge(kind, normal, course.place * lean, course.trust * lean);
 }
 
 /// The edge of a surface that ends in front of what is farther than `limit`, or of another object.
@@ -745,33 +752,33 @@ Edge silhouette(Facet own, int2 pixel, int2 step_, float limit)
     const Facet before = facet_at(clamp(asint(asuint(pixel) - asuint(step_)), (int(0)).xx, last));
     // Near its outline the facing of a round form goes like the root of the distance.
     const float facing = facing_squared(own);
-    float change = (facing_squared(before) - facing);
-    float2 across = (own.normal.xy * float2(1.0, row_direction()));
-    float2 normal = (across / (max(length(across), 1e-6)).xx);
-    if ((before.number == own.number)) {
-        local_13 = (facing < 0.36);
+    float change = facing_squared(before) - facing;
+    float2 across = own.normal.xy * float2(1.0, row_direction());
+    float2 normal = across / (max(length(across), 1e-6)).xx;
+    if (before.number == own.number) {
+        local_13 = facing < 0.36;
     } else {
         local_13 = false;
     }
     if (local_13) {
-        local_14 = (change > 0.0001);
+        local_14 = change > 0.0001;
     } else {
         local_14 = false;
     }
     if (local_14) {
-        local_15 = (dot(normal, toward) > 0.5);
+        local_15 = dot(normal, toward) > 0.5;
     } else {
         local_15 = false;
     }
     bool is_round = local_15;
-    float found = (facing / max(change, 0.0001));
+    float found = facing / max(change, 0.0001);
     float place = clamp(found, 0.0, 1.0);
     // As far as this is not between the pixels, the form is not as round as its normals.
-    float trust = (is_round ? clamp((2.0 - (4.0 * abs((found - place)))), 0.0, 1.0) : 0.0);
-    Course seen = ConstructCourse(lerp(course.place, place, trust), course.slope, lerp(course.trust, 1.0, trust));
+    float trust = is_round ? clamp(2.0 - 4.0 * abs(found - place), 0.0, 1.0) : 0.0;
+    Course seen = ConstructCourse(lerp(course.place, place, trust), course.slope,
+        lerp(course.trust, 1.0, trust));
     float2 turned = lerp(course_normal(course, toward), normal, trust);
-    const Edge edge_2 = edge_along(int(0), seen, toward, (turned / (length(turned)).xx));
-    return edge_2;
+    return edge_along(int(0), seen, toward, turned / (length(turned)).xx);
 }
 
 /// Change of the normal between two neighbors that a round form would have: what it is to both
@@ -779,12 +786,15 @@ Edge silhouette(Facet own, int2 pixel, int2 step_, float limit)
 float round_bend(Facet own, Facet other, int2 pixel, int2 step_)
 {
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    float4 before = surface.Load(int3(clamp(asint(asuint(pixel) - asuint(step_)), (int(0)).xx, last), int(0)));
-    float4 after = surface.Load(int3(clamp(asint(asuint(pixel) + asuint(asint(asuint(int(2)) * asuint(step_)))), (int(0)).xx, last), int(0)));
-    float2 bends = float2(length((normal_of(before) - own.normal)), length((normal_of(after) - other.normal)));
+    float4 before = surface.Load(int3(clamp(asint(asuint(pixel) - asuint(step_)), (int(0)).xx,
+        last), int(0)));
+    float4 after = surface.Load(int3(clamp(asint(asuint(pixel)
+        + asuint(asint(asuint(int(2)) * asuint(step_)))), (int(0)).xx, last), int(0)));
+    float2 bends = float2(length(normal_of(before) - own.normal),
+        length(normal_of(after) - other.normal));
     float2 numbers = float2(abs(before.w), abs(after.w));
-    float2 shares = ((numbers == (own.number).xx) ? (1.0).xx : (0.0).xx);
-    return (dot(bends, shares) / max((shares.x + shares.y), 1.0));
+    float2 shares = numbers == (own.number).xx ? (1.0).xx : (0.0).xx;
+    return dot(bends, shares) / max(shares.x + shares.y, 1.0);
 }
 
 /// The edge between a pixel and its neighbor.
@@ -795,53 +805,45 @@ Edge edge_between(Facet own, int2 pixel, int2 step_)
 
     Edge none = ConstructEdge(int(-1), (0.0).xx, 0.0, 0.0);
     int2 at = asint(asuint(pixel) + asuint(step_));
-    if (!(any((at < (int(0)).xx)))) {
-        local_16 = any((at >= int2(NagaDimensions2D(surface))));
+    if (!any(at < (int(0)).xx)) {
+        local_16 = any(at >= int2(NagaDimensions2D(surface)));
     } else {
         local_16 = true;
     }
     if (local_16) {
-        const Edge edge_3 = none;
-        return edge_3;
+        return none;
     }
     const Facet other = facet_at(at);
-    if ((other.number == 0.0)) {
-        const Edge edge_4 = silhouette(own, pixel, step_, 1000000000.0);
-        return edge_4;
+    if (other.number == 0.0) {
+        return silhouette(own, pixel, step_, 1000000000.0);
     }
     float2 toward = float2(step_);
-    bool is_same_object = (object_in(own.number) == object_in(other.number));
-    if (!(meets(own, other, toward))) {
-        if ((own.depth > other.depth)) {
-            const Edge edge_5 = none;
-            return edge_5;
+    bool is_same_object = object_in(own.number) == object_in(other.number);
+    if (!meets(own, other, toward)) {
+        if (own.depth > other.depth) {
+            return none;
         }
-        float middle = (0.5 * (own.depth + other.depth));
-        const Edge edge_6 = silhouette(own, pixel, step_, (is_same_object ? middle : 1000000000.0));
-        return edge_6;
+        float middle = 0.5 * (own.depth + other.depth);
+        return silhouette(own, pixel, step_, is_same_object ? middle : 1000000000.0);
     }
-    if (!(is_same_object)) {
-        const Edge edge_7 = ConstructEdge(int(2), (0.0).xx, 0.0, 0.0);
-        return edge_7;
+    if (!is_same_object) {
+        return ConstructEdge(int(2), (0.0).xx, 0.0, 0.0);
     }
-    if ((own.number != other.number)) {
-        bool is_material = (material_in(own.number) != material_in(other.number));
-        int kind = (is_material ? int(3) : int(4));
-        const Edge edge_8 = ConstructEdge(kind, (0.0).xx, 0.0, 0.0);
-        return edge_8;
+    if (own.number != other.number) {
+        bool is_material = material_in(own.number) != material_in(other.number);
+        int kind = is_material ? int(3) : int(4);
+        return ConstructEdge(kind, (0.0).xx, 0.0, 0.0);
     }
-    float bend = length((own.normal - other.normal));
-    if (!((bend < 0.5176381))) {
-        local_17 = ((bend - round_bend(own, other, pixel, step_)) < 0.5176381);
+    float bend = length(own.normal - other.normal);
+    if (!(bend < 0.5176381)) {
+        local_17 = bend - round_bend(own, other, pixel, step_) < 0.5176381;
     } else {
         local_17 = true;
     }
     if (local_17) {
-        const Edge edge_9 = none;
-        return edge_9;
+        return none;
     }
-    const Edge edge_10 = ConstructEdge(int(1), (0.0).xx, 0.0, 0.0);
-    return edge_10;
+    return ConstructEdge(int(1), (0.0).xx, 0.0, 0.0);
 }
 
 /// The line in which the planes of two facets meet, or along which a border runs over one plane.
@@ -851,29 +853,26 @@ Edge meeting(Facet own, int2 pixel, int2 step_, int kind)
 
     const Facet other = facet_at(asint(asuint(pixel) + asuint(step_)));
     float2 toward = float2(step_);
-    float2 slope = (own.rise - other.rise);
+    float2 slope = own.rise - other.rise;
     float steepness = length(slope);
-    float here = (own.depth - (other.depth - dot(other.rise, toward)));
+    float here = own.depth - (other.depth - dot(other.rise, toward));
     float side = dot(slope, toward);
-    if ((abs(side) > (0.1 * pixel_size_at(own.depth)))) {
-        local_18 = (abs(side) > (0.3 * steepness));
+    if (abs(side) > 0.1 * pixel_size_at(own.depth)) {
+        local_18 = abs(side) > 0.3 * steepness;
     } else {
         local_18 = false;
     }
     if (local_18) {
-        float share = clamp((-(here) / side), 0.0, 1.0);
-        float2 normal = (slope / (((side > 0.0) ? steepness : -(steepness))).xx);
+        float share = clamp(-here / side, 0.0, 1.0);
+        float2 normal = slope / (side > 0.0 ? steepness : -steepness).xx;
         float lean = dot(normal, toward);
-        const Edge edge_11 = ConstructEdge(kind, normal, (share * lean), lean);
-        return edge_11;
+        return ConstructEdge(kind, normal, share * lean, lean);
     }
-    if ((kind == int(1))) {
-        const Edge edge_12 = ConstructEdge(kind, toward, 0.5, 0.0);
-        return edge_12;
+    if (kind == int(1)) {
+        return ConstructEdge(kind, toward, 0.5, 0.0);
     }
     const Course course = course_at(pixel, step_, own.number, 1000000000.0);
-    const Edge edge_13 = edge_along(kind, course, toward, course_normal(course, toward));
-    return edge_13;
+    return edge_along(kind, course, toward, course_normal(course, toward));
 }
 
 /// True if a surface plainly goes on to a neighbor, which most do: that costs little to tell.
@@ -883,16 +882,17 @@ bool goes_on(Facet own, float2 slope, float size, int2 pixel, int2 step_)
     bool local_20 = (bool)0;
 
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    float4 texel = surface.Load(int3(clamp(asint(asuint(pixel) + asuint(step_)), (int(0)).xx, last), int(0)));
-    float2 change = abs((texel.xy - slope));
-    float error = abs(((texel.z - own.depth) - dot(own.gentle_rise, float2(step_))));
-    if ((abs(texel.w) == own.number)) {
-        local_19 = (error <= size);
+    float4 texel = surface.Load(int3(clamp(asint(asuint(pixel) + asuint(step_)), (int(0)).xx, last),
+        int(0)));
+    float2 change = abs(texel.xy - slope);
+    float error = abs(texel.z - own.depth - dot(own.gentle_rise, float2(step_)));
+    if (abs(texel.w) == own.number) {
+        local_19 = error <= size;
     } else {
         local_19 = false;
     }
     if (local_19) {
-        local_20 = (max(change.x, change.y) < 0.35);
+        local_20 = max(change.x, change.y) < 0.35;
     } else {
         local_20 = false;
     }
@@ -911,7 +911,7 @@ float4 edges_at(int2 pixel)
     Edge edge = (Edge)0;
 
     const Facet own = facet_at(pixel);
-    if ((own.number == 0.0)) {
+    if (own.number == 0.0) {
         return (0.0).xxxx;
     }
     float2 slope = surface.Load(int3(pixel, int(0))).xy;
@@ -922,7 +922,7 @@ float4 edges_at(int2 pixel)
             index = asint(asuint(index) + asuint(int(1)));
         }
         loop_init = false;
-        if ((index < int(4))) {
+        if (index < int(4)) {
         } else {
             break;
         }
@@ -931,7 +931,7 @@ float4 edges_at(int2 pixel)
             left = (left | (goes_on_value ? 0u : (1u << uint(index))));
         }
     }
-    index_1 = ((left == 0u) ? int(4) : int(0));
+    index_1 = left == 0u ? int(4) : int(0);
     bool loop_init_1 = true;
     // Most pixels have no round at all: what a loop does not enter costs nothing everywhere.
     while(true) {
@@ -939,28 +939,28 @@ float4 edges_at(int2 pixel)
             index_1 = asint(asuint(index_1) + asuint(int(1)));
         }
         loop_init_1 = false;
-        if ((index_1 < int(4))) {
+        if (index_1 < int(4)) {
         } else {
             break;
         }
         {
-            if ((((left >> uint(index_1)) & 1u) == 0u)) {
+            if (((left >> uint(index_1)) & 1u) == 0u) {
                 continue;
             }
             const int2 step_ = around(index_1);
             edge = edge_between(own, pixel, step_);
-            if ((edge.kind == int(-1))) {
+            if (edge.kind == int(-1)) {
                 continue;
             }
-            if ((edge.kind != int(0))) {
+            if (edge.kind != int(0)) {
                 edge = meeting(own, pixel, step_, edge.kind);
             }
             int place = min(edge.kind, int(3));
-            bool4 is_kind = ((place).xxxx == int4(int(0), int(1), int(2), int(3)));
+            bool4 is_kind = (place).xxxx == int4(int(0), int(1), int(2), int(3));
             bool4 is_better = (is_kind & ((edge.trust).xxxx > trust));
-            trust = (is_better ? (edge.trust).xxxx : trust);
+            trust = is_better ? (edge.trust).xxxx : trust;
             const float code = edge_code(edge.normal, edge.offset);
-            codes = (is_better ? (((edge.kind == int(4)) ? -(code) : code)).xxxx : codes);
+            codes = is_better ? (edge.kind == int(4) ? -code : code).xxxx : codes;
         }
     }
     return codes;
@@ -976,15 +976,16 @@ bool comes_out(int2 pixel, EdgeLines edges)
     bool local_21 = (bool)0;
 
     float2 outward = float2(edges.x.x, edges.y.x);
-    bool is_level = (abs(outward.x) >= abs(outward.y));
-    int2 step_ = naga_f2i32((is_level ? float2(sign(outward.x), 0.0) : float2(0.0, sign(outward.y))));
+    bool is_level = abs(outward.x) >= abs(outward.y);
+    int2 step_ = naga_f2i32(is_level ? float2(sign(outward.x), 0.0) : float2(0.0, sign(outward.y)));
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
     const Facet own = facet_at(pixel);
-    float4 texel = front.Load(int3(clamp(asint(asuint(pixel) + asuint(step_)), (int(0)).xx, last), int(0)));
-    float error = abs(((texel.z - own.depth) - dot(own.gentle_rise, float2(step_))));
-    float tolerance = (2.0 * (pixel_size_at(own.depth) + length(own.gentle_rise)));
-    if ((object_in(texel.w) == object_in(own.number))) {
-        local_21 = (error <= tolerance);
+    float4 texel = front.Load(int3(clamp(asint(asuint(pixel) + asuint(step_)), (int(0)).xx, last),
+        int(0)));
+    float error = abs(texel.z - own.depth - dot(own.gentle_rise, float2(step_)));
+    float tolerance = 2.0 * (pixel_size_at(own.depth) + length(own.gentle_rise));
+    if (object_in(texel.w) == object_in(own.number)) {
+        local_21 = error <= tolerance;
     } else {
         local_21 = false;
     }
@@ -1003,11 +1004,11 @@ float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 
     int2 pixel = naga_f2i32(position.xy);
     const float4 codes = edges_at(pixel);
-    if ((codes.x > 0.0)) {
-        local = !(comes_out(pixel, edges_of(codes, 4096.0)));
+    if (codes.x > 0.0) {
+        local = !comes_out(pixel, edges_of(codes, 4096.0));
     } else {
         local = false;
     }
     bool is_end = local;
-    return float4((is_end ? codes.x : 0.0), codes.yzw);
+    return float4(is_end ? codes.x : 0.0, codes.yzw);
 }

@@ -24,12 +24,14 @@ struct Curvature {
     /// Samples per pixel of the picture.
     float samples;
 };
+
 /// A pixel and its texel of the surface.
 struct SeenPixel {
     metal::int2 at;
     char _pad1[8];
     metal::float4 texel;
 };
+
 /// The plane of the surface at a pixel: it tells which neighbors lie on the same surface. Changes
 /// of depth are along columns and rows of the image.
 struct Plane {
@@ -41,12 +43,14 @@ struct Plane {
     float tolerance;
     char _pad4[4];
 };
+
 /// A pixel whose curvature is measured.
 struct Center {
     metal::int2 at;
     metal::float2 slope;
     Plane plane;
 };
+
 /// Neighbors on the four sides of a center: in the column after it, in the column before it, in the
 /// row after it, and in the row before it.
 struct Ring {
@@ -56,6 +60,7 @@ struct Ring {
     metal::float4 y;
     metal::float4 weights;
 };
+
 /// Edges of four kinds: the unit normals of straight lines, and how far along them the lines lie,
 /// in pixels of the image.
 struct EdgeLines {
@@ -63,6 +68,7 @@ struct EdgeLines {
     metal::float4 y;
     metal::float4 offset;
 };
+
 /// What a pixel shows: a piece of a surface.
 struct Facet {
     /// Unit, in camera axes.
@@ -79,6 +85,7 @@ struct Facet {
     metal::float2 gentle_rise;
     char _pad6[8];
 };
+
 /// A piece of an edge: its kind, the unit normal of a straight line in pixels of the image, and how
 /// far along it from the pixel's middle the line lies.
 struct Edge {
@@ -89,6 +96,7 @@ struct Edge {
     /// How well the line is known, 0 to 1: little where it runs along the way to the neighbor.
     float trust;
 };
+
 /// The course of an edge past a pixel: how far beyond the pixel's middle it lies, 0 to 1, and how
 /// far that changes from one pixel to the next along it.
 struct Course {
@@ -97,6 +105,7 @@ struct Course {
     /// Share of the rows nearby over which it was followed.
     float trust;
 };
+
 /// Sums over the rows of a course, to fit a line and a parabola: x is how far along a row lies, y
 /// how far beyond the pixel's middle the edge lies there.
 struct CourseSums {
@@ -108,6 +117,7 @@ struct CourseSums {
     float yy;
     float xxy;
 };
+
 struct type_10 {
     metal::float2 inner[2];
 };
@@ -128,14 +138,14 @@ metal::float4 surface_texel(
     float number
 ) {
     metal::float2 slope_of_value = slope_of(normal);
-    return metal::float4(slope_of_value, depth, (normal.z < 0.0) ? -(number) : number);
+    return metal::float4(slope_of_value, depth, normal.z < 0.0 ? -number : number);
 }
 
 /// The number of an object in texels, from 1 on.
 float object_number(
     float object
 ) {
-    return (object - (4096.0 * metal::floor(object / 4096.0))) + 1.0;
+    return object - 4096.0 * metal::floor(object / 4096.0) + 1.0;
 }
 
 /// The number of a facet for [`surface_texel`]: the object's, from 1 on, and what materials and
@@ -146,9 +156,10 @@ float facet_number(
     float material,
     float id
 ) {
-    float whole = metal::rint((metal::abs(id) <= 1000000.0) ? id : 0.0);
-    float parts = ((128.0 * (material - (32.0 * metal::floor(material / 32.0)))) + whole) - (128.0 * metal::floor(whole / 128.0));
-    return object_number(object) + (parts / 4096.0);
+    float whole = metal::rint(metal::abs(id) <= 1000000.0 ? id : 0.0);
+    float parts = 128.0 * (material - 32.0 * metal::floor(material / 32.0)) + whole - 128.0
+        * metal::floor(whole / 128.0);
+    return object_number(object) + parts / 4096.0;
 }
 
 /// The normal that a texel was made from.
@@ -159,16 +170,18 @@ metal::float3 normal_of(
     // elsewhere that is no less than LEAST_NZ, and the normal points along the slope and 1.
     metal::float2 aside = 0.2 * texel.xy;
     float rest = metal::sqrt(metal::max(1.0 - metal::dot(aside, aside), 0.0));
-    float nz = (texel.w < 0.0) ? -(rest) : rest;
-    metal::float3 facing = metal::float3(texel.xy, 1.0) / metal::float3(metal::sqrt(1.0 + metal::dot(texel.xy, texel.xy)));
-    return (nz >= 0.2) ? facing : metal::float3(aside, nz);
+    float nz = texel.w < 0.0 ? -rest : rest;
+    metal::float3 facing = metal::float3(texel.xy, 1.0)
+        / metal::float3(metal::sqrt(1.0 + metal::dot(texel.xy, texel.xy)));
+    return nz >= 0.2 ? facing : metal::float3(aside, nz);
 }
 
 /// A triangle over the whole picture.
 metal::float4 whole_picture(
     uint index
 ) {
-    return metal::float4((static_cast<float>(index & 1u) * 4.0) - 1.0, (static_cast<float>(index >> 1u) * 4.0) - 1.0, 0.0, 1.0);
+    return metal::float4(static_cast<float>(index & 1u) * 4.0 - 1.0,
+        static_cast<float>(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
@@ -187,16 +200,18 @@ int step_pixels(
 float row_direction(
     constant Curvature& curvature
 ) {
-    return (curvature.rows_up > 0.5) ? 1.0 : -1.0;
+    return curvature.rows_up > 0.5 ? 1.0 : -1.0;
 }
 
 /// Offset to one of the eight pixels around a pixel, by an index from 0 to 7; the nearest first.
 metal::int2 around(
     int index
 ) {
-    int side = as_type<int>(as_type<uint>(1) - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(index & 1))));
-    metal::int2 straight = (index < 2) ? metal::int2(side, 0) : metal::int2(0, side);
-    return (index > 3) ? metal::int2(side, as_type<int>(as_type<uint>(1) - as_type<uint>(index & 2))) : straight;
+    int side = as_type<int>(as_type<uint>(1)
+        - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(index & 1))));
+    metal::int2 straight = index < 2 ? metal::int2(side, 0) : metal::int2(0, side);
+    return index > 3 ? metal::int2(side,
+        as_type<int>(as_type<uint>(1) - as_type<uint>(index & 2))) : straight;
 }
 
 /// The pixel whose surface a pixel has: its own, or that of a neighbor.
@@ -212,7 +227,8 @@ SeenPixel seen_pixel(
     bool local_1 = {};
     int index = {};
     seen = SeenPixel {pixel, {}, surface.read(metal::uint2(pixel), 0)};
-    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
+        surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
     if (curvature.samples >= 2.0) {
         local_1 = seen.texel.w == 0.0;
     } else {
@@ -232,7 +248,8 @@ SeenPixel seen_pixel(
         }
         {
             metal::int2 around_value = around(index);
-            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(around_value)), metal::int2(0), last);
+            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel)
+                + as_type<metal::uint2>(around_value)), metal::int2(0), last);
             metal::float4 texel = surface.read(metal::uint2(near), 0);
             if (texel.w != 0.0) {
                 seen = SeenPixel {near, {}, texel};
@@ -251,7 +268,8 @@ Plane plane_of(
     float pixel = curvature.pixel * metal::mix(1.0, depth, curvature.perspective);
     metal::float2 gradient = normal.xy / metal::float2(metal::max(normal.z, 0.02));
     float row_direction_value = row_direction(curvature);
-    return Plane {object, depth, (pixel * gradient) * metal::float2(1.0, row_direction_value), (2.0 * pixel) * (1.0 + metal::length(gradient))};
+    return Plane {object, depth, pixel * gradient * metal::float2(1.0, row_direction_value), 2.0
+        * pixel * (1.0 + metal::length(gradient))};
 }
 
 /// Weights of four neighbors that are `distance` pixels away, 0 to 1, by their objects, their
@@ -263,10 +281,11 @@ metal::float4 neighbor_weights(
     metal::float4 rises,
     float distance
 ) {
-    metal::float4 error = metal::abs((depths - metal::float4(plane.depth)) - rises);
+    metal::float4 error = metal::abs(depths - metal::float4(plane.depth) - rises);
     float scale = 1.0 / metal::max(plane.tolerance * distance, 0.000000000000000000000000000001);
     // The weight fades, so that the last bit of a depth does not decide between all and nothing.
-    metal::float4 weights = metal::clamp(metal::float4(2.0) - (error * scale), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 weights = metal::clamp(metal::float4(2.0) - error * scale, metal::float4(0.0),
+        metal::float4(1.0));
     return metal::select(metal::float4(0.0), weights, objects == metal::float4(plane.object));
 }
 
@@ -278,7 +297,8 @@ Center center_at(
 ) {
     SeenPixel seen = seen_pixel(pixel, surface, curvature);
     metal::float4 texel = seen.texel;
-    return Center {seen.at, texel.xy, plane_of(metal::abs(seen.texel.w), seen.texel.z, normal_of(texel), curvature)};
+    return Center {seen.at, texel.xy,
+        plane_of(metal::abs(seen.texel.w), seen.texel.z, normal_of(texel), curvature)};
 }
 
 /// The ring that is so many steps away, with its weight.
@@ -292,19 +312,31 @@ Ring ring_at(
     int reach = as_type<int>(as_type<uint>(steps) * as_type<uint>(step_pixels(curvature)));
     float distance = static_cast<float>(reach);
     metal::int2 at = center.at;
-    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
-    metal::float4 a = surface.read(metal::uint2(metal::int2(metal::min(as_type<int>(as_type<uint>(center.at.x) + as_type<uint>(reach)), last.x), center.at.y)), 0);
-    metal::float4 b = surface.read(metal::uint2(metal::int2(metal::max(as_type<int>(as_type<uint>(center.at.x) - as_type<uint>(reach)), 0), center.at.y)), 0);
-    metal::float4 c = surface.read(metal::uint2(metal::int2(center.at.x, metal::min(as_type<int>(as_type<uint>(center.at.y) + as_type<uint>(reach)), last.y))), 0);
-    metal::float4 d = surface.read(metal::uint2(metal::int2(center.at.x, metal::max(as_type<int>(as_type<uint>(center.at.y) - as_type<uint>(reach)), 0))), 0);
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
+        surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::float4 a = surface.read(metal::uint2(metal::int2(metal::min(as_type<int>(as_type<uint>(center.at.x) + as_type<uint>(reach)),
+        last.x), center.at.y)), 0);
+    metal::float4 b = surface.read(metal::uint2(metal::int2(metal::max(as_type<int>(as_type<uint>(center.at.x) - as_type<uint>(reach)),
+        0), center.at.y)), 0);
+    metal::float4 c = surface.read(metal::uint2(metal::int2(center.at.x,
+        metal::min(as_type<int>(as_type<uint>(center.at.y) + as_type<uint>(reach)), last.y))), 0);
+    metal::float4 d = surface.read(metal::uint2(metal::int2(center.at.x,
+        metal::max(as_type<int>(as_type<uint>(center.at.y) - as_type<uint>(reach)), 0))), 0);
     // Beyond the image nothing is.
-    metal::bool4 is_inside = metal::int4(as_type<int>(as_type<uint>(last.x) - as_type<uint>(center.at.x)), center.at.x, as_type<int>(as_type<uint>(last.y) - as_type<uint>(center.at.y)), center.at.y) >= metal::int4(reach);
-    metal::float4 objects = metal::select(metal::float4(0.0), metal::abs(metal::float4(a.w, b.w, c.w, d.w)), is_inside);
+    metal::bool4 is_inside = metal::int4(as_type<int>(as_type<uint>(last.x)
+        - as_type<uint>(center.at.x)), center.at.x,
+        as_type<int>(as_type<uint>(last.y) - as_type<uint>(center.at.y)), center.at.y)
+        >= metal::int4(reach);
+    metal::float4 objects = metal::select(metal::float4(0.0),
+        metal::abs(metal::float4(a.w, b.w, c.w, d.w)), is_inside);
     metal::float2 rise = distance * center.plane.rise;
-    metal::float4 rises = metal::float4(rise.x, -(rise.x), rise.y, -(rise.y));
-    metal::float4 neighbor_weights_value = neighbor_weights(center.plane, objects, metal::float4(a.z, b.z, c.z, d.z), rises, distance);
-    metal::float4 shares = (weight * distance) * neighbor_weights_value;
-    return Ring {shares * (metal::float4(a.x, b.x, c.x, d.x) - metal::float4(center.slope.x)), shares * (metal::float4(a.y, b.y, c.y, d.y) - metal::float4(center.slope.y)), shares * distance};
+    metal::float4 rises = metal::float4(rise.x, -rise.x, rise.y, -rise.y);
+    metal::float4 neighbor_weights_value = neighbor_weights(center.plane, objects,
+        metal::float4(a.z, b.z, c.z, d.z), rises, distance);
+    metal::float4 shares = weight * distance * neighbor_weights_value;
+    return Ring {shares * (metal::float4(a.x, b.x, c.x, d.x) - metal::float4(center.slope.x)),
+        shares * (metal::float4(a.y, b.y, c.y, d.y) - metal::float4(center.slope.y)), shares
+        * distance};
 }
 
 /// Two rings as one.
@@ -321,7 +353,8 @@ Ring rings_at(
     metal::texture2d<float, metal::access::sample> surface,
     constant Curvature& curvature
 ) {
-    Ring near = joined(ring_at(center, 1, 1.0, surface, curvature), ring_at(center, 2, 0.85, surface, curvature));
+    Ring near = joined(ring_at(center, 1, 1.0, surface, curvature),
+        ring_at(center, 2, 0.85, surface, curvature));
     return joined(near, ring_at(center, 3, 0.5, surface, curvature));
 }
 
@@ -334,8 +367,9 @@ metal::float2 derivatives(
 ) {
     // A side that hardly counts any more is left to the other one, gradually.
     metal::float4 trust = metal::smoothstep(metal::float4(0.0), metal::float4(0.5), weights);
-    metal::float4 sides = (changes / metal::max(weights, metal::float4(0.000001))) * trust;
-    metal::float2 along = (sides.xz - sides.yw) / metal::max(trust.xz + trust.yw, metal::float2(0.000001));
+    metal::float4 sides = changes / metal::max(weights, metal::float4(0.000001)) * trust;
+    metal::float2 along = (sides.xz - sides.yw)
+        / metal::max(trust.xz + trust.yw, metal::float2(0.000001));
     return along * metal::float2(1.0, row_direction(curvature));
 }
 
@@ -345,7 +379,7 @@ float mean_curvature(
     constant Curvature& curvature
 ) {
     metal::float2 along = derivatives(metal::float4(ring.x.xy, ring.y.zw), ring.weights, curvature);
-    return metal::clamp((0.5 * (along.x + along.y)) * curvature.viewport_height, -10000.0, 10000.0);
+    return metal::clamp(0.5 * (along.x + along.y) * curvature.viewport_height, -10000.0, 10000.0);
 }
 
 /// The number of the object in a texel's number, from 1 on; 0 where nothing is.
@@ -367,11 +401,12 @@ float edge_code(
     metal::float2 normal,
     float offset
 ) {
-    float share = normal.x / metal::max(metal::abs(normal.x) + metal::abs(normal.y), 0.00000000000000000001);
-    float turn = (normal.y >= 0.0) ? (1.0 - share) : (3.0 + share);
+    float share = normal.x / metal::max(metal::abs(normal.x) + metal::abs(normal.y),
+        0.00000000000000000001);
+    float turn = normal.y >= 0.0 ? 1.0 - share : 3.0 + share;
     float direction = metal::min(metal::floor(turn * 1024.0), 4095.0);
     float place = metal::floor((metal::clamp(offset, -1.99, 1.99) + 2.0) * 1024.0);
-    return (place * 4096.0) + direction;
+    return place * 4096.0 + direction;
 }
 
 /// Codes of few levels from fine ones.
@@ -379,8 +414,8 @@ metal::float4 coarse_codes(
     metal::float4 codes
 ) {
     metal::float4 place = metal::floor(codes / metal::float4(4096.0));
-    metal::float4 direction = codes - (4096.0 * place);
-    return (metal::floor(place * 0.125) * 512.0) + metal::floor(direction * 0.125);
+    metal::float4 direction = codes - 4096.0 * place;
+    return metal::floor(place * 0.125) * 512.0 + metal::floor(direction * 0.125);
 }
 
 /// The edges that codes of so many levels say, each 0 or more.
@@ -389,13 +424,14 @@ EdgeLines edges_of(
     float levels
 ) {
     metal::float4 place = metal::floor(codes / metal::float4(levels));
-    metal::float4 turn = ((codes - (levels * place)) + metal::float4(0.5)) * (4.0 / levels);
+    metal::float4 turn = (codes - levels * place + metal::float4(0.5)) * (4.0 / levels);
     metal::bool4 is_back = turn >= metal::float4(2.0);
     metal::float4 x = metal::select(metal::float4(1.0) - turn, turn - metal::float4(3.0), is_back);
     metal::float4 rest = metal::float4(1.0) - metal::abs(x);
-    metal::float4 y = metal::select(rest, -(rest), is_back);
-    metal::float4 size = metal::sqrt((x * x) + (y * y));
-    return EdgeLines {x / size, y / size, ((place + metal::float4(0.5)) * (4.0 / levels)) - metal::float4(2.0)};
+    metal::float4 y = metal::select(rest, -rest, is_back);
+    metal::float4 size = metal::sqrt(x * x + y * y);
+    return EdgeLines {x / size, y / size, (place + metal::float4(0.5)) * (4.0 / levels)
+        - metal::float4(2.0)};
 }
 
 /// Distances in pixels between a pixel and the middles of the pieces of edges, by the places of the
@@ -409,12 +445,12 @@ metal::float4 middle_distances(
     bool beyond
 ) {
     bool local_2 = {};
-    metal::float4 x = columns + (edges.x * edges.offset);
-    metal::float4 y = rows + (edges.y * edges.offset);
-    float inward = (x.x * edges.x.x) + (y.x * edges.y.x);
-    metal::float4 distances = metal::sqrt((x * x) + (y * y));
+    metal::float4 x = columns + edges.x * edges.offset;
+    metal::float4 y = rows + edges.y * edges.offset;
+    float inward = x.x * edges.x.x + y.x * edges.y.x;
+    metal::float4 distances = metal::sqrt(x * x + y * y);
     if (inward < -1.0) {
-        local_2 = !(beyond);
+        local_2 = !beyond;
     } else {
         local_2 = false;
     }
@@ -430,13 +466,13 @@ metal::float4 edge_distances(
     metal::float4 rows,
     bool beyond
 ) {
-    metal::float4 across = (edges.offset + (edges.x * columns)) + (edges.y * rows);
-    metal::float4 along = metal::abs((edges.y * columns) - (edges.x * rows));
+    metal::float4 across = edges.offset + edges.x * columns + edges.y * rows;
+    metal::float4 along = metal::abs(edges.y * columns - edges.x * rows);
     // What is farther along than the edge's own pixel lies beyond the edge's end.
     metal::float4 past = metal::max(along - metal::float4(1.0), metal::float4(0.0));
     float inner = beyond ? metal::abs(across.x) : metal::max(across.x, 0.0);
     metal::float4 side = metal::float4(inner, metal::abs(across.yzw));
-    return metal::sqrt((side * side) + (past * past));
+    return metal::sqrt(side * side + past * past);
 }
 
 /// Size in scene units of a pixel at a depth.
@@ -454,13 +490,18 @@ Facet facet_at(
 ) {
     metal::float4 texel = surface.read(metal::uint2(at), 0);
     metal::float3 normal = normal_of(texel);
-    metal::float2 middle = 0.5 * static_cast<metal::float2>(metal::uint2(surface.get_width(), surface.get_height()));
+    metal::float2 middle = 0.5 * static_cast<metal::float2>(metal::uint2(surface.get_width(),
+        surface.get_height()));
     float row_direction_value = row_direction(curvature);
-    metal::float2 from_middle = ((static_cast<metal::float2>(at) + metal::float2(0.5)) - middle) * metal::float2(1.0, row_direction_value);
-    metal::float3 toward = metal::float3((-(curvature.pixel) * curvature.perspective) * from_middle, 1.0);
+    metal::float2 from_middle = (static_cast<metal::float2>(at) + metal::float2(0.5) - middle)
+        * metal::float2(1.0, row_direction_value);
+    metal::float3 toward = metal::float3(-curvature.pixel * curvature.perspective * from_middle,
+        1.0);
     float facing = metal::dot(normal, toward);
-    metal::float2 change = (pixel_size_at(texel.z, curvature) * normal.xy) * metal::float2(1.0, row_direction(curvature));
-    return Facet {normal, toward, texel.z, metal::abs(texel.w), {}, change / metal::float2(metal::max(facing, 0.02)), change / metal::float2(metal::max(facing, 0.2))};
+    metal::float2 change = pixel_size_at(texel.z, curvature) * normal.xy
+        * metal::float2(1.0, row_direction(curvature));
+    return Facet {normal, toward, texel.z, metal::abs(texel.w), {}, change
+        / metal::float2(metal::max(facing, 0.02)), change / metal::float2(metal::max(facing, 0.2))};
 }
 
 /// True if the surfaces of two neighbors meet between them. The nearer one may not reach the other
@@ -476,10 +517,10 @@ bool meets(
     float rise = metal::dot(is_nearer ? own.gentle_rise : own.rise, step);
     float other_rise = metal::dot(is_nearer ? other.rise : other.gentle_rise, step);
     float here = own.depth - (other.depth - other_rise);
-    float there = (own.depth + rise) - other.depth;
+    float there = own.depth + rise - other.depth;
     float steepness = metal::min(metal::length(own.gentle_rise), metal::length(other.gentle_rise));
     float tolerance = pixel_size_at(metal::min(own.depth, other.depth), curvature) + steepness;
-    if (!(((here * there) <= 0.0))) {
+    if (!(here * there <= 0.0)) {
         local_3 = metal::min(metal::abs(here), metal::abs(there)) <= tolerance;
     } else {
         local_3 = true;
@@ -495,7 +536,8 @@ bool shows(
     metal::texture2d<float, metal::access::sample> surface
 ) {
     bool local_4 = {};
-    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
+        surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
     metal::float4 texel = surface.read(metal::uint2(metal::clamp(at, metal::int2(0), last)), 0);
     if (metal::abs(texel.w) == number) {
         local_4 = texel.z < limit;
@@ -511,17 +553,18 @@ Course fitted_course(
     bool is_arc
 ) {
     float trust = sums.count / 11.0;
-    float spread = (sums.count * sums.xx) - (sums.x * sums.x);
-    float slope = ((sums.count * sums.xy) - (sums.x * sums.y)) / spread;
-    float straight = (sums.y - (slope * sums.x)) / sums.count;
+    float spread = sums.count * sums.xx - sums.x * sums.x;
+    float slope = (sums.count * sums.xy - sums.x * sums.y) / spread;
+    float straight = (sums.y - slope * sums.x) / sums.count;
     if (trust < 1.0) {
         return Course {metal::clamp(straight, 0.0, 1.0), slope, trust};
     }
     // Over all rows x sums to 0, its fourth powers to 1958.
-    float bent = ((1958.0 * sums.y) - (sums.xx * sums.xxy)) / ((sums.count * 1958.0) - (sums.xx * sums.xx));
-    float left = ((sums.yy - (straight * sums.y)) - (slope * sums.xy)) / sums.count;
+    float bent = (1958.0 * sums.y - sums.xx * sums.xxy) / (sums.count * 1958.0 - sums.xx * sums.xx);
+    float left = (sums.yy - straight * sums.y - slope * sums.xy) / sums.count;
     float share = metal::clamp((left - 0.09) / 0.05, 0.0, 1.0);
-    return Course {metal::clamp(metal::mix(straight, bent, is_arc ? 1.0 : share), 0.0, 1.0), slope, trust};
+    return Course {metal::clamp(metal::mix(straight, bent, is_arc ? 1.0 : share), 0.0, 1.0), slope,
+        trust};
 }
 
 metal::int2 naga_abs(metal::int2 val) {
@@ -567,13 +610,15 @@ Course course_at(
             break;
         }
         {
-            metal::int2 way = as_type<metal::int2>(as_type<metal::uint2>(along) * as_type<uint>(as_type<int>(as_type<uint>(1) - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(side))))));
+            metal::int2 way = as_type<metal::int2>(as_type<metal::uint2>(along)
+                * as_type<uint>(as_type<int>(as_type<uint>(1)
+                - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(side))))));
             height = 0;
             is_open = true;
             row = 1;
             while(true) {
                 if (row <= 12) {
-                    if (!(is_open)) {
+                    if (!is_open) {
                         local_6 = row <= 5;
                     } else {
                         local_6 = true;
@@ -590,7 +635,8 @@ Course course_at(
                     metal::int2 at = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(way) * as_type<uint>(row))))) + as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(step) * as_type<uint>(height))));
                     change = 0;
                     if (shows(at, number, limit, surface)) {
-                        bool shows_value = shows(as_type<metal::int2>(as_type<metal::uint2>(at) + as_type<metal::uint2>(step)), number, limit, surface);
+                        bool shows_value = shows(as_type<metal::int2>(as_type<metal::uint2>(at)
+                            + as_type<metal::uint2>(step)), number, limit, surface);
                         if (shows_value) {
                             change = 1;
                         }
@@ -598,7 +644,9 @@ Course course_at(
                         change = -1;
                     }
                     if (change > 0) {
-                        bool shows_value_1 = shows(as_type<metal::int2>(as_type<metal::uint2>(at) + as_type<metal::uint2>(as_type<metal::int2>(as_type<uint>(2) * as_type<metal::uint2>(step)))), number, limit, surface);
+                        bool shows_value_1 = shows(as_type<metal::int2>(as_type<metal::uint2>(at)
+                            + as_type<metal::uint2>(as_type<metal::int2>(as_type<uint>(2)
+                            * as_type<metal::uint2>(step)))), number, limit, surface);
                         local_7 = shows_value_1;
                     } else {
                         local_7 = false;
@@ -607,8 +655,9 @@ Course course_at(
                         break;
                     }
                     if (change < 0) {
-                        bool shows_value_2 = shows(as_type<metal::int2>(as_type<metal::uint2>(at) - as_type<metal::uint2>(step)), number, limit, surface);
-                        local_8 = !(shows_value_2);
+                        bool shows_value_2 = shows(as_type<metal::int2>(as_type<metal::uint2>(at)
+                            - as_type<metal::uint2>(step)), number, limit, surface);
+                        local_8 = !shows_value_2;
                     } else {
                         local_8 = false;
                     }
@@ -617,41 +666,48 @@ Course course_at(
                     }
                     if (change != 0) {
                         if (is_open) {
-                            ends.inner[side] = metal::float2(static_cast<float>(row) - 0.5, static_cast<float>(metal::max(height, as_type<int>(as_type<uint>(height) + as_type<uint>(change)))));
+                            ends.inner[side] = metal::float2(static_cast<float>(row) - 0.5,
+                                static_cast<float>(metal::max(height,
+                                as_type<int>(as_type<uint>(height) + as_type<uint>(change)))));
                             is_open = false;
                         }
-                        changes = as_type<int>(as_type<uint>(changes) + as_type<uint>((row <= 5) ? 1 : 0));
+                        changes = as_type<int>(as_type<uint>(changes)
+                            + as_type<uint>(row <= 5 ? 1 : 0));
                         height = as_type<int>(as_type<uint>(height) + as_type<uint>(change));
                     }
                     if (row <= 5) {
-                        float x = static_cast<float>(as_type<int>(as_type<uint>(row) * as_type<uint>(as_type<int>(as_type<uint>(1) - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(side)))))));
+                        float x = static_cast<float>(as_type<int>(as_type<uint>(row)
+                            * as_type<uint>(as_type<int>(as_type<uint>(1)
+                            - as_type<uint>(as_type<int>(as_type<uint>(2)
+                            * as_type<uint>(side)))))));
                         float y = static_cast<float>(height) + 0.5;
                         sums.count = sums.count + 1.0;
                         sums.x = sums.x + x;
                         sums.y = sums.y + y;
-                        sums.xx = sums.xx + (x * x);
-                        sums.xy = sums.xy + (x * y);
-                        sums.yy = sums.yy + (y * y);
-                        sums.xxy = sums.xxy + ((x * x) * y);
+                        sums.xx = sums.xx + x * x;
+                        sums.xy = sums.xy + x * y;
+                        sums.yy = sums.yy + y * y;
+                        sums.xxy = sums.xxy + x * x * y;
                     }
                     row = as_type<int>(as_type<uint>(row) + as_type<uint>(1));
                 }
             }
             if (is_open) {
-                ends.inner[side] = metal::float2(static_cast<float>(row) - 0.5, static_cast<float>(height) + 0.5);
+                ends.inner[side] = metal::float2(static_cast<float>(row) - 0.5,
+                    static_cast<float>(height) + 0.5);
             }
         }
     }
     float length = ends.inner[0].x + ends.inner[1].x;
     float slope = (ends.inner[0].y - ends.inner[1].y) / length;
-    float place = ends.inner[1].y + (slope * ends.inner[1].x);
+    float place = ends.inner[1].y + slope * ends.inner[1].x;
     if (ends.inner[0].y == ends.inner[1].y) {
         local_9 = place != 0.5;
     } else {
         local_9 = false;
     }
     bool is_arc = local_9;
-    if (!((changes >= 3))) {
+    if (!(changes >= 3)) {
         if (is_arc) {
             local_11 = changes >= 2;
         } else {
@@ -670,7 +726,7 @@ Course course_at(
         return fitted_course(sums, is_arc);
     }
     // The top of an arc lies beyond the changes to both sides, by half a pixel in the mean.
-    float rise = is_arc ? (((4.0 * ends.inner[0].x) * ends.inner[1].x) / (length * length)) : 0.0;
+    float rise = is_arc ? 4.0 * ends.inner[0].x * ends.inner[1].x / (length * length) : 0.0;
     float trust = sums.count / 11.0;
     return Course {metal::clamp(metal::mix(place, 0.5, rise), 0.0, 1.0), slope, trust};
 }
@@ -680,7 +736,7 @@ float facing_squared(
     Facet facet
 ) {
     float facing = metal::dot(facet.normal, facet.toward);
-    return (facing * metal::abs(facing)) / metal::dot(facet.toward, facet.toward);
+    return facing * metal::abs(facing) / metal::dot(facet.toward, facet.toward);
 }
 
 metal::float2 course_normal(
@@ -688,7 +744,8 @@ metal::float2 course_normal(
     metal::float2 toward
 ) {
     metal::float2 along = metal::abs(toward.yx);
-    return (toward - (course.slope * along)) / metal::float2(metal::sqrt(1.0 + (course.slope * course.slope)));
+    return (toward - course.slope * along)
+        / metal::float2(metal::sqrt(1.0 + course.slope * course.slope));
 }
 
 Edge edge_along(
@@ -715,8 +772,10 @@ Edge silhouette(
     bool local_15 = {};
     metal::float2 toward = static_cast<metal::float2>(step);
     Course course = course_at(pixel, step, own.number, limit, surface);
-    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
-    Facet before = facet_at(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) - as_type<metal::uint2>(step)), metal::int2(0), last), surface, curvature);
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
+        surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    Facet before = facet_at(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel)
+        - as_type<metal::uint2>(step)), metal::int2(0), last), surface, curvature);
     // Near its outline the facing of a round form goes like the root of the distance.
     float facing = facing_squared(own);
     float change = facing_squared(before) - facing;
@@ -741,8 +800,9 @@ Edge silhouette(
     float found = facing / metal::max(change, 0.0001);
     float place = metal::clamp(found, 0.0, 1.0);
     // As far as this is not between the pixels, the form is not as round as its normals.
-    float trust = is_round ? metal::clamp(2.0 - (4.0 * metal::abs(found - place)), 0.0, 1.0) : 0.0;
-    Course seen = Course {metal::mix(course.place, place, trust), course.slope, metal::mix(course.trust, 1.0, trust)};
+    float trust = is_round ? metal::clamp(2.0 - 4.0 * metal::abs(found - place), 0.0, 1.0) : 0.0;
+    Course seen = Course {metal::mix(course.place, place, trust), course.slope,
+        metal::mix(course.trust, 1.0, trust)};
     metal::float2 turned = metal::mix(course_normal(course, toward), normal, trust);
     return edge_along(0, seen, toward, turned / metal::float2(metal::length(turned)));
 }
@@ -756,13 +816,18 @@ float round_bend(
     metal::int2 step,
     metal::texture2d<float, metal::access::sample> surface
 ) {
-    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
-    metal::float4 before = surface.read(metal::uint2(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) - as_type<metal::uint2>(step)), metal::int2(0), last)), 0);
-    metal::float4 after = surface.read(metal::uint2(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(as_type<metal::int2>(as_type<uint>(2) * as_type<metal::uint2>(step)))), metal::int2(0), last)), 0);
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
+        surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::float4 before = surface.read(metal::uint2(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) - as_type<metal::uint2>(step)),
+        metal::int2(0), last)), 0);
+    metal::float4 after = surface.read(metal::uint2(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(as_type<metal::int2>(as_type<uint>(2) * as_type<metal::uint2>(step)))),
+        metal::int2(0), last)), 0);
     metal::float3 normal_of_value = normal_of(after);
-    metal::float2 bends = metal::float2(metal::length(normal_of(before) - own.normal), metal::length(normal_of_value - other.normal));
+    metal::float2 bends = metal::float2(metal::length(normal_of(before) - own.normal),
+        metal::length(normal_of_value - other.normal));
     metal::float2 numbers = metal::float2(metal::abs(before.w), metal::abs(after.w));
-    metal::float2 shares = metal::select(metal::float2(0.0), metal::float2(1.0), numbers == metal::float2(own.number));
+    metal::float2 shares = metal::select(metal::float2(0.0), metal::float2(1.0),
+        numbers == metal::float2(own.number));
     return metal::dot(bends, shares) / metal::max(shares.x + shares.y, 1.0);
 }
 
@@ -777,9 +842,11 @@ Edge edge_between(
     bool local_16 = {};
     bool local_17 = {};
     Edge none = Edge {-1, {}, metal::float2(0.0), 0.0, 0.0};
-    metal::int2 at = as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(step));
-    if (!(metal::any(at < metal::int2(0)))) {
-        local_16 = metal::any(at >= static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height())));
+    metal::int2 at = as_type<metal::int2>(as_type<metal::uint2>(pixel)
+        + as_type<metal::uint2>(step));
+    if (!metal::any(at < metal::int2(0))) {
+        local_16 = metal::any(at >= static_cast<metal::int2>(metal::uint2(surface.get_width(),
+            surface.get_height())));
     } else {
         local_16 = true;
     }
@@ -792,14 +859,15 @@ Edge edge_between(
     }
     metal::float2 toward = static_cast<metal::float2>(step);
     bool is_same_object = object_in(own.number) == object_in(other.number);
-    if (!(meets(own, other, toward, curvature))) {
+    if (!meets(own, other, toward, curvature)) {
         if (own.depth > other.depth) {
             return none;
         }
         float middle = 0.5 * (own.depth + other.depth);
-        return silhouette(own, pixel, step, is_same_object ? middle : 1000000000.0, surface, curvature);
+        return silhouette(own, pixel, step, is_same_object ? middle : 1000000000.0, surface,
+            curvature);
     }
-    if (!(is_same_object)) {
+    if (!is_same_object) {
         return Edge {2, {}, metal::float2(0.0), 0.0, 0.0};
     }
     if (own.number != other.number) {
@@ -808,8 +876,8 @@ Edge edge_between(
         return Edge {kind, {}, metal::float2(0.0), 0.0, 0.0};
     }
     float bend = metal::length(own.normal - other.normal);
-    if (!((bend < 0.5176381))) {
-        local_17 = (bend - round_bend(own, other, pixel, step, surface)) < 0.5176381;
+    if (!(bend < 0.5176381)) {
+        local_17 = bend - round_bend(own, other, pixel, step, surface) < 0.5176381;
     } else {
         local_17 = true;
     }
@@ -829,20 +897,21 @@ Edge meeting(
     constant Curvature& curvature
 ) {
     bool local_18 = {};
-    Facet other = facet_at(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(step)), surface, curvature);
+    Facet other = facet_at(as_type<metal::int2>(as_type<metal::uint2>(pixel)
+        + as_type<metal::uint2>(step)), surface, curvature);
     metal::float2 toward = static_cast<metal::float2>(step);
     metal::float2 slope = own.rise - other.rise;
     float steepness = metal::length(slope);
     float here = own.depth - (other.depth - metal::dot(other.rise, toward));
     float side = metal::dot(slope, toward);
-    if (metal::abs(side) > (0.1 * pixel_size_at(own.depth, curvature))) {
-        local_18 = metal::abs(side) > (0.3 * steepness);
+    if (metal::abs(side) > 0.1 * pixel_size_at(own.depth, curvature)) {
+        local_18 = metal::abs(side) > 0.3 * steepness;
     } else {
         local_18 = false;
     }
     if (local_18) {
-        float share = metal::clamp(-(here) / side, 0.0, 1.0);
-        metal::float2 normal = slope / metal::float2((side > 0.0) ? steepness : -(steepness));
+        float share = metal::clamp(-here / side, 0.0, 1.0);
+        metal::float2 normal = slope / metal::float2(side > 0.0 ? steepness : -steepness);
         float lean = metal::dot(normal, toward);
         return Edge {kind, {}, normal, share * lean, lean};
     }
@@ -864,10 +933,13 @@ bool goes_on(
 ) {
     bool local_19 = {};
     bool local_20 = {};
-    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
-    metal::float4 texel = surface.read(metal::uint2(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(step)), metal::int2(0), last)), 0);
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
+        surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::float4 texel = surface.read(metal::uint2(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(step)),
+        metal::int2(0), last)), 0);
     metal::float2 change = metal::abs(texel.xy - slope);
-    float error = metal::abs((texel.z - own.depth) - metal::dot(own.gentle_rise, static_cast<metal::float2>(step)));
+    float error = metal::abs(texel.z - own.depth
+        - metal::dot(own.gentle_rise, static_cast<metal::float2>(step)));
     if (metal::abs(texel.w) == own.number) {
         local_19 = error <= size;
     } else {
@@ -915,7 +987,7 @@ metal::float4 edges_at(
             left = left | (goes_on_value ? 0u : (1u << static_cast<uint>(index)));
         }
     }
-    index_1 = (left == 0u) ? 4 : 0;
+    index_1 = left == 0u ? 4 : 0;
     bool loop_init_1 = true;
     // Most pixels have no round at all: what a loop does not enter costs nothing everywhere.
     while(true) {
@@ -944,7 +1016,7 @@ metal::float4 edges_at(
             metal::bool4 is_better = is_kind & (metal::float4(edge.trust) > trust);
             trust = metal::select(trust, metal::float4(edge.trust), is_better);
             float code = edge_code(edge.normal, edge.offset);
-            codes = metal::select(codes, metal::float4((edge.kind == 4) ? -(code) : code), is_better);
+            codes = metal::select(codes, metal::float4(edge.kind == 4 ? -code : code), is_better);
         }
     }
     return codes;
@@ -965,11 +1037,15 @@ bool comes_out(
     bool local_21 = {};
     metal::float2 outward = metal::float2(edges.x.x, edges.y.x);
     bool is_level = metal::abs(outward.x) >= metal::abs(outward.y);
-    metal::int2 step = naga_f2i32(is_level ? metal::float2(metal::sign(outward.x), 0.0) : metal::float2(0.0, metal::sign(outward.y)));
-    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::int2 step = naga_f2i32(is_level ? metal::float2(metal::sign(outward.x),
+        0.0) : metal::float2(0.0, metal::sign(outward.y)));
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
+        surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
     Facet own = facet_at(pixel, surface, curvature);
-    metal::float4 texel = front.read(metal::uint2(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(step)), metal::int2(0), last)), 0);
-    float error = metal::abs((texel.z - own.depth) - metal::dot(own.gentle_rise, static_cast<metal::float2>(step)));
+    metal::float4 texel = front.read(metal::uint2(metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(step)),
+        metal::int2(0), last)), 0);
+    float error = metal::abs(texel.z - own.depth
+        - metal::dot(own.gentle_rise, static_cast<metal::float2>(step)));
     float tolerance = 2.0 * (pixel_size_at(own.depth, curvature) + metal::length(own.gentle_rise));
     if (object_in(texel.w) == object_in(own.number)) {
         local_21 = error <= tolerance;
@@ -981,9 +1057,11 @@ bool comes_out(
 
 struct vs_mainInput {
 };
+
 struct vs_mainOutput {
     metal::float4 member [[position]];
 };
+
 vertex vs_mainOutput vs_main(
   uint index [[vertex_id]]
 ) {
@@ -993,9 +1071,11 @@ vertex vs_mainOutput vs_main(
 
 struct fs_mainInput {
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   metal::float4 position [[position]]
 , metal::texture2d<float, metal::access::sample> surface [[texture(0)]]
@@ -1006,7 +1086,7 @@ fragment fs_mainOutput fs_main(
     metal::int2 pixel = naga_f2i32(position.xy);
     metal::float4 codes = edges_at(pixel, surface, curvature);
     if (codes.x > 0.0) {
-        local = !(comes_out(pixel, edges_of(codes, 4096.0), surface, curvature, front));
+        local = !comes_out(pixel, edges_of(codes, 4096.0), surface, curvature, front);
     } else {
         local = false;
     }

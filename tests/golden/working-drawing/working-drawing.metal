@@ -18,6 +18,7 @@ struct View {
     /// Pixels from the picture's upper left corner are the fragment's coordinates times xy plus zw.
     metal::float4 screen;
 };
+
 struct Object {
     metal::float4x4 world_from_object;
     /// The inverse transpose, for normals.
@@ -25,12 +26,14 @@ struct Object {
     float id;
     char _pad3[12];
 };
+
 /// What is known before the fragment.
 struct Look {
     float object_id;
     char _pad1[4];
     metal::float2 viewport;
 };
+
 /// The surface under the fragment, in world space.
 struct Surface {
     metal::float3 normal;
@@ -44,14 +47,17 @@ struct Surface {
     float magnification;
     char _pad8[4];
 };
+
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
 struct type_7 {
     metal::float4 inner[16];
 };
+
 struct type_8 {
     metal::float4 inner[4];
 };
+
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
 /// for uniform buffers.
 struct Ramp {
@@ -66,6 +72,7 @@ struct Ramp {
     uint interpolation;
     char _pad4[8];
 };
+
 struct ScreenPlace {
     /// From the picture's upper left corner, x to the right and y down, in pixels; centers lie at
     /// halves.
@@ -76,6 +83,7 @@ struct ScreenPlace {
     /// the picture.
     metal::float2 uv;
 };
+
 /// Widths of lines of each kind, in pixels.
 struct LineWidths {
     /// Of silhouettes, creases, borders of objects and borders of materials.
@@ -84,6 +92,7 @@ struct LineWidths {
     float ids;
     char _pad2[12];
 };
+
 struct Outline {
     /// From 0 beside lines to 1 on them.
     float line;
@@ -94,6 +103,7 @@ struct Outline {
     /// near.
     float distance;
 };
+
 struct VectorParts {
     /// The first number.
     float x;
@@ -102,15 +112,18 @@ struct VectorParts {
     /// The third number.
     float z;
 };
+
 struct Vertex {
     metal::float3 position;
     metal::float3 normal;
 };
+
 struct Varyings {
     metal::float4 clip;
     metal::float3 position;
     metal::float3 normal;
 };
+
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant uint INTERPOLATION_SMOOTH = 1u;
 constant uint INTERPOLATION_STEPPED = 2u;
@@ -118,7 +131,13 @@ constant uint INTERPOLATION_STEPPED = 2u;
 constant float MOST_ON_SCREEN = 1000000000000000.0;
 /// What is no nearer than this many pixels is not near at all: less is rounding.
 constant float LEAST_NEARNESS = 0.000001;
-constant Ramp paper = Ramp {type_7 {{metal::float4(0.8, 0.845, 0.885, 1.0), metal::float4(0.955, 0.965, 0.955, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_8 {{metal::float4(0.0, 0.75, 0.0, 0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 2u, 1u};
+constant Ramp paper = Ramp {type_7 {{metal::float4(0.8, 0.845, 0.885, 1.0),
+    metal::float4(0.955, 0.965, 0.955, 1.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}},
+    type_8 {{metal::float4(0.0, 0.75, 0.0, 0.0), metal::float4(0.0), metal::float4(0.0),
+    metal::float4(0.0)}}, 2u, 1u};
 
 /// v with 0 for each component that is NaN or infinite.
 metal::float4 finite_vec4(
@@ -144,7 +163,7 @@ float bounded(
     uint bits = as_type<uint>(x);
     uint magnitude = bits & 2147483647u;
     float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0);
+    return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
@@ -153,8 +172,10 @@ metal::float4 bounded_vec4(
 ) {
     metal::uint4 bits = as_type<metal::uint4>(v);
     metal::uint4 magnitude = bits & metal::uint4(2147483647u);
-    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
-    metal::float4 numbers = metal::select(metal::float4(0.0), largest, magnitude == metal::uint4(2139095040u));
+    metal::float4 largest = as_type<metal::float4>((bits & metal::uint4(2147483648u))
+        | metal::uint4(2139095039u));
+    metal::float4 numbers = metal::select(metal::float4(0.0), largest,
+        magnitude == metal::uint4(2139095040u));
     return metal::select(numbers, v, magnitude < metal::uint4(2139095040u));
 }
 
@@ -175,7 +196,7 @@ float modulo_floored(
     float y
 ) {
     float left = x - metal::floor(x);
-    float wrapped = (left < 0.0) ? (left + 1.0) : left;
+    float wrapped = left < 0.0 ? left + 1.0 : left;
     float inside = ((wrapped >= 0.0) & (wrapped < 1.0)) ? wrapped : 0.0;
     return inside;
 }
@@ -187,7 +208,7 @@ metal::float4 mixed_vec4(
     float t
 ) {
     metal::float4 d = bounded_vec4(b - a);
-    return bounded_vec4((t < 0.5) ? (a + (t * d)) : (b - ((1.0 - t) * d)));
+    return bounded_vec4(t < 0.5 ? a + t * d : b - (1.0 - t) * d);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -206,7 +227,7 @@ float step_filtered(
 ) {
     float d = bounded(x - edge);
     if (w < 0.000000000000000000000000000001) {
-        return (d >= 0.0) ? 1.0 : 0.0;
+        return d >= 0.0 ? 1.0 : 0.0;
     }
     return metal::clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
@@ -221,7 +242,7 @@ metal::float4 hermite(
     float t
 ) {
     metal::float4 d = b - a;
-    return a + (t * (from_a + (t * ((((3.0 * d) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d)))))));
+    return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
 }
 
 /// [`ramp_slope`] of one component.
@@ -231,12 +252,12 @@ float harmonic_slope(
     float after,
     float span_after
 ) {
-    if ((before * after) <= 0.0) {
+    if (before * after <= 0.0) {
         return 0.0;
     }
-    float weight_before = (2.0 * span_after) + span_before;
-    float weight_after = span_after + (2.0 * span_before);
-    return divided(weight_before + weight_after, (weight_before / before) + (weight_after / after));
+    float weight_before = 2.0 * span_after + span_before;
+    float weight_after = span_after + 2.0 * span_before;
+    return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
 /// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
@@ -247,13 +268,18 @@ metal::float4 ramp_slope(
     metal::float4 rise_after,
     float span_after
 ) {
-    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before, divided(rise_after.x, span_after), span_after);
+    float harmonic_slope_value = harmonic_slope(divided(rise_before.x, span_before), span_before,
+        divided(rise_after.x, span_after), span_after);
     float divided_value = divided(rise_after.y, span_after);
     float divided_value_1 = divided(rise_after.z, span_after);
-    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before, divided_value_1, span_after);
+    float harmonic_slope_value_1 = harmonic_slope(divided(rise_before.z, span_before), span_before,
+        divided_value_1, span_after);
     float divided_value_2 = divided(rise_after.w, span_after);
-    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before, divided_value_2, span_after);
-    return metal::float4(harmonic_slope_value, harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after), harmonic_slope_value_1, harmonic_slope_value_2);
+    float harmonic_slope_value_2 = harmonic_slope(divided(rise_before.w, span_before), span_before,
+        divided_value_2, span_after);
+    return metal::float4(harmonic_slope_value,
+        harmonic_slope(divided(rise_before.y, span_before), span_before, divided_value, span_after),
+        harmonic_slope_value_1, harmonic_slope_value_2);
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -299,8 +325,9 @@ Color ramp_at(
                 break;
             }
             {
-                float step_filtered_value = step_filtered(x, places.inner[naga_div(i, 4u)][naga_mod(i, 4u)], w);
-                color = color + ((colors.inner[i] - colors.inner[i - 1u]) * step_filtered_value);
+                float step_filtered_value = step_filtered(x,
+                    places.inner[naga_div(i, 4u)][naga_mod(i, 4u)], w);
+                color = color + (colors.inner[i] - colors.inner[i - 1u]) * step_filtered_value;
             }
         }
         return bounded_vec4(color);
@@ -317,11 +344,11 @@ Color ramp_at(
         }
         {
             float places_now = places.inner[naga_div(i_1, 4u)][naga_mod(i_1, 4u)];
-            at = (places_now <= x) ? i_1 : at;
+            at = places_now <= x ? i_1 : at;
         }
     }
     float place = places.inner[naga_div(at, 4u)][naga_mod(at, 4u)];
-    if (((at + 1u) >= count) | (x <= place)) {
+    if ((at + 1u >= count) | (x <= place)) {
         return bounded_vec4(colors.inner[at]);
     }
     uint after = at + 1u;
@@ -332,14 +359,18 @@ Color ramp_at(
     }
     if (at > 0u) {
         float before = places.inner[naga_div(at - 1u, 4u)][naga_mod(at - 1u, 4u)];
-        metal::float4 ramp_slope_value = ramp_slope(colors.inner[at] - colors.inner[at - 1u], place - before, colors.inner[after] - colors.inner[at], span);
+        metal::float4 ramp_slope_value = ramp_slope(colors.inner[at] - colors.inner[at - 1u],
+            place - before, colors.inner[after] - colors.inner[at], span);
         from_a = ramp_slope_value;
     }
-    if ((after + 1u) < count) {
-        float next = places.inner[naga_div(after + 1u, 4u)][naga_mod(after + 1u, 4u)] - (place + span);
-        to_b = ramp_slope(colors.inner[after] - colors.inner[at], span, colors.inner[after + 1u] - colors.inner[after], next);
+    if (after + 1u < count) {
+        float next = places.inner[naga_div(after + 1u, 4u)][naga_mod(after + 1u, 4u)]
+            - (place + span);
+        to_b = ramp_slope(colors.inner[after] - colors.inner[at], span, colors.inner[after + 1u]
+            - colors.inner[after], next);
     }
-    return bounded_vec4(hermite(colors.inner[at], colors.inner[after], span * from_a, span * to_b, t));
+    return bounded_vec4(hermite(colors.inner[at], colors.inner[after], span * from_a, span * to_b,
+        t));
 }
 
 /// Premultiplied RGBA of a straight color.
@@ -364,7 +395,7 @@ Color straight(
 float object_number(
     float object
 ) {
-    return (object - (4096.0 * metal::floor(object / 4096.0))) + 1.0;
+    return object - 4096.0 * metal::floor(object / 4096.0) + 1.0;
 }
 
 /// Output
@@ -386,7 +417,8 @@ float size_on_screen(
     float scale
 ) {
     // Clip space is 2 high.
-    return metal::min((0.5 * scale) / metal::mix(1.0, metal::max(depth, 0.000001), perspective), MOST_ON_SCREEN);
+    return metal::min(0.5 * scale / metal::mix(1.0, metal::max(depth, 0.000001), perspective),
+        MOST_ON_SCREEN);
 }
 
 /// A pixel's place from the picture's middle, x to the right and y up, in picture heights.
@@ -394,8 +426,9 @@ metal::float2 place_in_picture(
     metal::float2 pixel,
     metal::float2 viewport
 ) {
-    metal::float2 from_middle = pixel - (0.5 * viewport);
-    return metal::float2(from_middle.x, -(from_middle.y)) / metal::float2(metal::max(viewport.y, 1.0));
+    metal::float2 from_middle = pixel - 0.5 * viewport;
+    return metal::float2(from_middle.x, -from_middle.y)
+        / metal::float2(metal::max(viewport.y, 1.0));
 }
 
 /// Screen place
@@ -408,7 +441,8 @@ ScreenPlace screen_place(
 ) {
     metal::float2 place = place_in_picture(pixel, viewport);
     float aspect = viewport.x / metal::max(viewport.y, 1.0);
-    return ScreenPlace {pixel, place, metal::float2(0.5 + (place.x / metal::max(aspect, 0.000001)), 0.5 + place.y)};
+    return ScreenPlace {pixel, place,
+        metal::float2(0.5 + place.x / metal::max(aspect, 0.000001), 0.5 + place.y)};
 }
 
 /// The nearness of edges as a fragment's own surface has it. The edges are those of what the middle
@@ -427,7 +461,7 @@ metal::float4 own_nearness(
     bool local_1 = {};
     bool is_same_object = middle.y == object_number(object);
     float behind = (depth - middle.x) * pixels;
-    if (!((metal::abs(middle.y) < 0.5))) {
+    if (!(metal::abs(middle.y) < 0.5)) {
         if (is_same_object) {
             local_1 = metal::abs(behind) <= 8.0625;
         } else {
@@ -453,7 +487,8 @@ LineWidths line_widths(
 ) {
     metal::float4 widths = metal::min(width, 10000.0) * shares;
     float id_width = metal::min(width, 10000.0);
-    return LineWidths {metal::select(metal::float4(0.0), widths, widths > metal::float4(0.000001)), (id_width > 0.000001) ? id_width : 0.0};
+    return LineWidths {metal::select(metal::float4(0.0), widths, widths > metal::float4(0.000001)),
+        id_width > 0.000001 ? id_width : 0.0};
 }
 
 /// Widths of lines of each kind: shares of one width, `ids` that of borders of ids.
@@ -463,7 +498,8 @@ LineWidths line_widths_2(
     float ids
 ) {
     metal::float4 widths = metal::min(width, 10000.0) * shares;
-    return LineWidths {metal::select(metal::float4(0.0), widths, widths > metal::float4(0.000001)), 0.0};
+    return LineWidths {metal::select(metal::float4(0.0), widths, widths > metal::float4(0.000001)),
+        0.0};
 }
 
 /// Share of a pixel that lines cover which lie on one side of their edges: from the edge, which is
@@ -472,7 +508,7 @@ float inner_line_covers(
     float distance,
     float width
 ) {
-    return metal::clamp((width + 0.5) - distance, 0.0, metal::min(width, 1.0));
+    return metal::clamp(width + 0.5 - distance, 0.0, metal::min(width, 1.0));
 }
 
 /// Share of a pixel that lines cover which lie evenly on both sides of their edges.
@@ -481,7 +517,9 @@ metal::float4 middle_line_covers(
     metal::float4 width
 ) {
     metal::float4 half_ = 0.5 * width;
-    return metal::clamp(metal::min(distance + metal::float4(0.5), half_) - metal::max(distance - metal::float4(0.5), -(half_)), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::min(distance + metal::float4(0.5), half_)
+        - metal::max(distance - metal::float4(0.5), -half_), metal::float4(0.0),
+        metal::float4(1.0));
 }
 
 /// What a line of any kind covers of a pixel, by how much nearer than the reach the edges of each
@@ -491,8 +529,10 @@ float any_line_covers(
     LineWidths widths,
     float reach
 ) {
-    metal::float4 near = metal::clamp(nearness, metal::float4(-(reach)), metal::float4(reach));
-    metal::float4 own = metal::select(metal::float4(0.0), metal::float4(widths.kinds.xyz, (near.w < 0.0) ? widths.ids : widths.kinds.w), metal::abs(near) > metal::float4(0.000001));
+    metal::float4 near = metal::clamp(nearness, metal::float4(-reach), metal::float4(reach));
+    metal::float4 own = metal::select(metal::float4(0.0),
+        metal::float4(widths.kinds.xyz, near.w < 0.0 ? widths.ids : widths.kinds.w),
+        metal::abs(near) > metal::float4(0.000001));
     metal::float4 covers = middle_line_covers(metal::float4(reach) - metal::abs(near), own);
     return metal::max(metal::max(covers.x, covers.y), metal::max(covers.z, covers.w));
 }
@@ -506,7 +546,8 @@ metal::float4 lines_cover(
     float reach
 ) {
     metal::float4 distance = metal::float4(reach) - nearness;
-    metal::float4 covers = metal::float4(inner_line_covers(distance.x, widths.x), middle_line_covers(distance, widths).yzw);
+    metal::float4 covers = metal::float4(inner_line_covers(distance.x, widths.x),
+        middle_line_covers(distance, widths).yzw);
     return metal::select(metal::float4(0.0), covers, nearness > metal::float4(0.000001));
 }
 
@@ -526,7 +567,8 @@ float hidden_lines_height(
 ) {
     metal::float4 shares = metal::float4(silhouettes, creases, borders, borders);
     LineWidths widths = line_widths(width * (0.001 * viewport.y), shares, borders);
-    return any_line_covers(nearness, widths, metal::min(16.0 * metal::max(metal::rint(viewport.y / 800.0), 1.0), 31.0));
+    return any_line_covers(nearness, widths,
+        metal::min(16.0 * metal::max(metal::rint(viewport.y / 800.0), 1.0), 31.0));
 }
 
 Outline drawn_outline(
@@ -535,19 +577,19 @@ Outline drawn_outline(
     float reach
 ) {
     float kind = {};
-    metal::float4 signed_ = metal::clamp(of_edges, metal::float4(-(reach)), metal::float4(reach));
+    metal::float4 signed_ = metal::clamp(of_edges, metal::float4(-reach), metal::float4(reach));
     metal::float4 nearness = metal::abs(signed_);
     metal::float4 widths = metal::float4(line_widths.kinds.xyz, 0.0);
     metal::float4 covers = lines_cover(nearness, widths, reach);
     float line = metal::max(metal::max(covers.x, covers.y), covers.z);
     float least = line - 0.0009765625;
-    kind = (signed_.w < 0.0) ? 5.0 : 4.0;
-    kind = (covers.z >= least) ? 3.0 : kind;
-    kind = (covers.y >= least) ? 2.0 : kind;
-    kind = (covers.x >= least) ? 1.0 : kind;
+    kind = signed_.w < 0.0 ? 5.0 : 4.0;
+    kind = covers.z >= least ? 3.0 : kind;
+    kind = covers.y >= least ? 2.0 : kind;
+    kind = covers.x >= least ? 1.0 : kind;
     metal::float4 near = metal::select(metal::float4(0.0), nearness, widths > metal::float4(0.0));
     float nearest = metal::max(metal::max(near.x, near.y), near.z);
-    return Outline {line, (line > 0.0009765625) ? kind : 0.0, reach - nearest};
+    return Outline {line, line > 0.0009765625 ? kind : 0.0, reach - nearest};
 }
 
 /// Outline
@@ -594,18 +636,26 @@ metal::float4 shade(
 ) {
     float facing = metal::clamp(metal::dot(surface.normal, surface.view), 0.0, 1.0);
     Color paper_2 = ramp_at(paper, facing, footprint_of(facing));
-    float what_lies_behind = hidden_lines_height(2.4, 1.0, 0.8, 1.0, surface.hidden_nearness, look.viewport);
+    float what_lies_behind = hidden_lines_height(2.4, 1.0, 0.8, 1.0, surface.hidden_nearness,
+        look.viewport);
     ScreenPlace place = screen_place(surface.pixel, look.viewport);
     VectorParts columns_and_rows = separate_vector(metal::float3(place.pixel, 0.0));
     float diagonal = columns_and_rows.x + columns_and_rows.y;
     float dash_length = diagonal * 0.11;
     float along_a_dash = modulo_floored(dash_length, 1.0);
-    float ink_or_gap = ((along_a_dash - 0.58) < -0.0) ? 1.0 : 0.0;
+    float ink_or_gap = along_a_dash - 0.58 < -0.0 ? 1.0 : 0.0;
     float dashed = what_lies_behind * ink_or_gap;
-    metal::float4 dashed_on_the_paper = mixed_vec4(bounded_vec4(paper_2), metal::float4(0.32, 0.42, 0.55, 1.0), dashed);
-    Outline what_is_seen = outline_height(5.0, 1.0, 0.55, 1.0, 0.0, 0.0, surface.line_nearness, surface.middle_surface, surface.depth, look.object_id, look.viewport, surface.magnification);
-    metal::float4 inked = mixed_vec4(bounded_vec4(dashed_on_the_paper), metal::float4(0.07, 0.09, 0.15, 1.0), what_is_seen.line);
-    Color output_2 = output(premultiplied(metal::float4(inked.xyz, metal::clamp(inked.w, 0.0, 1.0))));
+    // Mix colors
+    metal::float4 dashed_on_the_paper = mixed_vec4(bounded_vec4(paper_2),
+        metal::float4(0.32, 0.42, 0.55, 1.0), dashed);
+    Outline what_is_seen = outline_height(5.0, 1.0, 0.55, 1.0, 0.0, 0.0, surface.line_nearness,
+        surface.middle_surface, surface.depth, look.object_id, look.viewport,
+        surface.magnification);
+    // Mix colors
+    metal::float4 inked = mixed_vec4(bounded_vec4(dashed_on_the_paper),
+        metal::float4(0.07, 0.09, 0.15, 1.0), what_is_seen.line);
+    Color output_2 = output(premultiplied(metal::float4(inked.xyz,
+        metal::clamp(inked.w, 0.0, 1.0))));
     return output_2;
 }
 
@@ -613,11 +663,13 @@ struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
     metal::float3 normal [[attribute(1)]];
 };
+
 struct vs_mainOutput {
     metal::float4 clip [[position]];
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
 , constant View& view [[buffer(0)]]
@@ -625,7 +677,8 @@ vertex vs_mainOutput vs_main(
 ) {
     const Vertex vertex_ = { varyings.position, varyings.normal };
     metal::float4 world = object.world_from_object * metal::float4(vertex_.position, 1.0);
-    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal * vertex_.normal};
+    const auto _tmp = Varyings {view.clip_from_world * world, world.xyz, object.world_from_normal
+        * vertex_.normal};
     return vs_mainOutput { _tmp.clip, _tmp.position, _tmp.normal };
 }
 
@@ -638,9 +691,11 @@ struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
     metal::float3 normal [[user(loc1), center_perspective]];
 };
+
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
 };
+
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
@@ -653,12 +708,18 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal };
     metal::float3 facing = normalize_seen_balanced(in.normal);
-    metal::float3 normal = is_front ? facing : -(facing);
+    metal::float3 normal = is_front ? facing : -facing;
     metal::float4 texel = line_nearness_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
     metal::float4 texel_1 = facet_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
     metal::float4 texel_2 = facet_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
     metal::float4 texel_3 = hidden_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    float size_on_screen_value = size_on_screen(-((view.camera_from_world * metal::float4(in.position, 1.0)).z), view.eye.w, metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
-    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - (view.eye.w * in.position)), -((view.camera_from_world * metal::float4(in.position, 1.0)).z), texel, metal::float2(texel_1.z, metal::floor(metal::abs(texel_2.w))), {}, texel_3, (in.clip.xy * view.screen.xy) + view.screen.zw, size_on_screen_value};
+    float size_on_screen_value = size_on_screen(-(view.camera_from_world
+        * metal::float4(in.position, 1.0)).z, view.eye.w,
+        metal::length(metal::float3(view.clip_from_world[0].y, view.clip_from_world[1].y,
+        view.clip_from_world[2].y)));
+    Surface surface = Surface {normal, metal::normalize(view.eye.xyz - view.eye.w * in.position),
+        -(view.camera_from_world * metal::float4(in.position, 1.0)).z, texel,
+        metal::float2(texel_1.z, metal::floor(metal::abs(texel_2.w))), {}, texel_3, in.clip.xy
+        * view.screen.xy + view.screen.zw, size_on_screen_value};
     return fs_mainOutput { finite_vec4(shade(surface, look)) };
 }

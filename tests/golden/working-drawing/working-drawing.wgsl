@@ -437,11 +437,13 @@ fn shade(surface: Surface) -> vec4f {
     let along_a_dash = modulo_floored(dash_length, 1.0);
     let ink_or_gap = select(0.0, 1.0, along_a_dash - 0.58 < -0.0);
     let dashed = what_lies_behind * ink_or_gap;
+    // Mix colors
     let dashed_on_the_paper = mixed_vec4(bounded_vec4(paper_2), vec4f(0.32, 0.42, 0.55, 1.0),
         dashed);
     let what_is_seen = outline_height(5.0, 1.0, 0.55, 1.0, 0.0, 0.0, surface.line_nearness,
         surface.middle_surface, surface.depth, look.object_id, look.viewport,
         surface.magnification);
+    // Mix colors
     let inked = mixed_vec4(bounded_vec4(dashed_on_the_paper), vec4f(0.07, 0.09, 0.15, 1.0),
         what_is_seen.line);
     let output_2 = output(premultiplied(vec4f(inked.xyz, clamp(inked.w, 0.0, 1.0))));

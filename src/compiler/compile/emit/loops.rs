@@ -9,6 +9,7 @@ use std::fmt::Write as _;
 use indexmap::IndexMap;
 
 use super::Emitter;
+use super::headings::Statement;
 use super::parts::Body;
 use crate::compile::functions::write_line;
 use crate::compile::host::{ArrayPlace, UniformMember};
@@ -284,7 +285,8 @@ impl Emitter<'_> {
             "    // {comment}\n    for (var {counter} = 0u; {counter} < {}u; {counter}++) {{",
             light_loop.lights.len()
         );
-        for &call in &block.calls {
+        let statements: Vec<_> = block.calls.iter().map(|&call| Statement::Value(call)).collect();
+        for (&call, heading) in block.calls.iter().zip(&self.headings(&statements)) {
             let text = self.call(call).0;
             let line = match self.assigned.get(&call) {
                 Some(variable) => {
@@ -294,6 +296,7 @@ impl Emitter<'_> {
                     format!("let {} = {text};", self.value_names.get(&call).map_or("", |n| n))
                 }
             };
+            self.write_heading(heading, (call, &line), 2, body);
             self.write_value(call, &line, 2, body);
         }
         for variable in &light_loop.variables {

@@ -11,6 +11,7 @@
 mod attributes;
 mod expression;
 mod frame;
+mod headings;
 mod loops;
 mod nesting;
 mod parts;

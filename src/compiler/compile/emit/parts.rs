@@ -14,6 +14,7 @@ use std::collections::{HashMap, HashSet};
 use std::fmt::Write as _;
 use std::ops::Range;
 
+use super::headings::{Heading, Statement};
 use super::loops::LoopBlock;
 use super::{Emitter, Span};
 use crate::compile::functions::{LINE, write_line};
@@ -156,7 +157,14 @@ impl Emitter<'_> {
         let inherited = self.write_blocks(blocks, body);
         let value = self.expression(root);
         if is_alone {
-            self.write_value(root, &format!("return {value};"), 1, body);
+            let statement = format!("return {value};");
+            if self.is_nested(root) {
+                let mut statements = statements(blocks);
+                statements.push(Statement::Value(root));
+                let heading = self.headings(&statements).pop().unwrap_or_default();
+                self.write_heading(&heading, (root, &statement), 1, body);
+            }
+            self.write_value(root, &statement, 1, body);
         } else {
             let beside = self.special.beside.iter().map(|output| self.expression(output.value));
             let all: Vec<String> = std::iter::once(value).chain(beside).collect();
@@ -196,18 +204,21 @@ impl Emitter<'_> {
     /// Gives back what the values were called before, to be restored after the function's end.
     fn write_blocks(&mut self, blocks: &[Block], body: &mut Body) -> HashMap<ValueId, String> {
         let mut before = HashMap::new();
-        for block in blocks {
+        let headings = self.headings(&statements(blocks));
+        for (block, heading) in blocks.iter().zip(&headings) {
             let part = match block {
                 Block::Call(call) => {
-                    self.write_call(*call, body);
+                    self.write_call(*call, heading, body);
                     continue;
                 }
                 Block::Loop(block) => {
+                    heading.write_gap(body);
                     self.write_loop(block, body);
                     continue;
                 }
                 Block::Part(part) => part,
             };
+            heading.write_gap(body);
             let surface = part.reads_surface.then(|| "surface".to_owned());
             let arguments: Vec<String> = surface
                 .into_iter()
@@ -241,9 +252,11 @@ impl Emitter<'_> {
         before
     }
 
-    fn write_call(&self, id: ValueId, body: &mut Body) {
+    fn write_call(&self, id: ValueId, heading: &Heading, body: &mut Body) {
         let name = self.value_names.get(&id).map_or("", String::as_str);
-        self.write_value(id, &format!("let {name} = {};", self.call(id).0), 1, body);
+        let statement = format!("let {name} = {};", self.call(id).0);
+        self.write_heading(heading, (id, &statement), 1, body);
+        self.write_value(id, &statement, 1, body);
     }
 
     /// Writes a part after the parts that it calls; their depth is the logarithm of the look's
@@ -519,6 +532,15 @@ impl Emitter<'_> {
             _ => "part".to_owned(),
         }
     }
+}
+
+fn statements(blocks: &[Block]) -> Vec<Statement> {
+    let statement = |block: &Block| match block {
+        Block::Call(call) => Statement::Value(*call),
+        Block::Part(_) => Statement::Part,
+        Block::Loop(_) => Statement::Loop,
+    };
+    blocks.iter().map(statement).collect()
 }
 
 fn gives(block: &Block) -> &[ValueId] {

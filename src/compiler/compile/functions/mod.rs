@@ -37,7 +37,8 @@ use crate::wgsl::ValidModule;
 
 pub(super) use code::{Callee, Code, Line, each_code};
 pub(super) use lower::Body;
-pub(super) use print::{CodeNames, LINE, level, write_line, write_lines};
+pub use print::write_line;
+pub(super) use print::{CodeNames, LINE, level, write_lines};
 
 /// Most operators of an expression that stands in its caller in place of a call.
 const MOST_INLINED: usize = 9;

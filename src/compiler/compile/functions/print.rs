@@ -179,8 +179,9 @@ pub(in crate::compile) fn write_lines(
     }
 }
 
-/// Writes a line, broken after commas and before operators where it is too long.
-pub(in crate::compile) fn write_line(line: &str, indent: usize, out: &mut String) {
+/// Writer of a line at a number of indentations of four blanks: broken after commas and before
+/// operators where the line is longer than the library's own.
+pub fn write_line(line: &str, indent: usize, out: &mut String) {
     let mut rest = line;
     let mut indent = 4 * indent;
     loop {

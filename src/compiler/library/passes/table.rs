@@ -75,8 +75,8 @@ const SHARES_READ: &[PassInput] = &[
     PassInput { binding: "slices", pass: "near_slices", output: "shares" },
 ];
 
-/// Constants of a pass that looks for the nearest edges, its steps first, and the pixels at which it
-/// finds any.
+/// Constants of a pass that looks for the nearest edges, its steps first, and the pixels at which
+/// the pass finds any.
 type EdgeSearch = (&'static [(&'static str, i32)], ScreenExtent);
 
 /// Search for the edges of the surface that a pixel shows, as far as the widest lines reach.

@@ -96,7 +96,10 @@ fn place_inside(function: &mut FunctionText<'_>, comments: &DeclarationComments)
     for (at, lines) in before.into_iter().rev() {
         let line = &function.body[at];
         let indent = " ".repeat(line.len() - line.trim_start().len());
-        let lines: Vec<String> = lines.iter().map(|line| format!("{indent}{line}")).collect();
+        let is_blank = |line: &String| line.is_empty();
+        let indented =
+            |line| if is_blank(line) { String::new() } else { format!("{indent}{line}") };
+        let lines: Vec<String> = lines.iter().map(indented).collect();
         function.body.splice(at..at, lines);
     }
 }

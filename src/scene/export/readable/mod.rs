@@ -11,12 +11,14 @@
 //! - [`inline`] puts values without a name where they are read: a place of a uniform anywhere,
 //!   other values where nothing is written in between.
 //! - [`names`] gives the values of each function the names that they have in WGSL.
+//! - [`brackets`] takes away brackets that change nothing, and long lines are broken.
 //! - [`comments`] puts the comments of the WGSL back: before functions, structs, their members and
 //!   constants by name, and before statements by the value that they declare.
 //!
 //! naga writes a statement a line, and all languages here agree about names, calls and brackets, so
 //! the steps work on lines and words and know no grammar. A line that they do not know is kept.
 
+mod brackets;
 mod comments;
 mod inline;
 mod names;
@@ -32,6 +34,7 @@ pub(super) use source::SourceComments;
 use word::replace_words;
 pub(super) use word::words;
 
+use crate::compile::write_line;
 use crate::wgsl::ValidModule;
 
 /// Traits of a language's text that its words alone do not tell.
@@ -92,8 +95,51 @@ impl WrittenText<'_> {
         }
         comments::place(&mut pieces, source);
         let text: String = pieces.iter().map(Piece::text).collect();
-        Ok(replace_words(&text, |word| self.renamed.get(word).cloned()))
+        Ok(written_as_by_people(&replace_words(&text, |word| self.renamed.get(word).cloned())))
     }
+}
+
+/// The text without needless brackets and statements, its declarations apart, its statements broken
+/// where they are long.
+fn written_as_by_people(text: &str) -> String {
+    let mut written = String::with_capacity(text.len());
+    let mut lines = text.trim_end().lines().peekable();
+    let mut is_after_block = false;
+    while let Some(line) = lines.next() {
+        let next = lines.peek().copied().unwrap_or_default();
+        if line == "    return;" && next == "}" {
+            continue;
+        }
+        if is_after_block && !line.is_empty() {
+            written.push('\n');
+        }
+        is_after_block = line.starts_with('}');
+        let returned = returned_at_once(line, next);
+        if returned.is_some() {
+            lines.next();
+        }
+        let line = brackets::without_needless(returned.as_deref().unwrap_or(line));
+        let statement = line.trim_start();
+        let indent = line.len() - statement.len();
+        if statement.starts_with(['#', '/']) || indent % 4 != 0 {
+            written.push_str(&line);
+            written.push('\n');
+        } else {
+            write_line(statement, indent / 4, &mut written);
+        }
+    }
+    written
+}
+
+/// `return VALUE;` of a line that declares a value and the next one, which returns the value. naga
+/// calls such a value after its type.
+fn returned_at_once(line: &str, next: &str) -> Option<String> {
+    let declared = inline::DeclarationLine::of(line)?;
+    let value = declared.value.filter(|value| !value.starts_with('{'))?;
+    let name = next.trim_start().strip_prefix("return ")?.strip_suffix(';')?;
+    let ty = declared.ty.strip_prefix("const ")?.to_lowercase();
+    let is_same = name == declared.name && (ty == name || pieces::base(name) == Some(ty.as_str()));
+    is_same.then(|| format!("{}return {value};", " ".repeat(declared.indent)))
 }
 
 /// Members of structs that hold vectors packed, as Metal has them.

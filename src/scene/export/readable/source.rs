@@ -56,8 +56,14 @@ impl SourceComments {
             let trimmed = line.trim();
             if trimmed.starts_with("//") {
                 pending.push(comment_line(trimmed));
-            } else if trimmed.is_empty() || line.starts_with('}') {
+            } else if trimmed.is_empty() && within.is_some() {
+                // A blank line parts the statements of a function.
+                pending.push(String::new());
+            } else if trimmed.is_empty() {
                 pending.clear();
+            } else if line.starts_with(['}', ')']) {
+                pending.clear();
+                within = None;
             } else if line.starts_with(char::is_whitespace) {
                 let comments = std::mem::take(&mut pending);
                 if let Some((name, is_struct)) = &within {
@@ -71,7 +77,7 @@ impl SourceComments {
             } else if let Some((name, is_struct)) = declared(line) {
                 let before = std::mem::take(&mut pending);
                 found.declarations.entry(name.to_owned()).or_default().before = before;
-                within = Some((name.to_owned(), is_struct));
+                within = (!line.ends_with(';')).then(|| (name.to_owned(), is_struct));
             }
         }
         found
@@ -110,7 +116,8 @@ fn comment_line(line: &str) -> String {
 
 impl DeclarationComments {
     /// `@align(16) name: Type,`
-    fn add_member(&mut self, line: &str, comments: Vec<String>) {
+    fn add_member(&mut self, line: &str, mut comments: Vec<String>) {
+        comments.retain(|line| !line.is_empty());
         let before = line.split(':').next().unwrap_or_default();
         let name = words(before).last().map(|word| &before[word.span]);
         if let Some(name) = name.filter(|_| !comments.is_empty()) {

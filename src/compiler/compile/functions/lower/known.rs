@@ -17,6 +17,11 @@ impl FunctionWriter<'_> {
         }
     }
 
+    /// True for an expression that is one truth value.
+    pub(super) fn is_truth(&self, handle: Handle<Expression>) -> bool {
+        matches!(self.inner(handle), TypeInner::Scalar(kind) if kind.kind == naga::ScalarKind::Bool)
+    }
+
     pub(super) fn truth(&self, handle: Handle<Expression>) -> Option<bool> {
         match self.ranges(handle).as_deref() {
             Some([one]) => one.truth(),

@@ -45,6 +45,20 @@ impl FunctionWriter<'_> {
             Op::ShiftLeft => "<<",
             Op::ShiftRight => ">>",
         };
+        // What `false | x` and `true & x` are.
+        let neutral = match op {
+            Op::InclusiveOr | Op::LogicalOr => Some(false),
+            Op::And | Op::LogicalAnd => Some(true),
+            _ => None,
+        };
+        if neutral.is_some() && self.is_truth(left) {
+            for (known, other) in [(left, right), (right, left)] {
+                if self.truth(known) == neutral {
+                    self.is_changed = true;
+                    return self.code(other);
+                }
+            }
+        }
         let is_one = |x: Floats| x.point() == Some(1.0);
         let is_matrix =
             |handle: Handle<Expression>| matches!(self.inner(handle), TypeInner::Matrix { .. });
