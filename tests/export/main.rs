@@ -7,6 +7,7 @@ mod golden;
 mod host_code;
 mod host_work;
 mod instructions;
+mod live;
 mod readable;
 mod shadow_maps;
 mod validators;

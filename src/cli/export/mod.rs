@@ -10,7 +10,8 @@ use super::output::Output;
 use super::target::{OutputPath, outputs};
 use super::tier::{self, TierChoice};
 use crate::diag::Diagnostic;
-use crate::frame::Assets;
+use crate::frame::{Assets, SetupLook};
+use crate::library::Library;
 use chiaro_scene::export;
 use chiaro_scene::export::package::package;
 
@@ -24,6 +25,7 @@ Examples:
   chiaro export look.json --to all -o shaders/
   chiaro export look.json --to hlsl --tier auto -o shaders/
   chiaro export look.json --to web -o page/ --mesh shape:creature
+  chiaro export look.json --to wgsl --live -o shaders/      with every value as a parameter
 
 Languages: wgsl, glsl-es300, glsl-330, glsl-450, hlsl, msl, spirv. Beside the shaders lies a JSON \
 file with
@@ -52,6 +54,11 @@ pub(super) struct Arguments {
     /// look on
     #[arg(short, long)]
     mesh: Option<String>,
+    /// Export every value as a parameter that can be set, not only those that the look exposes:
+    /// each in the group of its node, with its range, default, unit and help. The shader is slower,
+    /// because it computes what was known before
+    #[arg(long)]
+    live: bool,
     /// A folder of a project's own nodes; `nodes/` beside the look is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
@@ -94,6 +101,9 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
             setup.source.locate_all(&mut told);
             output.diagnostics(&told);
         }
+    }
+    if arguments.live {
+        expose_all(&mut setup, &library, output)?;
     }
     let located = |mut problems: Vec<Diagnostic>| {
         setup.source.locate_all(&mut problems);
@@ -143,6 +153,20 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     if let Some(told) = export::unverified(&languages) {
         output.message(&told);
     }
+    Ok(())
+}
+
+/// Exposes every value of a look, as `--live` asks.
+fn expose_all(
+    worn: &mut SetupLook,
+    library: &Library,
+    output: &Output,
+) -> Result<(), Vec<Diagnostic>> {
+    let told = export::expose_all_values(&mut worn.look, library).map_err(|mut problems| {
+        worn.source.locate_all(&mut problems);
+        problems
+    })?;
+    output.diagnostics(&told);
     Ok(())
 }
 

@@ -37,6 +37,11 @@ pub(super) async fn run(
     let (mut setup, warnings) = opened.into_parts();
     output.diagnostics(&warnings);
     take_tier(arguments, &mut setup, &mut library, output);
+    if arguments.live {
+        for worn in &mut setup.looks {
+            super::expose_all(worn, &library, output)?;
+        }
+    }
     let worn = &setup.looks[0];
     let stem = arguments
         .look

@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::modules::Modules;
-use crate::compile::{HostStep, ParamId, TypedGraph, TypedNode, TypedSource};
+use crate::compile::{HostStep, ParamId, TypedGraph, TypedNode, TypedSource, node_title};
 use crate::document::{Definition, InterfacePort, Light, LightField, Look, Target};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::library::{Input, Library, Type};
@@ -22,6 +22,10 @@ pub struct ExposedParameter {
     /// Help text.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub help: String,
+    /// Name of the node or group that the parameter belongs to, with those of groups around it;
+    /// parameters of one group belong together.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub group: String,
     /// Target that the parameter sets: `path/to/node.port`, or `lights.key.direction`.
     pub target: String,
     /// Type in Chiaro; none for an input of a node that the look does not use.
@@ -144,6 +148,7 @@ fn input<'a>(
 ) -> ExposedParameter {
     let param = &typed.params[id];
     let mut parameter = ExposedParameter {
+        group: node_title(look, library, &param.path),
         target: format!("{}.{}", param.path, param.port),
         ..ExposedParameter::default()
     };
@@ -206,13 +211,15 @@ fn interface_port<'a>(
 }
 
 fn light_field(look: &Look, light: &LightId, field: &str) -> ExposedParameter {
-    let document = look.lights.get(light).map_or(Value::Null, |light| json!(light));
+    let of_look = look.lights.get(light);
+    let document = of_look.map_or(Value::Null, |light| json!(light));
     let known = LightField::named(field);
     let ty = known.map_or(Type::Float, Type::of_light_field);
     let range = known.and_then(LightField::range);
     let unit = known.map(LightField::unit).unwrap_or_default();
     ExposedParameter {
         label: field.replace('_', " "),
+        group: of_look.map_or(light.as_str(), |of_look| of_look.display_name(light)).to_owned(),
         target: format!("lights.{light}.{field}"),
         ty: ty.to_string(),
         default: document.get(field).cloned().unwrap_or_default(),

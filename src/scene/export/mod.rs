@@ -21,6 +21,7 @@ mod hlsl;
 mod host;
 pub mod host_code;
 mod language;
+mod live;
 mod modules;
 mod msl;
 mod one_file;
@@ -46,6 +47,7 @@ use crate::library::Library;
 
 pub use files::{in_the_way, write};
 pub use language::{Language, TextFile};
+pub use live::expose_all_values;
 pub use spirv::{fragment_spirv_words, spirv_words};
 pub use tiers::take_carried_tiers;
 
