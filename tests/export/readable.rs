@@ -107,3 +107,44 @@ fn functions_keep_their_comments() {
     }
     assert!(compared > 1000, "only {compared} comments were compared");
 }
+
+/// Each layer of a look stands apart, under the artist's name for it, in every language.
+#[test]
+fn layers_are_paragraphs() {
+    let folder = root().join("tests/golden/figure1-layers");
+    for ending in ENDINGS.iter().chain(&["wgsl"]) {
+        let text = text(&folder.join(format!("figure1-layers.{ending}")));
+        let shade = &text[text.find("// Fill (Light layer)").expect("the first layer")..];
+        let mut at = 0;
+        for (title, value) in [("Diffuse", "diffuse"), ("Specular", "specular")] {
+            let heading = format!("\n\n    // {title} (Light layer)\n");
+            let found = shade.find(&heading).unwrap_or_else(|| panic!("{ending}: {title}"));
+            let before = shade.find(&format!(" {value}_color = ")).expect("a color");
+            let after = shade.find(&format!(" {value}_blend = ")).expect("a blend");
+            assert!(at < found && found < before && before < after, "{ending}: {title}");
+            at = after;
+        }
+    }
+}
+
+/// No value stands in brackets as a whole.
+#[test]
+fn brackets_are_few() {
+    let is_whole = |line: &str| {
+        let Some((_, value)) = line.split_once(" = (") else { return false };
+        let mut depth = 1_i32;
+        let end = value.bytes().position(|byte| {
+            depth += i32::from(byte == b'(') - i32::from(byte == b')');
+            depth == 0
+        });
+        end.is_some_and(|end| &value[end..] == ");")
+    };
+    assert!(is_whole("float x = ((a) + b);") && !is_whole("float x = (a) + (b);"));
+    for (folder, name) in golden() {
+        for ending in ENDINGS {
+            let text = text(&folder.join(format!("{name}.{ending}")));
+            let found = text.lines().find(|line| is_whole(line));
+            assert_eq!(found, None, "{name}.{ending}");
+        }
+    }
+}

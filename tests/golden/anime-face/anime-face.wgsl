@@ -302,7 +302,8 @@ struct VectorParts {
     z: f32,
 }
 
-const edge_of_the_shadow_shape = ProfileShape(0.7960838, 0.6051864, 15.395454, 2.8429606, 1.3, 0.060679536, 0.026670605, 0u);
+const edge_of_the_shadow_shape = ProfileShape(0.7960838, 0.6051864, 15.395454, 2.8429606, 1.3,
+    0.060679536, 0.026670605, 0u);
 const lit_shape = ProfileShape(0.7775727, 0.628793, 0.0, 1.0, 1.36, 0.0, 0.0, 1u);
 const shine_tone_shape = ProfileShape(0.9950042, 0.099833414, 0.0, 1.0, 0.2, 0.0, 0.0, 1u);
 const rim_light_tone_shape = ProfileShape(0.90896577, 0.4168708, 0.0, 1.0, 0.86, 0.0, 0.0, 1u);

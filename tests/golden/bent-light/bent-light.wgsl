@@ -394,8 +394,10 @@ fn noise_perlin_2(position: vec3f, scale: f32, octaves: i32, roughness: f32, see
     return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
-const lit_shape = ProfileShape(0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849, 0.018017149, 0u);
-const brightest_shape = ProfileShape(0.9358968, 0.35227424, 40.004166, 3.6241908, 0.72, 0.021168118, 0.009611014, 0u);
+const lit_shape = ProfileShape(0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849,
+    0.018017149, 0u);
+const brightest_shape = ProfileShape(0.9358968, 0.35227424, 40.004166, 3.6241908, 0.72, 0.021168118,
+    0.009611014, 0u);
 const window_shape = ProfileShape(0.9963897, 0.08489768, 0.0, 1.0, 0.17, 0.0, 0.0, 1u);
 
 /// The look at one point of the surface.

@@ -173,7 +173,7 @@ layout(location = 0) out vec4 out_color;
 /// v with 0 for each component that is NaN or infinite.
 vec4 finite_vec4(vec4 v) {
     uvec4 exponent = uvec4(2139095040u);
-    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
+    return mix(vec4(0.0), v, notEqual(floatBitsToUint(v) & exponent, exponent));
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -184,7 +184,7 @@ float exp2_stable(float x) {
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
+    return twice * uintBitsToFloat(uint(int(whole) + 126) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -192,7 +192,7 @@ float exp2_stable(float x) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int(bits - 1060439283u) >> 23u);
+    int exponent = int(bits - 1060439283u) >> 23u;
     float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -216,16 +216,16 @@ vec3 normalize_seen(vec3 v) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
 vec3 bounded_vec3(vec3 v) {
     uvec3 bits = floatBitsToUint(v);
-    uvec3 magnitude = (bits & uvec3(2147483647u));
-    vec3 largest = uintBitsToFloat(((bits & uvec3(2147483648u)) | uvec3(2139095039u)));
+    uvec3 magnitude = bits & uvec3(2147483647u);
+    vec3 largest = uintBitsToFloat((bits & uvec3(2147483648u)) | uvec3(2139095039u));
     vec3 numbers = mix(vec3(0.0), largest, equal(magnitude, uvec3(2139095040u)));
     return mix(numbers, v, lessThan(magnitude, uvec3(2139095040u)));
 }
@@ -233,8 +233,8 @@ vec3 bounded_vec3(vec3 v) {
 /// [`bounded`], component by component.
 vec4 bounded_vec4(vec4 v) {
     uvec4 bits = floatBitsToUint(v);
-    uvec4 magnitude = (bits & uvec4(2147483647u));
-    vec4 largest = uintBitsToFloat(((bits & uvec4(2147483648u)) | uvec4(2139095039u)));
+    uvec4 magnitude = bits & uvec4(2147483647u);
+    vec4 largest = uintBitsToFloat((bits & uvec4(2147483648u)) | uvec4(2139095039u));
     vec4 numbers = mix(vec4(0.0), largest, equal(magnitude, uvec4(2139095040u)));
     return mix(numbers, v, lessThan(magnitude, uvec4(2139095040u)));
 }
@@ -385,7 +385,7 @@ uvec3 hash_pcg3d(uvec3 seed) {
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> uvec3(16u)));
+    v = v ^ (v >> uvec3(16u));
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -430,7 +430,7 @@ float perlin_noise(vec3 p, uint seed) {
             break;
         }
         {
-            ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
+            ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
             vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
             float gradient_dot_value = gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
             sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
@@ -513,7 +513,7 @@ float disk_filtered(float d, float r, float w) {
 
 /// Index of the number of the repeating tile that holds a cell's rank.
 uint blue_index(ivec2 cell) {
-    uvec2 at = (uvec2(cell) & uvec2(31u));
+    uvec2 at = uvec2(cell) & uvec2(31u);
     return 8u * at.y + (at.x >> 2u);
 }
 
@@ -560,7 +560,7 @@ float dots_of_octave(vec2 place, int zoom, float ink, vec3 stretch, float w, Dot
     int i = 0;
     float sum = 0.0;
     uint tile[256] = BLUE_TILE;
-    vec2 p = clamp(place * uintBitsToFloat((uint(zoom + 127) << 23u)), vec2(-4194304.0),
+    vec2 p = clamp(place * uintBitsToFloat(uint(zoom + 127) << 23u), vec2(-4194304.0),
         vec2(4194304.0));
     vec2 corner = floor(p);
     float reach = 1.0 - 0.5 * style.scatter;
@@ -574,13 +574,13 @@ float dots_of_octave(vec2 place, int zoom, float ink, vec3 stretch, float w, Dot
             break;
         }
         ivec2 cell = ivec2(corner) + ivec2(i % 3 - 1, i / 3 - 1);
-        vec3 chance = vec3((hash_pcg3d(uvec3(ivec3(cell, zoom)) + uvec3(0u, 0u, 0u))
-            >> uvec3(8u))) * 5.9604645e-8;
+        vec3 chance = vec3(hash_pcg3d(uvec3(ivec3(cell, zoom)) + uvec3(0u, 0u, 0u)) >> uvec3(8u))
+            * 5.9604645e-8;
         vec2 middle = vec2(cell) + vec2(0.5) + style.scatter * (chance.xy - vec2(0.5));
         vec2 offset = p - middle;
         ivec2 turning = cell + ivec2(0, zoom * 7);
-        float turn = 0.96875 * ((float(((tile[blue_index(turning)]
-            >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625);
+        float turn = 0.96875 * ((float((tile[blue_index(turning)]
+            >> (8u * (uint(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
         float grown = clamp((ink - turn) * 32.0, 0.0, 1.0);
         float radius = 0.5 * style.size * sqrt(grown);
         float far = length(offset) / reach;
@@ -638,6 +638,7 @@ float noise_perlin(vec3 position, float scale, int octaves, float roughness, int
     vec3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

@@ -225,7 +225,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
+    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -234,7 +234,7 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint(bits - 1060439283u) >> 23u);
+    int exponent = asint(bits - 1060439283u) >> 23u;
     float mantissa = asfloat(bits - (asuint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -261,8 +261,8 @@ float3 normalize_seen(float3 v)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -270,8 +270,8 @@ float bounded(float x)
 float3 bounded_vec3(float3 v)
 {
     uint3 bits = asuint(v);
-    uint3 magnitude = (bits & (2147483647u).xxx);
-    float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
+    uint3 magnitude = bits & (2147483647u).xxx;
+    float3 largest = asfloat((bits & (2147483648u).xxx) | (2139095039u).xxx);
     float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
     return magnitude < (2139095040u).xxx ? v : numbers;
 }
@@ -280,8 +280,8 @@ float3 bounded_vec3(float3 v)
 float4 bounded_vec4(float4 v)
 {
     uint4 bits = asuint(v);
-    uint4 magnitude = (bits & (2147483647u).xxxx);
-    float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
+    uint4 magnitude = bits & (2147483647u).xxxx;
+    float4 largest = asfloat((bits & (2147483648u).xxxx) | (2139095039u).xxxx);
     float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
     return magnitude < (2139095040u).xxxx ? v : numbers;
 }
@@ -423,7 +423,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
         at = places_now <= x ? i_2 : at;
     }
     float place = places[min(uint(naga_div(at, 4u)), 3u)][min(uint(naga_mod(at, 4u)), 3u)];
-    if (((at + 1u >= 5u) | (x <= place))) {
+    if ((at + 1u >= 5u) | (x <= place)) {
         return colors[min(uint(at), 15u)];
     }
     uint after = at + 1u;
@@ -468,7 +468,7 @@ uint3 hash_pcg3d(uint3 seed)
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> (16u).xxx));
+    v = v ^ (v >> (16u).xxx);
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -485,7 +485,7 @@ uint3 lattice_hash(int3 cell, uint seed)
 /// 2002).
 float gradient_dot(uint3 hash, float3 d)
 {
-    uint axis = naga_mod((hash.x >> 8u), 3u);
+    uint axis = naga_mod(hash.x >> 8u, 3u);
     float a = axis == 0u ? d.y : d.x;
     float b = axis == 2u ? d.y : d.z;
     return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
@@ -522,7 +522,7 @@ float perlin_noise(float3 p, uint seed)
             break;
         }
         {
-            int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
+            int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
             float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
             const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
                 + asuint(at)), seed), d - float3(at));
@@ -613,7 +613,7 @@ float disk_filtered(float d, float r, float w)
 /// Index of the number of the repeating tile that holds a cell's rank.
 uint blue_index(int2 cell)
 {
-    uint2 at = (asuint(cell) & (31u).xx);
+    uint2 at = asuint(cell) & (31u).xx;
     return 8u * at.y + (at.x >> 2u);
 }
 
@@ -694,7 +694,7 @@ float dots_of_octave(float2 place, int zoom, float ink, float3 stretch, float w,
     float sum = 0.0;
     uint tile[256] = BLUE_TILE;
 
-    float2 p = clamp(place * asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u)),
+    float2 p = clamp(place * asfloat(uint(asint(asuint(zoom) + asuint(int(127)))) << 23u),
         (-4194304.0).xx, (4194304.0).xx);
     float2 corner = floor(p);
     float reach = 1.0 - 0.5 * style.scatter;
@@ -710,14 +710,14 @@ float dots_of_octave(float2 place, int zoom, float ink, float3 stretch, float w,
         int2 cell = asint(asuint(naga_f2i32(corner))
             + asuint(int2(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))),
             asint(asuint(naga_div(i, int(3))) - asuint(int(1))))));
-        float3 chance = float3((hash_pcg3d(asuint(int3(cell, zoom)) + uint3(0u, 0u, 0u))
-            >> (8u).xxx)) * 5.9604645e-8;
+        float3 chance = float3(hash_pcg3d(asuint(int3(cell, zoom)) + uint3(0u, 0u, 0u))
+            >> (8u).xxx) * 5.9604645e-8;
         float2 middle = float2(cell) + (0.5).xx + style.scatter * (chance.xy - (0.5).xx);
         float2 offset = p - middle;
         int2 turning = asint(asuint(cell)
             + asuint(int2(int(0), asint(asuint(zoom) * asuint(int(7))))));
         uint tile_now = tile[min(uint(blue_index(turning)), 255u)];
-        float turn = 0.96875 * ((float(((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u))
+        float turn = 0.96875 * ((float((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u)
             + 0.5) * 0.00390625);
         float grown = clamp((ink - turn) * 32.0, 0.0, 1.0);
         float radius = 0.5 * style.size * sqrt(grown);
@@ -807,6 +807,7 @@ Dots ConstructDots(float arg0, float arg1, uint arg2) {
     ret.seed = arg2;
     return ret;
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

@@ -620,7 +620,12 @@ struct VectorParts {
     z: f32,
 }
 
-const leaf_to_bloom = Ramp(array(vec4f(0.4353, 0.5412, 0.2353, 1.0), vec4f(0.6235, 0.7098, 0.3961, 1.0), vec4f(0.9098, 0.7255, 0.6275, 1.0), vec4f(0.8471, 0.3765, 0.4784, 1.0), vec4f(0.6588, 0.2275, 0.4, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.35, 0.6, 0.85), vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0), vec4f(0.0)), 5u, 1u);
+const leaf_to_bloom = Ramp(array(vec4f(0.4353, 0.5412, 0.2353, 1.0),
+    vec4f(0.6235, 0.7098, 0.3961, 1.0), vec4f(0.9098, 0.7255, 0.6275, 1.0),
+    vec4f(0.8471, 0.3765, 0.4784, 1.0), vec4f(0.6588, 0.2275, 0.4, 1.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0)), array(vec4f(0.0, 0.35, 0.6, 0.85), vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0),
+    vec4f(0.0)), 5u, 1u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

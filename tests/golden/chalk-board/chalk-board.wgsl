@@ -364,7 +364,8 @@ struct PaperGrain {
     height: f32,
 }
 
-const orange_chalk_shape = ProfileShape(0.9689124, 0.24740396, 2.425296, 2.1444545, 0.5, 0.43399706, 0.1847509, 0u);
+const orange_chalk_shape = ProfileShape(0.9689124, 0.24740396, 2.425296, 2.1444545, 0.5, 0.43399706,
+    0.1847509, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -119,7 +119,7 @@ float exp2_stable(float x) {
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
+    return twice * uintBitsToFloat(uint(int(whole) + 126) << 23u);
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -131,7 +131,7 @@ float exp2_stable_2(float x) {
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
+    return twice * uintBitsToFloat(uint(int(whole) + 126) << 23u);
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -164,16 +164,16 @@ float atan2_positive(float y, float x) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
 vec2 bounded_vec2(vec2 v) {
     uvec2 bits = floatBitsToUint(v);
-    uvec2 magnitude = (bits & uvec2(2147483647u));
-    vec2 largest = uintBitsToFloat(((bits & uvec2(2147483648u)) | uvec2(2139095039u)));
+    uvec2 magnitude = bits & uvec2(2147483647u);
+    vec2 largest = uintBitsToFloat((bits & uvec2(2147483648u)) | uvec2(2139095039u));
     vec2 numbers = mix(vec2(0.0), largest, equal(magnitude, uvec2(2139095040u)));
     return mix(numbers, v, lessThan(magnitude, uvec2(2139095040u)));
 }
@@ -383,6 +383,7 @@ Relief relief(vec3 tensor, float slope) {
     float strength = curvature_signed_2(curvedness, slope);
     return Relief(0.5 + around / PI, strength, k.x, k.y);
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

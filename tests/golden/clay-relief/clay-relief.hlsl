@@ -151,7 +151,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
+    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -164,7 +164,7 @@ float exp2_stable_2(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
+    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -200,8 +200,8 @@ float atan2_positive(float y, float x)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -209,8 +209,8 @@ float bounded(float x)
 float2 bounded_vec2(float2 v)
 {
     uint2 bits = asuint(v);
-    uint2 magnitude = (bits & (2147483647u).xx);
-    float2 largest = asfloat(((bits & (2147483648u).xx) | (2139095039u).xx));
+    uint2 magnitude = bits & (2147483647u).xx;
+    float2 largest = asfloat((bits & (2147483648u).xx) | (2139095039u).xx);
     float2 numbers = magnitude == (2139095040u).xx ? largest : (0.0).xx;
     return magnitude < (2139095040u).xx ? v : numbers;
 }
@@ -468,6 +468,7 @@ Relief relief(float3 tensor, float slope)
     const float strength = curvature_signed_2(curvedness, slope);
     return ConstructRelief(0.5 + around / PI, strength, k.x, k.y);
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

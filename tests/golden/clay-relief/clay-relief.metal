@@ -496,6 +496,7 @@ Relief relief(
     return Relief {0.5 + around / PI, strength, k.x, k.y};
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

@@ -358,8 +358,17 @@ struct Relief {
     least: f32,
 }
 
-const terracotta = Ramp(array(vec4f(0.2353, 0.102, 0.1098, 1.0), vec4f(0.5412, 0.251, 0.1882, 1.0), vec4f(0.8118, 0.498, 0.3412, 1.0), vec4f(0.949, 0.7412, 0.5725, 1.0), vec4f(0.9843, 0.8627, 0.7333, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.3, 0.62, 0.9), vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0), vec4f(0.0)), 5u, 0u);
-const pits_to_bumps = Ramp(array(vec4f(0.2941, 0.2275, 0.3216, 1.0), vec4f(0.4784, 0.2902, 0.2902, 1.0), vec4f(0.7529, 0.502, 0.3765, 1.0), vec4f(0.9412, 0.7529, 0.5804, 1.0), vec4f(1.0, 0.9412, 0.8471, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.3, 0.5, 0.75), vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0), vec4f(0.0)), 5u, 0u);
+const terracotta = Ramp(array(vec4f(0.2353, 0.102, 0.1098, 1.0), vec4f(0.5412, 0.251, 0.1882, 1.0),
+    vec4f(0.8118, 0.498, 0.3412, 1.0), vec4f(0.949, 0.7412, 0.5725, 1.0),
+    vec4f(0.9843, 0.8627, 0.7333, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)),
+    array(vec4f(0.0, 0.3, 0.62, 0.9), vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0), vec4f(0.0)), 5u, 0u);
+const pits_to_bumps = Ramp(array(vec4f(0.2941, 0.2275, 0.3216, 1.0),
+    vec4f(0.4784, 0.2902, 0.2902, 1.0), vec4f(0.7529, 0.502, 0.3765, 1.0),
+    vec4f(0.9412, 0.7529, 0.5804, 1.0), vec4f(1.0, 0.9412, 0.8471, 1.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0)), array(vec4f(0.0, 0.3, 0.5, 0.75), vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0),
+    vec4f(0.0)), 5u, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -165,8 +165,8 @@ Angle angle_turned(Angle u, vec2 t) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -290,7 +290,7 @@ uvec3 hash_pcg3d(uvec3 seed) {
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> uvec3(16u)));
+    v = v ^ (v >> uvec3(16u));
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -335,7 +335,7 @@ float perlin_noise(vec3 p, uint seed) {
             break;
         }
         {
-            ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
+            ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
             vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
             sum = sum + weight.x * weight.y * weight.z
                 * gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
@@ -383,6 +383,7 @@ float noise_perlin(vec3 position, float scale, int octaves, float roughness, int
     vec3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

@@ -361,9 +361,12 @@ fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed:
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
-const body_tone_shape = ProfileShape(0.9996875, 0.024997396, 1.0955735, 1.3436927, 0.05, 1.2296002, 0.5273893, 0u);
-const bounce_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.7091175, 1.516349, 0.1, 0.70851815, 0.28734237, 0u);
-const soft_sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 2.1865644, 2.5171125, 0.05, 0.45394465, 0.19900247, 0u);
+const body_tone_shape = ProfileShape(0.9996875, 0.024997396, 1.0955735, 1.3436927, 0.05, 1.2296002,
+    0.5273893, 0u);
+const bounce_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.7091175, 1.516349, 0.1, 0.70851815,
+    0.28734237, 0u);
+const soft_sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 2.1865644, 2.5171125, 0.05,
+    0.45394465, 0.19900247, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

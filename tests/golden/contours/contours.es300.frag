@@ -99,8 +99,8 @@ vec3 normalize_seen_balanced(vec3 v) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -214,6 +214,7 @@ float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport) {
     float near = 1.0 - smoothstep(0.45, 0.75, facing);
     return clamp(pixels + 0.5 - distance_, 0.0, min(pixels, 1.0)) * near;
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

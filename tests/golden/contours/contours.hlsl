@@ -132,8 +132,8 @@ float3 normalize_seen_balanced(float3 v)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -265,6 +265,7 @@ float outer_contour(float width, float3 normal, float3 view, float2 viewport)
     float near = 1.0 - smoothstep(0.45, 0.75, facing);
     return clamp(pixels + 0.5 - distance_, 0.0, min(pixels, 1.0)) * near;
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

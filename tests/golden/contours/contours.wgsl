@@ -195,7 +195,11 @@ fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32
     return clamp(pixels + 0.5 - distance, 0.0, min(pixels, 1.0)) * near;
 }
 
-const three_washes = Ramp(array(vec4f(0.7255, 0.7686, 0.8118, 1.0), vec4f(0.8627, 0.8627, 0.8235, 1.0), vec4f(0.9725, 0.949, 0.8863, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.16, 0.42, 0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 3u, 2u);
+const three_washes = Ramp(array(vec4f(0.7255, 0.7686, 0.8118, 1.0),
+    vec4f(0.8627, 0.8627, 0.8235, 1.0), vec4f(0.9725, 0.949, 0.8863, 1.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0)),
+    array(vec4f(0.0, 0.16, 0.42, 0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 3u, 2u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

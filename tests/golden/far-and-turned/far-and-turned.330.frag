@@ -98,7 +98,7 @@ layout(location = 0) out vec4 out_color;
 /// v with 0 for each component that is NaN or infinite.
 vec4 finite_vec4(vec4 v) {
     uvec4 exponent = uvec4(2139095040u);
-    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
+    return mix(vec4(0.0), v, notEqual(floatBitsToUint(v) & exponent, exponent));
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -265,6 +265,7 @@ float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
     Angle warped = angle_turned(angle, vec2(0.0, 1.0));
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

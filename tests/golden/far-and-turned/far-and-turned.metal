@@ -355,6 +355,7 @@ float profile_balanced_2(
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

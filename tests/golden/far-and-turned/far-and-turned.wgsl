@@ -270,7 +270,8 @@ fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-const highlight_tone_shape = ProfileShape(0.9971888, 0.07492971, 5.743557, 3.1871848, 0.15, 0.1556229, 0.06963291, 0u);
+const highlight_tone_shape = ProfileShape(0.9971888, 0.07492971, 5.743557, 3.1871848, 0.15,
+    0.1556229, 0.06963291, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -220,9 +220,12 @@ fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-const diffuse_tone_shape = ProfileShape(0.9996875, 0.024997396, 1.2521588, 1.266106, 0.05, 1.0661367, 0.43393037, 0u);
-const specular_tone_shape = ProfileShape(0.99875027, 0.04997917, 5.0334897, 3.5734937, 0.1, 0.16954242, 0.07703013, 0u);
-const back_light_tone_shape = ProfileShape(0.9689124, 0.24740396, 2.7302074, 1.803181, 0.5, 0.40960917, 0.16836384, 0u);
+const diffuse_tone_shape = ProfileShape(0.9996875, 0.024997396, 1.2521588, 1.266106, 0.05,
+    1.0661367, 0.43393037, 0u);
+const specular_tone_shape = ProfileShape(0.99875027, 0.04997917, 5.0334897, 3.5734937, 0.1,
+    0.16954242, 0.07703013, 0u);
+const back_light_tone_shape = ProfileShape(0.9689124, 0.24740396, 2.7302074, 1.803181, 0.5,
+    0.40960917, 0.16836384, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -151,8 +151,8 @@ float angle_radians(Angle u)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -160,8 +160,8 @@ float bounded(float x)
 float4 bounded_vec4(float4 v)
 {
     uint4 bits = asuint(v);
-    uint4 magnitude = (bits & (2147483647u).xxxx);
-    float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
+    uint4 magnitude = bits & (2147483647u).xxxx;
+    float4 largest = asfloat((bits & (2147483648u).xxxx) | (2139095039u).xxxx);
     float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
     return magnitude < (2139095040u).xxxx ? v : numbers;
 }
@@ -256,7 +256,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
         at = places_now <= x ? i_2 : at;
     }
     float place = places[min(uint(naga_div(at, 4u)), 3u)][min(uint(naga_mod(at, 4u)), 3u)];
-    if (((at + 1u >= 7u) | (x <= place))) {
+    if ((at + 1u >= 7u) | (x <= place)) {
         return colors[min(uint(at), 15u)];
     }
     uint after = at + 1u;
@@ -317,6 +317,7 @@ Angle ConstructAngle(float arg0, float arg1) {
     ret.half_cos = arg1;
     return ret;
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

@@ -327,6 +327,7 @@ Color output(
     return finite_vec4(straight(color));
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

@@ -75,7 +75,7 @@ layout(location = 0) out vec4 out_color;
 /// v with 0 for each component that is NaN or infinite.
 vec4 finite_vec4(vec4 v) {
     uvec4 exponent = uvec4(2139095040u);
-    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
+    return mix(vec4(0.0), v, notEqual(floatBitsToUint(v) & exponent, exponent));
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -113,16 +113,16 @@ float angle_radians(Angle u) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
 vec4 bounded_vec4(vec4 v) {
     uvec4 bits = floatBitsToUint(v);
-    uvec4 magnitude = (bits & uvec4(2147483647u));
-    vec4 largest = uintBitsToFloat(((bits & uvec4(2147483648u)) | uvec4(2139095039u)));
+    uvec4 magnitude = bits & uvec4(2147483647u);
+    vec4 largest = uintBitsToFloat((bits & uvec4(2147483648u)) | uvec4(2139095039u));
     vec4 numbers = mix(vec4(0.0), largest, equal(magnitude, uvec4(2139095040u)));
     return mix(numbers, v, lessThan(magnitude, uvec4(2139095040u)));
 }
@@ -246,6 +246,7 @@ Angle parametrization_screen_aligned_balanced(Light light, vec3 normal, mat3x3 c
     vec3 d = camera_from_world * normal;
     return Angle(0.5 * length(d - light.own_direction), 0.5 * length(d + light.own_direction));
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

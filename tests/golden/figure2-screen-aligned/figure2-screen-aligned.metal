@@ -338,6 +338,7 @@ Angle parametrization_screen_aligned_balanced(
         * metal::length(d + light.own_direction)};
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

@@ -156,8 +156,8 @@ float angle_radians(Angle u)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -165,8 +165,8 @@ float bounded(float x)
 float4 bounded_vec4(float4 v)
 {
     uint4 bits = asuint(v);
-    uint4 magnitude = (bits & (2147483647u).xxxx);
-    float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
+    uint4 magnitude = bits & (2147483647u).xxxx;
+    float4 largest = asfloat((bits & (2147483648u).xxxx) | (2139095039u).xxxx);
     float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
     return magnitude < (2139095040u).xxxx ? v : numbers;
 }
@@ -261,7 +261,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
         at = places_now <= x ? i_2 : at;
     }
     float place = places[min(uint(naga_div(at, 4u)), 3u)][min(uint(naga_mod(at, 4u)), 3u)];
-    if (((at + 1u >= 7u) | (x <= place))) {
+    if ((at + 1u >= 7u) | (x <= place)) {
         return colors[min(uint(at), 15u)];
     }
     uint after = at + 1u;
@@ -328,6 +328,7 @@ Angle parametrization_specular_balanced(Light light, float3 normal, float3 view)
     float3 d = 2.0 * dot(normal, view) * normal - view;
     return ConstructAngle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

@@ -339,6 +339,7 @@ Angle parametrization_specular_balanced(
         * metal::length(d + light.direction)};
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

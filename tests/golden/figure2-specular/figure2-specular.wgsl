@@ -242,7 +242,13 @@ fn parametrization_specular_balanced(light: Light, normal: vec3f, view: vec3f) -
     return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
-const color_code = Ramp(array(vec4f(1.0, 0.9686, 0.8392, 1.0), vec4f(1.0, 0.8196, 0.4, 1.0), vec4f(0.9529, 0.4471, 0.1725, 1.0), vec4f(0.7843, 0.1961, 0.3529, 1.0), vec4f(0.4157, 0.1725, 0.549, 1.0), vec4f(0.1529, 0.2039, 0.4353, 1.0), vec4f(0.0431, 0.0627, 0.149, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.1, 0.22, 0.36), vec4f(0.52, 0.72, 1.0, 0.0), vec4f(0.0), vec4f(0.0)), 7u, 1u);
+const color_code = Ramp(array(vec4f(1.0, 0.9686, 0.8392, 1.0), vec4f(1.0, 0.8196, 0.4, 1.0),
+    vec4f(0.9529, 0.4471, 0.1725, 1.0), vec4f(0.7843, 0.1961, 0.3529, 1.0),
+    vec4f(0.4157, 0.1725, 0.549, 1.0), vec4f(0.1529, 0.2039, 0.4353, 1.0),
+    vec4f(0.0431, 0.0627, 0.149, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)),
+    array(vec4f(0.0, 0.1, 0.22, 0.36), vec4f(0.52, 0.72, 1.0, 0.0), vec4f(0.0), vec4f(0.0)), 7u,
+    1u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

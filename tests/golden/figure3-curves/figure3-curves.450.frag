@@ -236,6 +236,7 @@ VectorParts separate_vector(vec3 vector) {
     return VectorParts(vector.x, vector.y, 0.0);
 }
 
+
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
     VectorParts place = separate_vector(vec3(surface.uv, 0.0));

@@ -306,6 +306,7 @@ VectorParts separate_vector(float3 vector_)
     return ConstructVectorParts(vector_.x, vector_.y, 0.0);
 }
 
+
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {

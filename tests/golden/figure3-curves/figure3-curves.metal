@@ -347,6 +347,7 @@ VectorParts separate_vector(
     return VectorParts {vector.x, vector.y, 0.0};
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface

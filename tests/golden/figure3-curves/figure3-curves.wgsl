@@ -249,7 +249,8 @@ struct VectorParts {
 
 const lambert_shape = ProfileShape(1.0, 0.0, 1.4142109, 1.0, 0.0, 0.9999519, 0.37607926, 0u);
 const half_lambert_shape = ProfileShape(1.0, 0.0, 1.0, 0.9999963, 0.0, 1.5707985, 0.68337417, 0u);
-const custom_shape = ProfileShape(0.9689124, 0.24740396, 1.6523834, 4.0124283, 0.5, 0.49992928, 0.2351043, 0u);
+const custom_shape = ProfileShape(0.9689124, 0.24740396, 1.6523834, 4.0124283, 0.5, 0.49992928,
+    0.2351043, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

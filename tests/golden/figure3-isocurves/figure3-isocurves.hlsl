@@ -201,8 +201,8 @@ Angle angle_turned(Angle u, float2 t)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -287,8 +287,8 @@ float profile_filtered_quick(Angle u, float w, ProfileShape shape)
         return 1.0;
     }
     const float2 place = profile_place(u, shape);
-    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
-    if (((shape.kind == PROFILE_STEP) | is_narrow)) {
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if ((shape.kind == PROFILE_STEP) | is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);

@@ -159,7 +159,8 @@ fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-const diffuse_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.6002629, 1.3188459, 0.25, 0.79761744, 0.31569642, 0u);
+const diffuse_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.6002629, 1.3188459, 0.25,
+    0.79761744, 0.31569642, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -332,7 +332,8 @@ fn profile_balanced_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
-const highlight_tone_shape = ProfileShape(0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u);
+const highlight_tone_shape = ProfileShape(0.9959527, 0.08987855, 11.126125, 3.022525, 0.18,
+    0.08196669, 0.036355104, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

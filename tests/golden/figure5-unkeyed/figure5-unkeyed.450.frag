@@ -221,6 +221,7 @@ float profile_balanced_2(Angle angle, float shift, ProfileShape shape) {
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
+
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
     // Fill (Light layer)

@@ -215,9 +215,12 @@ fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-const diffuse_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.3613818, 1.3042344, 0.1, 0.957938, 0.38615924, 0u);
-const back_light_tone_shape = ProfileShape(0.9624252, 0.27154693, 3.3838634, 1.9110762, 0.55, 0.32249987, 0.13348491, 0u);
-const highlight_tone_shape = ProfileShape(0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u);
+const diffuse_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.3613818, 1.3042344, 0.1, 0.957938,
+    0.38615924, 0u);
+const back_light_tone_shape = ProfileShape(0.9624252, 0.27154693, 3.3838634, 1.9110762, 0.55,
+    0.32249987, 0.13348491, 0u);
+const highlight_tone_shape = ProfileShape(0.9959527, 0.08987855, 11.126125, 3.022525, 0.18,
+    0.08196669, 0.036355104, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -234,7 +234,7 @@ float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
     float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
-    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
     if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
@@ -254,6 +254,7 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape)
     const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

@@ -194,9 +194,12 @@ fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-const warm_side_tone_shape = ProfileShape(0.9305076, 0.36627254, 5.4363623, 1.7744379, 0.75, 0.20524569, 0.083345205, 0u);
-const cool_side_tone_shape = ProfileShape(0.9393727, 0.3428978, 5.743557, 1.7484518, 0.7, 0.19521655, 0.07901356, 0u);
-const cool_edge_tone_shape = ProfileShape(0.9887711, 0.14943813, 10.016686, 1.8827307, 0.3, 0.108895466, 0.044647813, 0u);
+const warm_side_tone_shape = ProfileShape(0.9305076, 0.36627254, 5.4363623, 1.7744379, 0.75,
+    0.20524569, 0.083345205, 0u);
+const cool_side_tone_shape = ProfileShape(0.9393727, 0.3428978, 5.743557, 1.7484518, 0.7,
+    0.19521655, 0.07901356, 0u);
+const cool_edge_tone_shape = ProfileShape(0.9887711, 0.14943813, 10.016686, 1.8827307, 0.3,
+    0.108895466, 0.044647813, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -220,9 +220,12 @@ fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-const warm_side_tone_shape = ProfileShape(0.9971888, 0.07492971, 1.3940078, 1.4345639, 0.15, 0.90231395, 0.36981526, 0u);
-const cool_side_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.5079876, 1.4054453, 0.1, 0.83293223, 0.33645248, 0u);
-const sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 3.1317647, 2.7420828, 0.05, 0.3043368, 0.13399889, 0u);
+const warm_side_tone_shape = ProfileShape(0.9971888, 0.07492971, 1.3940078, 1.4345639, 0.15,
+    0.90231395, 0.36981526, 0u);
+const cool_side_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.5079876, 1.4054453, 0.1,
+    0.83293223, 0.33645248, 0u);
+const sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 3.1317647, 2.7420828, 0.05, 0.3043368,
+    0.13399889, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -226,10 +226,14 @@ fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-const body_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.0729164, 1.2200106, 0.1, 1.3103802, 0.55718035, 0u);
-const wet_sheen_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.2990327, 1.9773253, 0.1, 0.47253436, 0.19863184, 0u);
-const window_tone_shape = ProfileShape(0.997551, 0.06994285, 16.67667, 2.4968514, 0.14, 0.05891116, 0.025379833, 0u);
-const through_light_tone_shape = ProfileShape(0.9800666, 0.19866933, 1.91319, 1.9623259, 0.4, 0.5732887, 0.24258775, 0u);
+const body_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.0729164, 1.2200106, 0.1, 1.3103802,
+    0.55718035, 0u);
+const wet_sheen_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.2990327, 1.9773253, 0.1,
+    0.47253436, 0.19863184, 0u);
+const window_tone_shape = ProfileShape(0.997551, 0.06994285, 16.67667, 2.4968514, 0.14, 0.05891116,
+    0.025379833, 0u);
+const through_light_tone_shape = ProfileShape(0.9800666, 0.19866933, 1.91319, 1.9623259, 0.4,
+    0.5732887, 0.24258775, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -221,10 +221,14 @@ fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-const body_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u);
-const soft_reflection_tone_shape = ProfileShape(0.9971888, 0.07492971, 2.0858297, 1.974287, 0.15, 0.5228124, 0.22054322, 0u);
-const window_tone_shape = ProfileShape(0.99280864, 0.119712204, 25.006668, 2.4986002, 0.24, 0.039271776, 0.016918294, 0u);
-const back_light_tone_shape = ProfileShape(0.9747941, 0.22310637, 3.6826046, 2.1246715, 0.45, 0.28481507, 0.12005855, 0u);
+const body_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166,
+    0.41697913, 0u);
+const soft_reflection_tone_shape = ProfileShape(0.9971888, 0.07492971, 2.0858297, 1.974287, 0.15,
+    0.5228124, 0.22054322, 0u);
+const window_tone_shape = ProfileShape(0.99280864, 0.119712204, 25.006668, 2.4986002, 0.24,
+    0.039271776, 0.016918294, 0u);
+const back_light_tone_shape = ProfileShape(0.9747941, 0.22310637, 3.6826046, 2.1246715, 0.45,
+    0.28481507, 0.12005855, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -185,8 +185,10 @@ fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-const dark_side_tone_shape = ProfileShape(0.9624252, 0.27154693, 5.0334897, 2.4651666, 0.55, 0.19658314, 0.08474467, 0u);
-const light_side_tone_shape = ProfileShape(0.9689124, 0.24740396, 5.743557, 2.3650649, 0.5, 0.17491564, 0.07484149, 0u);
+const dark_side_tone_shape = ProfileShape(0.9624252, 0.27154693, 5.0334897, 2.4651666, 0.55,
+    0.19658314, 0.08474467, 0u);
+const light_side_tone_shape = ProfileShape(0.9689124, 0.24740396, 5.743557, 2.3650649, 0.5,
+    0.17491564, 0.07484149, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

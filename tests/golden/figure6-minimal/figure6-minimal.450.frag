@@ -181,6 +181,7 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape) {
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
     // White specular (Light layer)

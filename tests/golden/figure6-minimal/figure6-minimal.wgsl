@@ -176,7 +176,8 @@ fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-const white_specular_tone_shape = ProfileShape(0.98472655, 0.17410813, 3.6826046, 2.506993, 0.35, 0.26755187, 0.1159523, 0u);
+const white_specular_tone_shape = ProfileShape(0.98472655, 0.17410813, 3.6826046, 2.506993, 0.35,
+    0.26755187, 0.1159523, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -335,6 +335,7 @@ float profile_balanced_3(Angle angle, float shift, ProfileShape shape) {
     return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
+
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
     // Wing case (Light layer)

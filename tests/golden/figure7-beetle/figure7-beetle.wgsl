@@ -326,10 +326,14 @@ fn profile_balanced_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
-const violet_tone_shape = ProfileShape(0.98472655, 0.17410813, 2.425296, 2.1444545, 0.35, 0.43399706, 0.1847509, 0u);
-const gold_tone_shape = ProfileShape(0.9887711, 0.14943813, 3.6826046, 2.8423793, 0.3, 0.2547288, 0.11251208, 0u);
-const green_sheen_tone_shape = ProfileShape(0.99820054, 0.059964005, 5.2949586, 2.6937559, 0.12, 0.1805348, 0.07889118, 0u);
-const glint_tone_shape = ProfileShape(0.99955004, 0.029995501, 25.006668, 2.4986002, 0.06, 0.039271776, 0.016918294, 0u);
+const violet_tone_shape = ProfileShape(0.98472655, 0.17410813, 2.425296, 2.1444545, 0.35,
+    0.43399706, 0.1847509, 0u);
+const gold_tone_shape = ProfileShape(0.9887711, 0.14943813, 3.6826046, 2.8423793, 0.3, 0.2547288,
+    0.11251208, 0u);
+const green_sheen_tone_shape = ProfileShape(0.99820054, 0.059964005, 5.2949586, 2.6937559, 0.12,
+    0.1805348, 0.07889118, 0u);
+const glint_tone_shape = ProfileShape(0.99955004, 0.029995501, 25.006668, 2.4986002, 0.06,
+    0.039271776, 0.016918294, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -109,7 +109,7 @@ float3 normal_of(float4 texel)
 /// A triangle over the whole picture.
 float4 whole_picture(uint index)
 {
-    return float4(float((index & 1u)) * 4.0 - 1.0, float((index >> 1u)) * 4.0 - 1.0, 0.0, 1.0);
+    return float4(float(index & 1u) * 4.0 - 1.0, float(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
@@ -132,9 +132,9 @@ float row_direction()
 /// Offset to one of the eight pixels around a pixel, by an index from 0 to 7; the nearest first.
 int2 around(int index)
 {
-    int side = asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint((index & int(1))))));
+    int side = asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint(index & int(1)))));
     int2 straight = index < int(2) ? int2(side, int(0)) : int2(int(0), side);
-    return index > int(3) ? int2(side, asint(asuint(int(1)) - asuint((index & int(2))))) : straight;
+    return index > int(3) ? int2(side, asint(asuint(int(1)) - asuint(index & int(2)))) : straight;
 }
 
 SeenPixel ConstructSeenPixel(int2 arg0, float4 arg1) {

@@ -420,10 +420,14 @@ fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed:
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
-const flesh_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.1220733, 1.2466265, 0.1, 1.2259196, 0.51338285, 0u);
-const shade_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.6523834, 1.9165641, 0.2, 0.67495763, 0.28714308, 0u);
-const waxy_sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 2.2990327, 2.8187852, 0.05, 0.41226318, 0.18345885, 0u);
-const glint_tone_shape = ProfileShape(0.9992001, 0.039989334, 14.297388, 3.2165964, 0.08, 0.062200632, 0.027819062, 0u);
+const flesh_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.1220733, 1.2466265, 0.1, 1.2259196,
+    0.51338285, 0u);
+const shade_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.6523834, 1.9165641, 0.2, 0.67495763,
+    0.28714308, 0u);
+const waxy_sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 2.2990327, 2.8187852, 0.05,
+    0.41226318, 0.18345885, 0u);
+const glint_tone_shape = ProfileShape(0.9992001, 0.039989334, 14.297388, 3.2165964, 0.08,
+    0.062200632, 0.027819062, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -246,10 +246,14 @@ fn profile_balanced_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-const tone_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.1528398, 1.361735, 0.1, 1.1474836, 0.4845149, 0u);
-const shade_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.4670527, 1.847488, 0.2, 0.7777539, 0.33241227, 0u);
-const light_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.9163208, 3.0838382, 0.1, 0.3121117, 0.13987324, 0u);
-const edge_tone_shape = ProfileShape(0.8525245, 0.52268726, 5.0334897, 2.4651666, 1.1, 0.19658314, 0.08474467, 0u);
+const tone_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.1528398, 1.361735, 0.1, 1.1474836,
+    0.4845149, 0u);
+const shade_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.4670527, 1.847488, 0.2, 0.7777539,
+    0.33241227, 0u);
+const light_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.9163208, 3.0838382, 0.1, 0.3121117,
+    0.13987324, 0u);
+const edge_tone_shape = ProfileShape(0.8525245, 0.52268726, 5.0334897, 2.4651666, 1.1, 0.19658314,
+    0.08474467, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

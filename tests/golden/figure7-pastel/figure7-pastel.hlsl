@@ -321,8 +321,8 @@ float profile_filtered_quick(Angle u, float w, ProfileShape shape)
         return 1.0;
     }
     const float2 place = profile_place(u, shape);
-    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
-    if (((shape.kind == PROFILE_STEP) | is_narrow)) {
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if ((shape.kind == PROFILE_STEP) | is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
@@ -343,7 +343,7 @@ float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
     float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
-    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
     if (is_narrow) {
         return profile_ramp_quick_2(place.x, w, shape);
     }
@@ -392,6 +392,7 @@ float profile_balanced_3(Angle angle, float shift, ProfileShape shape)
     const Angle warped = angle_turned(angle, sin_cos_quick(0.5 * shift));
     return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

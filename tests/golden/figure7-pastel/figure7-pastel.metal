@@ -433,6 +433,7 @@ float profile_balanced_3(
     return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

@@ -319,8 +319,10 @@ fn profile_balanced_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
-const white_chalk_tone_shape = ProfileShape(0.99875027, 0.04997917, 3.1317647, 2.7420828, 0.1, 0.3043368, 0.13399889, 0u);
-const reddish_rim_tone_shape = ProfileShape(0.9887711, 0.14943813, 2.5679324, 1.9696738, 0.3, 0.42241916, 0.17683415, 0u);
+const white_chalk_tone_shape = ProfileShape(0.99875027, 0.04997917, 3.1317647, 2.7420828, 0.1,
+    0.3043368, 0.13399889, 0u);
+const reddish_rim_tone_shape = ProfileShape(0.9887711, 0.14943813, 2.5679324, 1.9696738, 0.3,
+    0.42241916, 0.17683415, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -172,7 +172,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
+    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -181,7 +181,7 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint(bits - 1060439283u) >> 23u);
+    int exponent = asint(bits - 1060439283u) >> 23u;
     float mantissa = asfloat(bits - (asuint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -274,8 +274,8 @@ Angle angle_turned_3(Angle u, float2 t)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -327,7 +327,7 @@ float curve_at(Curve curve, float x, float w)
         at = points_now <= x ? i_2 : at;
     }
     float4 a = points[min(uint(at), 15u)];
-    if (((at + 1u >= 6u) | (x <= a.x))) {
+    if ((at + 1u >= 6u) | (x <= a.x)) {
         return a.y;
     }
     float4 b = points[min(uint(at + 1u), 15u)];
@@ -359,7 +359,7 @@ float curve_at_2(Curve curve, float x, float w)
         at = points_now <= x ? i_2 : at;
     }
     float4 a = points[min(uint(at), 15u)];
-    if (((at + 1u >= 4u) | (x <= a.x))) {
+    if ((at + 1u >= 4u) | (x <= a.x)) {
         return a.y;
     }
     float4 b = points[min(uint(at + 1u), 15u)];
@@ -443,7 +443,7 @@ float profile_filtered(Angle u, float w, ProfileShape shape)
 {
     const float point_ = profile_point(u, shape);
     bool is_wide = w < 0.1 * shape.edge_deviation;
-    if ((is_wide | (w <= 0.0))) {
+    if (is_wide | (w <= 0.0)) {
         return point_;
     }
     const float2 reach = sin_cos_tiny(0.19364917 * w);
@@ -475,7 +475,7 @@ float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
     float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
-    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
     if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
@@ -508,6 +508,7 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape)
     const Angle warped = angle_turned_3(angle, float2(0.0, 1.0));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

@@ -392,13 +392,30 @@ fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
 }
 
 const tone_shape = ProfileShape(1.0, 0.0, 1.0248806, 0.99999666, 0.0, 1.5064107, 0.63535863, 0u);
-const response_of_the_film = Curve(array(vec4f(0.0, 0.0, 0.2, 0.0), vec4f(0.3, 0.06, 0.36, 0.0), vec4f(0.5, 0.42, 0.972973, 0.0), vec4f(0.62, 0.5, 1.0256411, 0.0), vec4f(0.8, 0.9, 0.81632656, 0.0), vec4f(1.0, 1.0, 0.5, 0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 6u, 1u);
-const sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 3.1317647, 2.7420828, 0.05, 0.3043368, 0.13399889, 0u);
-const back_light_tone_shape = ProfileShape(0.9689124, 0.24740396, 4.0419726, 1.8505588, 0.5, 0.27256957, 0.11186968, 0u);
-const film_print = Curve(array(vec4f(0.0, 0.04, 0.64, 0.0), vec4f(0.25, 0.2, 0.8608187, 0.0), vec4f(0.6, 0.66, 0.97504276, 0.0), vec4f(1.0, 0.97, 0.775, 0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 4u, 1u);
-const film_print_2 = Curve(array(vec4f(0.0, 0.0, 0.73333335, 0.0), vec4f(0.3, 0.22, 0.99215686, 0.0), vec4f(0.6, 0.68, 1.0514286, 0.0), vec4f(1.0, 1.0, 0.8, 0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 4u, 1u);
-const film_print_3 = Curve(array(vec4f(0.0, 0.06, 0.8333333, 0.0), vec4f(0.3, 0.31, 0.8805031, 0.0), vec4f(0.6, 0.59, 0.91636366, 0.0), vec4f(1.0, 0.95, 0.9, 0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 4u, 1u);
-const film_print_4 = Curve(array(vec4f(0.0, 0.13, 0.8, 0.0), vec4f(0.3, 0.37, 0.53333336, 0.0), vec4f(0.6, 0.49, 0.51555556, 0.0), vec4f(1.0, 0.78, 0.725, 0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 4u, 1u);
+const response_of_the_film = Curve(array(vec4f(0.0, 0.0, 0.2, 0.0), vec4f(0.3, 0.06, 0.36, 0.0),
+    vec4f(0.5, 0.42, 0.972973, 0.0), vec4f(0.62, 0.5, 1.0256411, 0.0),
+    vec4f(0.8, 0.9, 0.81632656, 0.0), vec4f(1.0, 1.0, 0.5, 0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 6u, 1u);
+const sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 3.1317647, 2.7420828, 0.05, 0.3043368,
+    0.13399889, 0u);
+const back_light_tone_shape = ProfileShape(0.9689124, 0.24740396, 4.0419726, 1.8505588, 0.5,
+    0.27256957, 0.11186968, 0u);
+const film_print = Curve(array(vec4f(0.0, 0.04, 0.64, 0.0), vec4f(0.25, 0.2, 0.8608187, 0.0),
+    vec4f(0.6, 0.66, 0.97504276, 0.0), vec4f(1.0, 0.97, 0.775, 0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0)), 4u, 1u);
+const film_print_2 = Curve(array(vec4f(0.0, 0.0, 0.73333335, 0.0),
+    vec4f(0.3, 0.22, 0.99215686, 0.0), vec4f(0.6, 0.68, 1.0514286, 0.0), vec4f(1.0, 1.0, 0.8, 0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 4u, 1u);
+const film_print_3 = Curve(array(vec4f(0.0, 0.06, 0.8333333, 0.0), vec4f(0.3, 0.31, 0.8805031, 0.0),
+    vec4f(0.6, 0.59, 0.91636366, 0.0), vec4f(1.0, 0.95, 0.9, 0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0)), 4u, 1u);
+const film_print_4 = Curve(array(vec4f(0.0, 0.13, 0.8, 0.0), vec4f(0.3, 0.37, 0.53333336, 0.0),
+    vec4f(0.6, 0.49, 0.51555556, 0.0), vec4f(1.0, 0.78, 0.725, 0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0)), 4u, 1u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

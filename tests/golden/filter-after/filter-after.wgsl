@@ -539,7 +539,8 @@ struct Cells {
     distance: f32,
 }
 
-const tone_shape = ProfileShape(0.87758255, 0.47942555, 20.008335, 2.4978132, 1.0, 0.04909103, 0.021148764, 0u);
+const tone_shape = ProfileShape(0.87758255, 0.47942555, 20.008335, 2.4978132, 1.0, 0.04909103,
+    0.021148764, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

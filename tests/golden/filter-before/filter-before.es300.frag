@@ -216,16 +216,16 @@ Angle angle_turned(Angle u, vec2 t) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
 vec3 bounded_vec3(vec3 v) {
     uvec3 bits = floatBitsToUint(v);
-    uvec3 magnitude = (bits & uvec3(2147483647u));
-    vec3 largest = uintBitsToFloat(((bits & uvec3(2147483648u)) | uvec3(2139095039u)));
+    uvec3 magnitude = bits & uvec3(2147483647u);
+    vec3 largest = uintBitsToFloat((bits & uvec3(2147483648u)) | uvec3(2139095039u));
     vec3 numbers = mix(vec3(0.0), largest, equal(magnitude, uvec3(2139095040u)));
     return mix(numbers, v, lessThan(magnitude, uvec3(2139095040u)));
 }
@@ -471,7 +471,7 @@ uvec3 hash_pcg3d(uvec3 seed) {
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> uvec3(16u)));
+    v = v ^ (v >> uvec3(16u));
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -480,7 +480,7 @@ uvec3 hash_pcg3d(uvec3 seed) {
 
 /// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 vec3 unit_of_hash(uvec3 hash) {
-    return vec3((hash >> uvec3(8u))) * 5.9604645e-8;
+    return vec3(hash >> uvec3(8u)) * 5.9604645e-8;
 }
 
 /// The hash of a lattice point.
@@ -563,6 +563,7 @@ Cells cells(vec3 position, float scale, int seed) {
     vec3 seen = mix(average, vec3(cell.border, cell.random, cell.distance_), visible);
     return Cells(seen.x, seen.y, seen.z);
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

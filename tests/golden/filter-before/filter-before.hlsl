@@ -275,8 +275,8 @@ Angle angle_turned(Angle u, float2 t)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -284,8 +284,8 @@ float bounded(float x)
 float3 bounded_vec3(float3 v)
 {
     uint3 bits = asuint(v);
-    uint3 magnitude = (bits & (2147483647u).xxx);
-    float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
+    uint3 magnitude = bits & (2147483647u).xxx;
+    float3 largest = asfloat((bits & (2147483648u).xxx) | (2139095039u).xxx);
     float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
     return magnitude < (2139095040u).xxx ? v : numbers;
 }
@@ -554,7 +554,7 @@ float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
     float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
-    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
     if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
@@ -585,7 +585,7 @@ uint3 hash_pcg3d(uint3 seed)
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> (16u).xxx));
+    v = v ^ (v >> (16u).xxx);
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -595,7 +595,7 @@ uint3 hash_pcg3d(uint3 seed)
 /// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 float3 unit_of_hash(uint3 hash)
 {
-    return float3((hash >> (8u).xxx)) * 5.9604645e-8;
+    return float3(hash >> (8u).xxx) * 5.9604645e-8;
 }
 
 /// The hash of a lattice point.
@@ -725,6 +725,7 @@ FilteredLight ConstructFilteredLight(Light arg0, Angle arg1) {
     ret.angle = arg1;
     return ret;
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

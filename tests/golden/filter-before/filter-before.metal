@@ -761,6 +761,7 @@ Cells cells(
     return Cells {seen.x, seen.y, seen.z};
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

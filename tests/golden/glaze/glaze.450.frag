@@ -107,7 +107,7 @@ layout(location = 0) out vec4 out_color;
 /// v with 0 for each component that is NaN or infinite.
 vec4 finite_vec4(vec4 v) {
     uvec4 exponent = uvec4(2139095040u);
-    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
+    return mix(vec4(0.0), v, notEqual(floatBitsToUint(v) & exponent, exponent));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -144,8 +144,8 @@ Angle angle_turned(Angle u, vec2 t) {
 /// [`bounded`], component by component.
 vec3 bounded_vec3(vec3 v) {
     uvec3 bits = floatBitsToUint(v);
-    uvec3 magnitude = (bits & uvec3(2147483647u));
-    vec3 largest = uintBitsToFloat(((bits & uvec3(2147483648u)) | uvec3(2139095039u)));
+    uvec3 magnitude = bits & uvec3(2147483647u);
+    vec3 largest = uintBitsToFloat((bits & uvec3(2147483648u)) | uvec3(2139095039u));
     vec3 numbers = mix(vec3(0.0), largest, equal(magnitude, uvec3(2139095040u)));
     return mix(numbers, v, lessThan(magnitude, uvec3(2139095040u)));
 }
@@ -296,6 +296,7 @@ float rim(Light light, vec3 normal, vec3 view, float width, float softness, floa
         * inversesqrt(max(dot(across, across), 1e-30)));
     return inside * mix(1.0, smoothstep(0.0, 0.5, side), follow);
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

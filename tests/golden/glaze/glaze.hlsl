@@ -188,8 +188,8 @@ Angle angle_turned(Angle u, float2 t)
 float3 bounded_vec3(float3 v)
 {
     uint3 bits = asuint(v);
-    uint3 magnitude = (bits & (2147483647u).xxx);
-    float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
+    uint3 magnitude = bits & (2147483647u).xxx;
+    float3 largest = asfloat((bits & (2147483648u).xxx) | (2139095039u).xxx);
     float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
     return magnitude < (2139095040u).xxx ? v : numbers;
 }
@@ -373,6 +373,7 @@ VectorParts ConstructVectorParts(float arg0, float arg1, float arg2) {
     ret.z = arg2;
     return ret;
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

@@ -401,6 +401,7 @@ float rim(
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), follow);
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

@@ -289,8 +289,10 @@ struct VectorParts {
     z: f32,
 }
 
-const gray_modeling_tone_shape = ProfileShape(1.0, 0.0, 1.0537579, 1.3909147, 0.0, 1.2772532, 0.561292, 0u);
-const gray_lights_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.0858297, 3.3126261, 0.1, 0.42646712, 0.19445144, 0u);
+const gray_modeling_tone_shape = ProfileShape(1.0, 0.0, 1.0537579, 1.3909147, 0.0, 1.2772532,
+    0.561292, 0u);
+const gray_lights_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.0858297, 3.3126261, 0.1,
+    0.42646712, 0.19445144, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -129,7 +129,7 @@ float exp2_stable(float x) {
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
+    return twice * uintBitsToFloat(uint(int(whole) + 126) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -137,7 +137,7 @@ float exp2_stable(float x) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int(bits - 1060439283u) >> 23u);
+    int exponent = int(bits - 1060439283u) >> 23u;
     float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -161,16 +161,16 @@ vec3 normalize_seen(vec3 v) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
 vec3 bounded_vec3(vec3 v) {
     uvec3 bits = floatBitsToUint(v);
-    uvec3 magnitude = (bits & uvec3(2147483647u));
-    vec3 largest = uintBitsToFloat(((bits & uvec3(2147483648u)) | uvec3(2139095039u)));
+    uvec3 magnitude = bits & uvec3(2147483647u);
+    vec3 largest = uintBitsToFloat((bits & uvec3(2147483648u)) | uvec3(2139095039u));
     vec3 numbers = mix(vec3(0.0), largest, equal(magnitude, uvec3(2139095040u)));
     return mix(numbers, v, lessThan(magnitude, uvec3(2139095040u)));
 }
@@ -227,7 +227,7 @@ uvec3 hash_pcg3d(uvec3 seed) {
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> uvec3(16u)));
+    v = v ^ (v >> uvec3(16u));
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -251,12 +251,12 @@ float value_noise(vec3 p, uint seed) {
         if (!(i < 8)) {
             break;
         }
-        ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
+        ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
         vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
         uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(cell + at) + seed
             * uvec3(2654435769u, 2246822507u, 3266489909u));
         sum = sum + weight.x * weight.y * 0.5
-            * (vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8).x;
+            * (vec3(hash_pcg3d_value >> uvec3(8u)) * 5.9604645e-8).x;
     }
     return sum;
 }
@@ -323,13 +323,13 @@ SpacedPlace spaced(vec2 place, vec3 stretch, vec2 viewport, float count) {
 Stroke stroke_at(ivec2 line, float x, int zoom, Strokes style) {
     uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(line, 1048576)) + style.seed
         * uvec3(2654435769u, 2246822507u, 3266489909u));
-    vec3 own = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
-    float along = clamp(x * uintBitsToFloat((uint(zoom + 127) << 23u)) / 24.0, -1000000.0,
+    vec3 own = vec3(hash_pcg3d_value >> uvec3(8u)) * 5.9604645e-8;
+    float along = clamp(x * uintBitsToFloat(uint(zoom + 127) << 23u) / 24.0, -1000000.0,
         1000000.0) + own.x;
     float index = floor(along);
     uvec3 hash_pcg3d_value_1 = hash_pcg3d(uvec3(ivec3(line, int(index)))
         + (style.seed + uint(zoom)) * uvec3(2654435769u, 2246822507u, 3266489909u));
-    vec3 chance = vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8;
+    vec3 chance = vec3(hash_pcg3d_value_1 >> uvec3(8u)) * 5.9604645e-8;
     float from_end = min(along - index, 1.0 - (along - index));
     float slope = min(from_end / (0.5 * style.taper), 1.0);
     return Stroke(chance.x, slope * (2.0 - slope));
@@ -346,9 +346,9 @@ Stroke stroke_between(ivec2 line, float x, float level, Strokes style) {
 
 /// Distance that strokes stray at a place of an octave, in spacings of the place.
 float stray_at(vec2 place, int zoom, uint seed) {
-    vec2 p = place * uintBitsToFloat((uint(zoom + 127) << 23u));
+    vec2 p = place * uintBitsToFloat(uint(zoom + 127) << 23u);
     float value_noise_value = value_noise(vec3(0.11 * p.x, 0.45 * p.y, 0.5), seed);
-    return (value_noise_value - 0.5) * 2.0 * uintBitsToFloat((uint(-zoom + 127) << 23u));
+    return (value_noise_value - 0.5) * 2.0 * uintBitsToFloat(uint(-zoom + 127) << 23u);
 }
 
 /// Share of a footprint of `w` that a band covers whose middle is t away and which reaches `half`
@@ -366,7 +366,7 @@ float band_filtered(float t, float half_, float w) {
 ivec2 line_of(int whole, int octave) {
     int power = whole == 0 ? 1 : (whole & -whole);
     // log2 of a power of two, by its bits.
-    int octaves = int((floatBitsToUint(float(power)) >> 23u)) - 127;
+    int octaves = int(floatBitsToUint(float(power)) >> 23u) - 127;
     return whole == 0 ? ivec2(0) : ivec2(whole / power, octave - octaves);
 }
 
@@ -386,7 +386,7 @@ float hatched(vec2 place, float w, float level, float ink, Strokes style) {
     float density = max(level + log2_stable(max(number, 1e-9)), -40.0);
     float octave = floor(density);
     float growth = exp2_stable(density - octave) - 1.0;
-    float scale = uintBitsToFloat((uint(int(octave) + 127) << 23u));
+    float scale = uintBitsToFloat(uint(int(octave) + 127) << 23u);
     float q = clamp(across * scale, -4194304.0, 4194304.0);
     float half_ = 0.5 * width * exp2_stable(octave - level);
     float footprint = w * scale;

@@ -162,7 +162,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
+    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -171,7 +171,7 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint(bits - 1060439283u) >> 23u);
+    int exponent = asint(bits - 1060439283u) >> 23u;
     float mantissa = asfloat(bits - (asuint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -198,8 +198,8 @@ float3 normalize_seen(float3 v)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -207,8 +207,8 @@ float bounded(float x)
 float3 bounded_vec3(float3 v)
 {
     uint3 bits = asuint(v);
-    uint3 magnitude = (bits & (2147483647u).xxx);
-    float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
+    uint3 magnitude = bits & (2147483647u).xxx;
+    float3 largest = asfloat((bits & (2147483648u).xxx) | (2139095039u).xxx);
     float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
     return magnitude < (2139095040u).xxx ? v : numbers;
 }
@@ -272,7 +272,7 @@ uint3 hash_pcg3d(uint3 seed)
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> (16u).xxx));
+    v = v ^ (v >> (16u).xxx);
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -302,12 +302,12 @@ float value_noise(float3 p, uint seed)
         if (!(i < int(8))) {
             break;
         }
-        int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
+        int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
         float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
         const uint3 hash_pcg3d_value = hash_pcg3d(asuint(asint(asuint(cell) + asuint(at))) + seed
             * uint3(2654435769u, 2246822507u, 3266489909u));
         sum = sum + weight.x * weight.y * 0.5
-            * (float3((hash_pcg3d_value >> (8u).xxx)) * 5.9604645e-8).x;
+            * (float3(hash_pcg3d_value >> (8u).xxx) * 5.9604645e-8).x;
     }
     return sum;
 }
@@ -403,13 +403,13 @@ Stroke stroke_at(int2 line_, float x, int zoom, Strokes style)
 {
     const uint3 hash_pcg3d_value = hash_pcg3d(asuint(int3(line_, int(1048576))) + style.seed
         * uint3(2654435769u, 2246822507u, 3266489909u));
-    float3 own = float3((hash_pcg3d_value >> (8u).xxx)) * 5.9604645e-8;
-    float along = clamp(x * asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u)) / 24.0,
+    float3 own = float3(hash_pcg3d_value >> (8u).xxx) * 5.9604645e-8;
+    float along = clamp(x * asfloat(uint(asint(asuint(zoom) + asuint(int(127)))) << 23u) / 24.0,
         -1000000.0, 1000000.0) + own.x;
     float index = floor(along);
     const uint3 hash_pcg3d_value_1 = hash_pcg3d(asuint(int3(line_, naga_f2i32(index)))
         + (style.seed + asuint(zoom)) * uint3(2654435769u, 2246822507u, 3266489909u));
-    float3 chance = float3((hash_pcg3d_value_1 >> (8u).xxx)) * 5.9604645e-8;
+    float3 chance = float3(hash_pcg3d_value_1 >> (8u).xxx) * 5.9604645e-8;
     float from_end = min(along - index, 1.0 - (along - index));
     float slope = min(from_end / (0.5 * style.taper), 1.0);
     return ConstructStroke(chance.x, slope * (2.0 - slope));
@@ -432,10 +432,10 @@ int naga_neg(int val) {
 /// Distance that strokes stray at a place of an octave, in spacings of the place.
 float stray_at(float2 place, int zoom, uint seed)
 {
-    float2 p = place * asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
+    float2 p = place * asfloat(uint(asint(asuint(zoom) + asuint(int(127)))) << 23u);
     const float value_noise_value = value_noise(float3(0.11 * p.x, 0.45 * p.y, 0.5), seed);
     return (value_noise_value - 0.5) * 2.0
-        * asfloat((uint(asint(asuint(naga_neg(zoom)) + asuint(int(127)))) << 23u));
+        * asfloat(uint(asint(asuint(naga_neg(zoom)) + asuint(int(127)))) << 23u);
 }
 
 /// Share of a footprint of `w` that a band covers whose middle is t away and which reaches `half`
@@ -459,7 +459,7 @@ int2 line_of(int whole, int octave)
 {
     int power = whole == int(0) ? int(1) : (whole & naga_neg(whole));
     // log2 of a power of two, by its bits.
-    int octaves = asint(asuint(int((asuint(float(power)) >> 23u))) - asuint(int(127)));
+    int octaves = asint(asuint(int(asuint(float(power)) >> 23u)) - asuint(int(127)));
     return whole == int(0) ? (int(0)).xx : int2(naga_div(whole, power),
         asint(asuint(octave) - asuint(octaves)));
 }
@@ -482,7 +482,7 @@ float hatched(float2 place, float w, float level, float ink, Strokes style)
     float density = max(level + log2_stable(max(number, 1e-9)), -40.0);
     float octave = floor(density);
     float growth = exp2_stable(density - octave) - 1.0;
-    float scale = asfloat((uint(asint(asuint(naga_f2i32(octave)) + asuint(int(127)))) << 23u));
+    float scale = asfloat(uint(asint(asuint(naga_f2i32(octave)) + asuint(int(127)))) << 23u);
     float q = clamp(across * scale, -4194304.0, 4194304.0);
     float half_ = 0.5 * width * exp2_stable(octave - level);
     float footprint = w * scale;

@@ -303,7 +303,8 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     return inside * mix(1.0, smoothstep(0.0, 0.5, side), follow);
 }
 
-const lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
+const lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733,
+    0.08138281, 0u);
 const disc_shape = ProfileShape(0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u);
 const bite_shape = ProfileShape(0.9887711, 0.14943813, 0.0, 1.0, 0.3, 0.0, 0.0, 1u);
 const dot_shape = ProfileShape(0.99875027, 0.04997917, 0.0, 1.0, 0.1, 0.0, 0.0, 1u);

@@ -119,7 +119,7 @@ bool is_finite(float x) {
 /// v with 0 for each component that is NaN or infinite.
 vec4 finite_vec4(vec4 v) {
     uvec4 exponent = uvec4(2139095040u);
-    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
+    return mix(vec4(0.0), v, notEqual(floatBitsToUint(v) & exponent, exponent));
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -148,7 +148,7 @@ float exp2_stable(float x) {
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
+    return twice * uintBitsToFloat(uint(int(whole) + 126) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -156,7 +156,7 @@ float exp2_stable(float x) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int(bits - 1060439283u) >> 23u);
+    int exponent = int(bits - 1060439283u) >> 23u;
     float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -253,8 +253,8 @@ Angle angle_turned_2(Angle u, vec2 t) {
 /// [`bounded`], component by component.
 vec3 bounded_vec3(vec3 v) {
     uvec3 bits = floatBitsToUint(v);
-    uvec3 magnitude = (bits & uvec3(2147483647u));
-    vec3 largest = uintBitsToFloat(((bits & uvec3(2147483648u)) | uvec3(2139095039u)));
+    uvec3 magnitude = bits & uvec3(2147483647u);
+    vec3 largest = uintBitsToFloat((bits & uvec3(2147483648u)) | uvec3(2139095039u));
     vec3 numbers = mix(vec3(0.0), largest, equal(magnitude, uvec3(2139095040u)));
     return mix(numbers, v, lessThan(magnitude, uvec3(2139095040u)));
 }

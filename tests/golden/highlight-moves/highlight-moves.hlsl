@@ -191,7 +191,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
+    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -200,7 +200,7 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint(bits - 1060439283u) >> 23u);
+    int exponent = asint(bits - 1060439283u) >> 23u;
     float mantissa = asfloat(bits - (asuint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -315,8 +315,8 @@ Angle angle_turned_2(Angle u, float2 t)
 float3 bounded_vec3(float3 v)
 {
     uint3 bits = asuint(v);
-    uint3 magnitude = (bits & (2147483647u).xxx);
-    float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
+    uint3 magnitude = bits & (2147483647u).xxx;
+    float3 largest = asfloat((bits & (2147483648u).xxx) | (2139095039u).xxx);
     float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
     return magnitude < (2139095040u).xxx ? v : numbers;
 }
@@ -491,7 +491,7 @@ float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
     float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
-    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
     if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }

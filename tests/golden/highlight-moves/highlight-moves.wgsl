@@ -449,7 +449,8 @@ fn rotate_vector(vector: vec3f, axis: vec3f, angle: f32) -> vec3f {
     return bounded_vec3(vector + 2.0 * half.x * (half.y * aside + half.x * cross(axis, aside)));
 }
 
-const lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
+const lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733,
+    0.08138281, 0u);
 const highlight_shape = ProfileShape(0.9939561, 0.1097783, 0.0, 1.0, 0.22, 0.0, 0.0, 1u);
 
 /// The look at one point of the surface.

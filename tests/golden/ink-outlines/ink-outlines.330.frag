@@ -120,7 +120,7 @@ layout(location = 0) out vec4 out_color;
 /// v with 0 for each component that is NaN or infinite.
 vec4 finite_vec4(vec4 v) {
     uvec4 exponent = uvec4(2139095040u);
-    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
+    return mix(vec4(0.0), v, notEqual(floatBitsToUint(v) & exponent, exponent));
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -133,16 +133,16 @@ vec3 normalize_seen_balanced(vec3 v) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
 vec4 bounded_vec4(vec4 v) {
     uvec4 bits = floatBitsToUint(v);
-    uvec4 magnitude = (bits & uvec4(2147483647u));
-    vec4 largest = uintBitsToFloat(((bits & uvec4(2147483648u)) | uvec4(2139095039u)));
+    uvec4 magnitude = bits & uvec4(2147483647u);
+    vec4 largest = uintBitsToFloat((bits & uvec4(2147483648u)) | uvec4(2139095039u));
     vec4 numbers = mix(vec4(0.0), largest, equal(magnitude, uvec4(2139095040u)));
     return mix(numbers, v, lessThan(magnitude, uvec4(2139095040u)));
 }
@@ -375,7 +375,7 @@ uvec3 hash_pcg3d(uvec3 seed) {
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> uvec3(16u)));
+    v = v ^ (v >> uvec3(16u));
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -420,7 +420,7 @@ float perlin_noise(vec3 p, uint seed) {
             break;
         }
         {
-            ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
+            ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
             vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
             float gradient_dot_value = gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
             sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
@@ -597,6 +597,7 @@ float noise_perlin(vec3 position, float scale, int octaves, float roughness, int
     vec3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

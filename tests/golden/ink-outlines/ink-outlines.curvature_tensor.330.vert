@@ -7,7 +7,7 @@
 
 /// A triangle over the whole picture.
 vec4 whole_picture(uint index) {
-    return vec4(float((index & 1u)) * 4.0 - 1.0, float((index >> 1u)) * 4.0 - 1.0, 0.0, 1.0);
+    return vec4(float(index & 1u) * 4.0 - 1.0, float(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
 void main() {

@@ -176,8 +176,8 @@ float3 normalize_seen_balanced(float3 v)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -185,8 +185,8 @@ float bounded(float x)
 float4 bounded_vec4(float4 v)
 {
     uint4 bits = asuint(v);
-    uint4 magnitude = (bits & (2147483647u).xxxx);
-    float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
+    uint4 magnitude = bits & (2147483647u).xxxx;
+    float4 largest = asfloat((bits & (2147483648u).xxxx) | (2139095039u).xxxx);
     float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
     return magnitude < (2139095040u).xxxx ? v : numbers;
 }
@@ -360,7 +360,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
         }
     }
     float place = places[min(uint(naga_div(at, 4u)), 3u)][min(uint(naga_mod(at, 4u)), 3u)];
-    if (((at + 1u >= count) | (x <= place))) {
+    if ((at + 1u >= count) | (x <= place)) {
         return bounded_vec4(colors[min(uint(at), 15u)]);
     }
     uint after = at + 1u;
@@ -465,7 +465,7 @@ uint3 hash_pcg3d(uint3 seed)
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> (16u).xxx));
+    v = v ^ (v >> (16u).xxx);
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -482,7 +482,7 @@ uint3 lattice_hash(int3 cell, uint seed)
 /// 2002).
 float gradient_dot(uint3 hash, float3 d)
 {
-    uint axis = naga_mod((hash.x >> 8u), 3u);
+    uint axis = naga_mod(hash.x >> 8u, 3u);
     float a = axis == 0u ? d.y : d.x;
     float b = axis == 2u ? d.y : d.z;
     return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
@@ -519,7 +519,7 @@ float perlin_noise(float3 p, uint seed)
             break;
         }
         {
-            int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
+            int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
             float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
             const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
                 + asuint(at)), seed), d - float3(at));
@@ -727,6 +727,7 @@ float noise_perlin(float3 position, float scale, int octaves, float roughness, i
     float3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

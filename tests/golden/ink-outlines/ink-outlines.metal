@@ -792,6 +792,7 @@ float noise_perlin(
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

@@ -517,8 +517,15 @@ fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed:
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
-const three_washes = Ramp(array(vec4f(0.4353, 0.5255, 0.6588, 1.0), vec4f(0.7882, 0.6471, 0.549, 1.0), vec4f(0.949, 0.851, 0.6941, 1.0), vec4f(1.0, 0.9647, 0.8784, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.36, 0.54, 0.93), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 4u, 2u);
-const ink = Ramp(array(vec4f(0.0784, 0.102, 0.2, 1.0), vec4f(0.3529, 0.1647, 0.1098, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.1, 0.85, 0.0, 0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 2u, 1u);
+const three_washes = Ramp(array(vec4f(0.4353, 0.5255, 0.6588, 1.0),
+    vec4f(0.7882, 0.6471, 0.549, 1.0), vec4f(0.949, 0.851, 0.6941, 1.0),
+    vec4f(1.0, 0.9647, 0.8784, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)),
+    array(vec4f(0.0, 0.36, 0.54, 0.93), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 4u, 2u);
+const ink = Ramp(array(vec4f(0.0784, 0.102, 0.2, 1.0), vec4f(0.3529, 0.1647, 0.1098, 1.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)),
+    array(vec4f(0.1, 0.85, 0.0, 0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 2u, 1u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -66,8 +66,8 @@ vec3 normalize_seen_balanced(vec3 v) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -162,6 +162,7 @@ vec4 ramp_oklab(float value, Ramp ramp) {
     return place.t <= 0.0 ? place.before : (place.t
         >= 1.0 ? place.after : vec4(srgb_of_oklab_value, 1.0));
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

@@ -101,8 +101,8 @@ float3 normalize_seen_balanced(float3 v)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -220,6 +220,7 @@ float4 ramp_oklab(float value, Ramp ramp)
     return place.t <= 0.0 ? place.before : (place.t
         >= 1.0 ? place.after : float4(srgb_of_oklab_value, 1.0));
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

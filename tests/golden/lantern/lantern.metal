@@ -224,6 +224,7 @@ Color ramp_oklab(
         >= 1.0 ? place.after : metal::float4(srgb_of_oklab_value, 1.0));
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface

@@ -152,7 +152,10 @@ fn ramp_oklab(value: f32, ramp: Ramp) -> Color {
         place.before, place.t <= 0.0);
 }
 
-const glow = Ramp(array(vec4f(0.851, 0.4118, 0.1647, 1.0), vec4f(1.0, 0.7804, 0.3961, 1.0), vec4f(1.0, 0.9647, 0.8471, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.45, 1.0, 0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 3u, 0u);
+const glow = Ramp(array(vec4f(0.851, 0.4118, 0.1647, 1.0), vec4f(1.0, 0.7804, 0.3961, 1.0),
+    vec4f(1.0, 0.9647, 0.8471, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)),
+    array(vec4f(0.0, 0.45, 1.0, 0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 3u, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -188,6 +188,7 @@ vec4 sum_of_lights_color(vec4 value, vec4 before_sum, float reach) {
     return reach > 0.0 ? vec4(before_sum.xyz + value.xyz, 1.0) : before_sum;
 }
 
+
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {
     // Lamps moon (Each lamp)

@@ -242,7 +242,7 @@ float profile_filtered_quick(Angle u, float w, ProfileShape shape)
 {
     float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
-    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
     if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
@@ -267,6 +267,7 @@ float4 sum_of_lights_color(float4 value, float4 before_sum, float reach)
 {
     return reach > 0.0 ? float4(before_sum.xyz + value.xyz, 1.0) : before_sum;
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

@@ -254,6 +254,7 @@ Color sum_of_lights_color(
     return reach > 0.0 ? metal::float4(before_sum.xyz + value.xyz, 1.0) : before_sum;
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

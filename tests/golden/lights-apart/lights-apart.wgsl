@@ -192,7 +192,8 @@ fn sum_of_lights_color(value: Color, before_sum: Color, reach: f32) -> Color {
     return select(before_sum, vec4f(before_sum.xyz + value.xyz, 1.0), reach > 0.0);
 }
 
-const lamps_moon_tone_shape = ProfileShape(0.9358968, 0.35227424, 66.66917, 2.499803, 0.72, 0.014726315, 0.0063439487, 0u);
+const lamps_moon_tone_shape = ProfileShape(0.9358968, 0.35227424, 66.66917, 2.499803, 0.72,
+    0.014726315, 0.0063439487, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -355,6 +355,7 @@ float4 sum_of_lights_color(float4 value, float4 before_sum, float reach)
     return reach > 0.0 ? float4(before_sum.xyz + value.xyz, 1.0) : before_sum;
 }
 
+
 /// The look at one point of the surface.
 float4 shade(Surface surface)
 {

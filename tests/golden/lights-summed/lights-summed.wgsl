@@ -270,7 +270,8 @@ fn sum_of_lights_color(value: Color, before_sum: Color, reach: f32) -> Color {
     return select(before_sum, vec4f(before_sum.xyz + value.xyz, 1.0), reach > 0.0);
 }
 
-const lamps_moon_tone_shape = ProfileShape(1.0, 0.0, 1.6002629, 1.8073579, 0.0, 0.71386534, 0.30130044, 0u);
+const lamps_moon_tone_shape = ProfileShape(1.0, 0.0, 1.6002629, 1.8073579, 0.0, 0.71386534,
+    0.30130044, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

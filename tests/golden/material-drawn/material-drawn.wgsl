@@ -169,9 +169,12 @@ fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-const body_tone_shape = ProfileShape(0.86532396, 0.501213, 5.743557, 2.0104687, 1.05, 0.18576889, 0.077249795, 0u);
-const window_tone_shape = ProfileShape(0.9887711, 0.14943813, 50.003334, 8.498813, 0.3, 0.011653547, 0.0057055796, 0u);
-const rim_tone_shape = ProfileShape(0.9305076, 0.36627254, 10.016686, 2.4912605, 0.75, 0.09820393, 0.042312488, 0u);
+const body_tone_shape = ProfileShape(0.86532396, 0.501213, 5.743557, 2.0104687, 1.05, 0.18576889,
+    0.077249795, 0u);
+const window_tone_shape = ProfileShape(0.9887711, 0.14943813, 50.003334, 8.498813, 0.3, 0.011653547,
+    0.0057055796, 0u);
+const rim_tone_shape = ProfileShape(0.9305076, 0.36627254, 10.016686, 2.4912605, 0.75, 0.09820393,
+    0.042312488, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -112,7 +112,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
+    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -121,7 +121,7 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint(bits - 1060439283u) >> 23u);
+    int exponent = asint(bits - 1060439283u) >> 23u;
     float mantissa = asfloat(bits - (asuint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -249,7 +249,7 @@ uint3 hash_pcg3d(uint3 seed)
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> (16u).xxx));
+    v = v ^ (v >> (16u).xxx);
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -270,7 +270,7 @@ uint naga_mod(uint lhs, uint rhs) {
 /// 2002).
 float gradient_dot(uint3 hash, float3 d)
 {
-    uint axis = naga_mod((hash.x >> 8u), 3u);
+    uint axis = naga_mod(hash.x >> 8u, 3u);
     float a = axis == 0u ? d.y : d.x;
     float b = axis == 2u ? d.y : d.z;
     return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
@@ -307,7 +307,7 @@ float perlin_noise(float3 p, uint seed)
             break;
         }
         {
-            int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
+            int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
             float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
             const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
                 + asuint(at)), seed), d - float3(at));

@@ -149,7 +149,7 @@ float schlick(float at_normal, float cosine)
 /// (Walter et al. 2007, Heitz 2014).
 float ggx(Reflection r, float width, float at_normal)
 {
-    if (((r.n_l <= 0.0) | (r.n_v <= 0.0))) {
+    if ((r.n_l <= 0.0) | (r.n_v <= 0.0)) {
         return 0.0;
     }
     float a2 = width * width;

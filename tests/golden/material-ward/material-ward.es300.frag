@@ -86,7 +86,7 @@ float exp2_stable(float x) {
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
+    return twice * uintBitsToFloat(uint(int(whole) + 126) << 23u);
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15

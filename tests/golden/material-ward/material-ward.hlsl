@@ -121,7 +121,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
+    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -177,7 +177,7 @@ float ward(float3 light, float3 normal, float3 view, float3 x_axis, float3 y_axi
 {
     float n_l = dot(normal, light);
     float n_v = dot(normal, view);
-    if (((n_l <= 0.0) | (n_v <= 0.0))) {
+    if ((n_l <= 0.0) | (n_v <= 0.0)) {
         return 0.0;
     }
     const float3 half_ = half_of(light, normal, view);

@@ -86,8 +86,8 @@ vec3 normalize_seen(vec3 v) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -181,6 +181,7 @@ float reflectance_half_lambert(Light light, vec3 normal) {
     float half_ = 0.5 + 0.5 * dot(normal, light.direction);
     return min(half_ * half_, 1.0);
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

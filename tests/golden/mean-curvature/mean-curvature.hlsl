@@ -127,8 +127,8 @@ float3 normalize_seen(float3 v)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -250,6 +250,7 @@ float reflectance_half_lambert(Light light, float3 normal)
     float half_ = 0.5 + 0.5 * dot(normal, light.direction);
     return min(half_ * half_, 1.0);
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

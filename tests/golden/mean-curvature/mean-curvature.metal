@@ -255,6 +255,7 @@ float reflectance_half_lambert(
     return metal::min(half_ * half_, 1.0);
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

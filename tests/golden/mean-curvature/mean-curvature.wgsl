@@ -177,7 +177,12 @@ fn reflectance_half_lambert(light: Light, normal: vec3f) -> f32 {
     return min(half * half, 1.0);
 }
 
-const hollow_flat_ridge = Ramp(array(vec4f(0.0588, 0.1294, 0.2706, 1.0), vec4f(0.1843, 0.3725, 0.5412, 1.0), vec4f(0.7255, 0.7647, 0.7059, 1.0), vec4f(0.9255, 0.8902, 0.7961, 1.0), vec4f(0.8902, 0.749, 0.502, 1.0), vec4f(0.7804, 0.4627, 0.1843, 1.0), vec4f(1.0, 0.9529, 0.8627, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.25, 0.44, 0.5), vec4f(0.6, 0.8, 1.0, 0.0), vec4f(0.0), vec4f(0.0)), 7u, 0u);
+const hollow_flat_ridge = Ramp(array(vec4f(0.0588, 0.1294, 0.2706, 1.0),
+    vec4f(0.1843, 0.3725, 0.5412, 1.0), vec4f(0.7255, 0.7647, 0.7059, 1.0),
+    vec4f(0.9255, 0.8902, 0.7961, 1.0), vec4f(0.8902, 0.749, 0.502, 1.0),
+    vec4f(0.7804, 0.4627, 0.1843, 1.0), vec4f(1.0, 0.9529, 0.8627, 1.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)),
+    array(vec4f(0.0, 0.25, 0.44, 0.5), vec4f(0.6, 0.8, 1.0, 0.0), vec4f(0.0), vec4f(0.0)), 7u, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

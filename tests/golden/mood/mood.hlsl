@@ -265,8 +265,8 @@ float profile_filtered_quick(Angle u, float w, ProfileShape shape)
         return 1.0;
     }
     const float2 place = profile_place(u, shape);
-    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
-    if (((shape.kind == PROFILE_STEP) | is_narrow)) {
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if ((shape.kind == PROFILE_STEP) | is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);

@@ -284,8 +284,8 @@ float profile_filtered_quick(Angle u, float w, ProfileShape shape)
         return 1.0;
     }
     const float2 place = profile_place(u, shape);
-    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
-    if (((shape.kind == PROFILE_STEP) | is_narrow)) {
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
+    if ((shape.kind == PROFILE_STEP) | is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
     const float point_ = profile_soft_quick(place.x, shape);
@@ -306,7 +306,7 @@ float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
     float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
-    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
     if (is_narrow) {
         return profile_ramp_quick_2(place.x, w, shape);
     }
@@ -332,6 +332,7 @@ float profile_balanced_2(Angle angle, float shift, ProfileShape shape)
     const Angle warped = angle_turned(angle, float2(0.0, 1.0));
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

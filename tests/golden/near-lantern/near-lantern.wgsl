@@ -269,8 +269,10 @@ fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-const highlight_tone_shape = ProfileShape(0.9950042, 0.099833414, 6.6917324, 4.960133, 0.2, 0.11088749, 0.05215291, 0u);
-const back_light_tone_shape = ProfileShape(0.9553365, 0.29552022, 5.743557, 2.0104687, 0.6, 0.18576889, 0.077249795, 0u);
+const highlight_tone_shape = ProfileShape(0.9950042, 0.099833414, 6.6917324, 4.960133, 0.2,
+    0.11088749, 0.05215291, 0u);
+const back_light_tone_shape = ProfileShape(0.9553365, 0.29552022, 5.743557, 2.0104687, 0.6,
+    0.18576889, 0.077249795, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -220,10 +220,14 @@ fn profile_balanced_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick_2(warped, angle_footprint(warped), shape);
 }
 
-const the_room_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.4670527, 1.5580629, 0.1, 0.827969, 0.34274614, 0u);
-const magenta_haze_tone_shape = ProfileShape(0.9887711, 0.14943813, 2.0858297, 1.974287, 0.3, 0.5228124, 0.22054322, 0u);
-const magenta_tube_tone_shape = ProfileShape(0.95233357, 0.30505863, 8.353367, 2.4874215, 0.62, 0.117860116, 0.05078552, 0u);
-const wet_magenta_tone_shape = ProfileShape(0.9887711, 0.14943813, 5.0334897, 2.4651666, 0.3, 0.19658314, 0.08474467, 0u);
+const the_room_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.4670527, 1.5580629, 0.1,
+    0.827969, 0.34274614, 0u);
+const magenta_haze_tone_shape = ProfileShape(0.9887711, 0.14943813, 2.0858297, 1.974287, 0.3,
+    0.5228124, 0.22054322, 0u);
+const magenta_tube_tone_shape = ProfileShape(0.95233357, 0.30505863, 8.353367, 2.4874215, 0.62,
+    0.117860116, 0.05078552, 0u);
+const wet_magenta_tone_shape = ProfileShape(0.9887711, 0.14943813, 5.0334897, 2.4651666, 0.3,
+    0.19658314, 0.08474467, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

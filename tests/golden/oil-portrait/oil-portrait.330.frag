@@ -185,7 +185,7 @@ layout(location = 0) out vec4 out_color;
 /// v with 0 for each component that is NaN or infinite.
 vec4 finite_vec4(vec4 v) {
     uvec4 exponent = uvec4(2139095040u);
-    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
+    return mix(vec4(0.0), v, notEqual(floatBitsToUint(v) & exponent, exponent));
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -196,7 +196,7 @@ float exp2_stable(float x) {
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
+    return twice * uintBitsToFloat(uint(int(whole) + 126) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -204,7 +204,7 @@ float exp2_stable(float x) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int(bits - 1060439283u) >> 23u);
+    int exponent = int(bits - 1060439283u) >> 23u;
     float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -234,16 +234,16 @@ vec3 normalize_seen(vec3 v) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
 vec3 bounded_vec3(vec3 v) {
     uvec3 bits = floatBitsToUint(v);
-    uvec3 magnitude = (bits & uvec3(2147483647u));
-    vec3 largest = uintBitsToFloat(((bits & uvec3(2147483648u)) | uvec3(2139095039u)));
+    uvec3 magnitude = bits & uvec3(2147483647u);
+    vec3 largest = uintBitsToFloat((bits & uvec3(2147483648u)) | uvec3(2139095039u));
     vec3 numbers = mix(vec3(0.0), largest, equal(magnitude, uvec3(2139095040u)));
     return mix(numbers, v, lessThan(magnitude, uvec3(2139095040u)));
 }
@@ -251,8 +251,8 @@ vec3 bounded_vec3(vec3 v) {
 /// [`bounded`], component by component.
 vec4 bounded_vec4(vec4 v) {
     uvec4 bits = floatBitsToUint(v);
-    uvec4 magnitude = (bits & uvec4(2147483647u));
-    vec4 largest = uintBitsToFloat(((bits & uvec4(2147483648u)) | uvec4(2139095039u)));
+    uvec4 magnitude = bits & uvec4(2147483647u);
+    vec4 largest = uintBitsToFloat((bits & uvec4(2147483648u)) | uvec4(2139095039u));
     vec4 numbers = mix(vec4(0.0), largest, equal(magnitude, uvec4(2139095040u)));
     return mix(numbers, v, lessThan(magnitude, uvec4(2139095040u)));
 }
@@ -336,7 +336,7 @@ uvec3 hash_pcg3d(uvec3 seed) {
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> uvec3(16u)));
+    v = v ^ (v >> uvec3(16u));
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -345,7 +345,7 @@ uvec3 hash_pcg3d(uvec3 seed) {
 
 /// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 vec3 unit_of_hash(uvec3 hash) {
-    return vec3((hash >> uvec3(8u))) * 5.9604645e-8;
+    return vec3(hash >> uvec3(8u)) * 5.9604645e-8;
 }
 
 /// The hash of a lattice point.
@@ -377,7 +377,7 @@ vec2 place_in_picture(vec2 pixel, vec2 viewport) {
 
 /// Index of the number of the repeating tile that holds a cell's rank.
 uint blue_index(ivec2 cell) {
-    uvec2 at = (uvec2(cell) & uvec2(31u));
+    uvec2 at = uvec2(cell) & uvec2(31u);
     return 8u * at.y + (at.x >> 2u);
 }
 
@@ -469,13 +469,13 @@ vec2 brush_turned(vec2 step_, Brushstroke stroke, Brush style) {
 Brushstroke brush_stroke(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
     uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, zoom))
         + uvec3(2654435769u, 2246822507u, 3266489909u));
-    vec3 chance = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
+    vec3 chance = vec3(hash_pcg3d_value >> uvec3(8u)) * 5.9604645e-8;
     vec2 offset = p - (vec2(cell) + vec2(0.5) + style.scatter * (chance.xy - vec2(0.5)));
     float x = 0.5 * (chance.z - 0.5);
     vec2 turn = vec2(sin(x), cos(x));
     uvec3 hash_pcg3d_value_1 = hash_pcg3d(uvec3(ivec3(cell, zoom))
         + uvec3(1013904242u, 198677718u, 2238012522u));
-    float way = (vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
+    float way = (vec3(hash_pcg3d_value_1 >> uvec3(8u)) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
     vec2 uv = vec2(0.5) + brush_turned(offset * vec2(style.aspect, 1.0), stroke, style);
     vec2 from_edge = min(uv, vec2(1.0) - uv);
@@ -501,7 +501,7 @@ vec2 bristles(vec2 uv, float width, uint seed) {
     float across = 2.0 * uv.y - 1.0;
     uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(0, 1, 0)) + seed
         * uvec3(2654435769u, 2246822507u, 3266489909u));
-    vec3 own = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
+    vec3 own = vec3(hash_pcg3d_value >> uvec3(8u)) * 5.9604645e-8;
     float seen = clamp(1.75 - 11.0 * width, 0.0, 1.0);
     vec3 chance = mix(vec3(0.5), bristle(11.0 * uv.y, seed), seen);
     float start = 0.03 + 0.12 * chance.x + 0.09 * across * across;
@@ -536,7 +536,7 @@ vec2 bristles_laid(SpacedPlace at, float ink, Brush style) {
             break;
         }
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
-        float scale = uintBitsToFloat((uint(int(zoom) + octave + 127) << 23u));
+        float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
@@ -554,7 +554,7 @@ vec2 bristles_laid(SpacedPlace at, float ink, Brush style) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(1, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
-            float late = 0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u))
+            float late = 0.96875 * ((float((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
             float share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
@@ -587,13 +587,13 @@ vec2 brush_turned_2(vec2 step_, Brushstroke stroke, Brush style) {
 Brushstroke brush_stroke_2(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
     uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, zoom))
         + uvec3(3041712726u, 596033154u, 2419070270u));
-    vec3 chance = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
+    vec3 chance = vec3(hash_pcg3d_value >> uvec3(8u)) * 5.9604645e-8;
     vec2 offset = p - (vec2(cell) + vec2(0.5) + style.scatter * (chance.xy - vec2(0.5)));
     float x = 0.5 * (chance.z - 0.5);
     vec2 turn = vec2(sin(x), cos(x));
     uvec3 hash_pcg3d_value_1 = hash_pcg3d(uvec3(ivec3(cell, zoom))
         + uvec3(1401181199u, 2842855661u, 1390592883u));
-    float way = (vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
+    float way = (vec3(hash_pcg3d_value_1 >> uvec3(8u)) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
     vec2 uv = vec2(0.5) + brush_turned_2(offset * vec2(style.aspect, 1.0), stroke, style);
     vec2 from_edge = min(uv, vec2(1.0) - uv);
@@ -626,7 +626,7 @@ vec2 bristles_laid_2(SpacedPlace at, float ink, Brush style) {
             break;
         }
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
-        float scale = uintBitsToFloat((uint(int(zoom) + octave + 127) << 23u));
+        float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
@@ -644,7 +644,7 @@ vec2 bristles_laid_2(SpacedPlace at, float ink, Brush style) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(6, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
-            float late = 0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u))
+            float late = 0.96875 * ((float((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
             float share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
@@ -670,13 +670,13 @@ vec2 bristles_laid_2(SpacedPlace at, float ink, Brush style) {
 Brushstroke brush_stroke_3(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
     uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, zoom))
         + uvec3(1013904242u, 198677718u, 2238012522u));
-    vec3 chance = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
+    vec3 chance = vec3(hash_pcg3d_value >> uvec3(8u)) * 5.9604645e-8;
     vec2 offset = p - (vec2(cell) + vec2(0.5) + style.scatter * (chance.xy - vec2(0.5)));
     float x = 0.5 * (chance.z - 0.5);
     vec2 turn = vec2(sin(x), cos(x));
     uvec3 hash_pcg3d_value_1 = hash_pcg3d(uvec3(ivec3(cell, zoom))
         + uvec3(3668340011u, 2445500225u, 1209535135u));
-    float way = (vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
+    float way = (vec3(hash_pcg3d_value_1 >> uvec3(8u)) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
     vec2 uv = vec2(0.5) + brush_turned(offset * vec2(style.aspect, 1.0), stroke, style);
     vec2 from_edge = min(uv, vec2(1.0) - uv);
@@ -709,7 +709,7 @@ vec2 bristles_laid_3(SpacedPlace at, float ink, Brush style) {
             break;
         }
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
-        float scale = uintBitsToFloat((uint(int(zoom) + octave + 127) << 23u));
+        float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
@@ -727,7 +727,7 @@ vec2 bristles_laid_3(SpacedPlace at, float ink, Brush style) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(2, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
-            float late = 0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u))
+            float late = 0.96875 * ((float((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
             float share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
@@ -760,13 +760,13 @@ vec2 brush_turned_3(vec2 step_, Brushstroke stroke, Brush style) {
 Brushstroke brush_stroke_4(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
     uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, zoom))
         + uvec3(3668340011u, 2445500225u, 1209535135u));
-    vec3 chance = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
+    vec3 chance = vec3(hash_pcg3d_value >> uvec3(8u)) * 5.9604645e-8;
     vec2 offset = p - (vec2(cell) + vec2(0.5) + style.scatter * (chance.xy - vec2(0.5)));
     float x = 0.5 * (chance.z - 0.5);
     vec2 turn = vec2(sin(x), cos(x));
     uvec3 hash_pcg3d_value_1 = hash_pcg3d(uvec3(ivec3(cell, zoom))
         + uvec3(2027808484u, 397355436u, 181057748u));
-    float way = (vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
+    float way = (vec3(hash_pcg3d_value_1 >> uvec3(8u)) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
     vec2 uv = vec2(0.5) + brush_turned_3(offset * vec2(3.0, 1.0), stroke, style);
     vec2 from_edge = min(uv, vec2(1.0) - uv);
@@ -799,7 +799,7 @@ vec2 bristles_laid_4(SpacedPlace at, float ink, Brush style) {
             break;
         }
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
-        float scale = uintBitsToFloat((uint(int(zoom) + octave + 127) << 23u));
+        float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0)) / vec2(3.0, 1.0);
         ivec2 corner = ivec2(floor(p));
         ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
@@ -816,7 +816,7 @@ vec2 bristles_laid_4(SpacedPlace at, float ink, Brush style) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(3, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
-            float late = 0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u))
+            float late = 0.96875 * ((float((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
             float share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
@@ -842,13 +842,13 @@ vec2 bristles_laid_4(SpacedPlace at, float ink, Brush style) {
 Brushstroke brush_stroke_5(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
     uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, zoom))
         + uvec3(2027808484u, 397355436u, 181057748u));
-    vec3 chance = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
+    vec3 chance = vec3(hash_pcg3d_value >> uvec3(8u)) * 5.9604645e-8;
     vec2 offset = p - (vec2(cell) + vec2(0.5) + style.scatter * (chance.xy - vec2(0.5)));
     float x = style.turn * (chance.z - 0.5);
     vec2 turn = vec2(sin(x), cos(x));
     uvec3 hash_pcg3d_value_1 = hash_pcg3d(uvec3(ivec3(cell, zoom))
         + uvec3(387276957u, 2644177943u, 3447547657u));
-    float way = (vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
+    float way = (vec3(hash_pcg3d_value_1 >> uvec3(8u)) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
     vec2 uv = vec2(0.5) + brush_turned(offset * vec2(style.aspect, 1.0), stroke, style);
     vec2 from_edge = min(uv, vec2(1.0) - uv);
@@ -881,7 +881,7 @@ vec2 bristles_laid_5(SpacedPlace at, float ink, Brush style) {
             break;
         }
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
-        float scale = uintBitsToFloat((uint(int(zoom) + octave + 127) << 23u));
+        float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
@@ -899,7 +899,7 @@ vec2 bristles_laid_5(SpacedPlace at, float ink, Brush style) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(4, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
-            float late = 0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u))
+            float late = 0.96875 * ((float((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
             float share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
@@ -925,13 +925,13 @@ vec2 bristles_laid_5(SpacedPlace at, float ink, Brush style) {
 Brushstroke brush_stroke_6(vec2 p, ivec2 cell, int zoom, float drawn, Brush style) {
     uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(ivec3(cell, zoom))
         + uvec3(4055616968u, 794710872u, 362115496u));
-    vec3 chance = vec3((hash_pcg3d_value >> uvec3(8u))) * 5.9604645e-8;
+    vec3 chance = vec3(hash_pcg3d_value >> uvec3(8u)) * 5.9604645e-8;
     vec2 offset = p - (vec2(cell) + vec2(0.5) + style.scatter * (chance.xy - vec2(0.5)));
     float x = style.turn * (chance.z - 0.5);
     vec2 turn = vec2(sin(x), cos(x));
     uvec3 hash_pcg3d_value_1 = hash_pcg3d(uvec3(ivec3(cell, zoom))
         + uvec3(2415085441u, 3041533379u, 3628605405u));
-    float way = (vec3((hash_pcg3d_value_1 >> uvec3(8u))) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
+    float way = (vec3(hash_pcg3d_value_1 >> uvec3(8u)) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = Brushstroke(vec2(0.5), turn, way, 0.0);
     vec2 uv = vec2(0.5) + brush_turned_2(offset * vec2(style.aspect, 1.0), stroke, style);
     vec2 from_edge = min(uv, vec2(1.0) - uv);
@@ -964,7 +964,7 @@ vec2 bristles_laid_6(SpacedPlace at, float ink, Brush style) {
             break;
         }
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
-        float scale = uintBitsToFloat((uint(int(zoom) + octave + 127) << 23u));
+        float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
@@ -982,7 +982,7 @@ vec2 bristles_laid_6(SpacedPlace at, float ink, Brush style) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(8, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
-            float late = 0.96875 * ((float(((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u))
+            float late = 0.96875 * ((float((tile_now >> (8u * (uint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
             float share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {

@@ -238,7 +238,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
+    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -247,7 +247,7 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint(bits - 1060439283u) >> 23u);
+    int exponent = asint(bits - 1060439283u) >> 23u;
     float mantissa = asfloat(bits - (asuint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -281,8 +281,8 @@ float3 normalize_seen(float3 v)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -290,8 +290,8 @@ float bounded(float x)
 float3 bounded_vec3(float3 v)
 {
     uint3 bits = asuint(v);
-    uint3 magnitude = (bits & (2147483647u).xxx);
-    float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
+    uint3 magnitude = bits & (2147483647u).xxx;
+    float3 largest = asfloat((bits & (2147483648u).xxx) | (2139095039u).xxx);
     float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
     return magnitude < (2139095040u).xxx ? v : numbers;
 }
@@ -300,8 +300,8 @@ float3 bounded_vec3(float3 v)
 float4 bounded_vec4(float4 v)
 {
     uint4 bits = asuint(v);
-    uint4 magnitude = (bits & (2147483647u).xxxx);
-    float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
+    uint4 magnitude = bits & (2147483647u).xxxx;
+    float4 largest = asfloat((bits & (2147483648u).xxxx) | (2139095039u).xxxx);
     float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
     return magnitude < (2139095040u).xxxx ? v : numbers;
 }
@@ -396,7 +396,7 @@ uint3 hash_pcg3d(uint3 seed)
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> (16u).xxx));
+    v = v ^ (v >> (16u).xxx);
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -406,7 +406,7 @@ uint3 hash_pcg3d(uint3 seed)
 /// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 float3 unit_of_hash(uint3 hash)
 {
-    return float3((hash >> (8u).xxx)) * 5.9604645e-8;
+    return float3(hash >> (8u).xxx) * 5.9604645e-8;
 }
 
 /// The hash of a lattice point.
@@ -443,7 +443,7 @@ float2 place_in_picture(float2 pixel, float2 viewport)
 /// Index of the number of the repeating tile that holds a cell's rank.
 uint blue_index(int2 cell)
 {
-    uint2 at = (asuint(cell) & (31u).xx);
+    uint2 at = asuint(cell) & (31u).xx;
     return 8u * at.y + (at.x >> 2u);
 }
 
@@ -570,13 +570,13 @@ Brushstroke brush_stroke(float2 p, int2 cell, int zoom, float drawn, Brush style
 {
     const uint3 hash_pcg3d_value = hash_pcg3d(asuint(int3(cell, zoom))
         + uint3(2654435769u, 2246822507u, 3266489909u));
-    float3 chance = float3((hash_pcg3d_value >> (8u).xxx)) * 5.9604645e-8;
+    float3 chance = float3(hash_pcg3d_value >> (8u).xxx) * 5.9604645e-8;
     float2 offset = p - (float2(cell) + (0.5).xx + style.scatter * (chance.xy - (0.5).xx));
     float x = 0.5 * (chance.z - 0.5);
     float2 turn = float2(sin(x), cos(x));
     const uint3 hash_pcg3d_value_1 = hash_pcg3d(asuint(int3(cell, zoom))
         + uint3(1013904242u, 198677718u, 2238012522u));
-    float way = (float3((hash_pcg3d_value_1 >> (8u).xxx)) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
+    float way = (float3(hash_pcg3d_value_1 >> (8u).xxx) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = ConstructBrushstroke((0.5).xx, turn, way, 0.0);
     float2 uv = (0.5).xx + brush_turned(offset * float2(style.aspect, 1.0), stroke, style);
     float2 from_edge = min(uv, (1.0).xx - uv);
@@ -605,7 +605,7 @@ float2 bristles(float2 uv, float width, uint seed)
     float across = 2.0 * uv.y - 1.0;
     const uint3 hash_pcg3d_value = hash_pcg3d(asuint(int3(int(0), int(1), int(0))) + seed
         * uint3(2654435769u, 2246822507u, 3266489909u));
-    float3 own = float3((hash_pcg3d_value >> (8u).xxx)) * 5.9604645e-8;
+    float3 own = float3(hash_pcg3d_value >> (8u).xxx) * 5.9604645e-8;
     float seen = clamp(1.75 - 11.0 * width, 0.0, 1.0);
     float3 chance = lerp((0.5).xxx, bristle(11.0 * uv.y, seed), seen);
     float start = 0.03 + 0.12 * chance.x + 0.09 * across * across;
@@ -660,8 +660,8 @@ float2 bristles_laid(SpacedPlace at, float ink, Brush style)
             break;
         }
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
-        float scale = asfloat((uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
-            + asuint(int(127)))) << 23u));
+        float scale = asfloat(uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
+            + asuint(int(127)))) << 23u);
         float2 p = clamp(at.place * scale, (-4194304.0).xx, (4194304.0).xx)
             / float2(style.aspect, 1.0);
         int2 corner = naga_f2i32(floor(p));
@@ -685,7 +685,7 @@ float2 bristles_laid(SpacedPlace at, float ink, Brush style)
                 + asuint(int2(int(1), asint(asuint(int(7))
                 * asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))))));
             uint tile_now = tile[min(uint(blue_index(turning)), 255u)];
-            float late = 0.96875 * ((float(((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u))
+            float late = 0.96875 * ((float((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
             float share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
@@ -722,13 +722,13 @@ Brushstroke brush_stroke_2(float2 p, int2 cell, int zoom, float drawn, Brush sty
 {
     const uint3 hash_pcg3d_value = hash_pcg3d(asuint(int3(cell, zoom))
         + uint3(3041712726u, 596033154u, 2419070270u));
-    float3 chance = float3((hash_pcg3d_value >> (8u).xxx)) * 5.9604645e-8;
+    float3 chance = float3(hash_pcg3d_value >> (8u).xxx) * 5.9604645e-8;
     float2 offset = p - (float2(cell) + (0.5).xx + style.scatter * (chance.xy - (0.5).xx));
     float x = 0.5 * (chance.z - 0.5);
     float2 turn = float2(sin(x), cos(x));
     const uint3 hash_pcg3d_value_1 = hash_pcg3d(asuint(int3(cell, zoom))
         + uint3(1401181199u, 2842855661u, 1390592883u));
-    float way = (float3((hash_pcg3d_value_1 >> (8u).xxx)) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
+    float way = (float3(hash_pcg3d_value_1 >> (8u).xxx) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = ConstructBrushstroke((0.5).xx, turn, way, 0.0);
     float2 uv = (0.5).xx + brush_turned_2(offset * float2(style.aspect, 1.0), stroke, style);
     float2 from_edge = min(uv, (1.0).xx - uv);
@@ -763,8 +763,8 @@ float2 bristles_laid_2(SpacedPlace at, float ink, Brush style)
             break;
         }
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
-        float scale = asfloat((uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
-            + asuint(int(127)))) << 23u));
+        float scale = asfloat(uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
+            + asuint(int(127)))) << 23u);
         float2 p = clamp(at.place * scale, (-4194304.0).xx, (4194304.0).xx)
             / float2(style.aspect, 1.0);
         int2 corner = naga_f2i32(floor(p));
@@ -788,7 +788,7 @@ float2 bristles_laid_2(SpacedPlace at, float ink, Brush style)
                 + asuint(int2(int(6), asint(asuint(int(7))
                 * asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))))));
             uint tile_now = tile[min(uint(blue_index(turning)), 255u)];
-            float late = 0.96875 * ((float(((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u))
+            float late = 0.96875 * ((float((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
             float share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
@@ -817,13 +817,13 @@ Brushstroke brush_stroke_3(float2 p, int2 cell, int zoom, float drawn, Brush sty
 {
     const uint3 hash_pcg3d_value = hash_pcg3d(asuint(int3(cell, zoom))
         + uint3(1013904242u, 198677718u, 2238012522u));
-    float3 chance = float3((hash_pcg3d_value >> (8u).xxx)) * 5.9604645e-8;
+    float3 chance = float3(hash_pcg3d_value >> (8u).xxx) * 5.9604645e-8;
     float2 offset = p - (float2(cell) + (0.5).xx + style.scatter * (chance.xy - (0.5).xx));
     float x = 0.5 * (chance.z - 0.5);
     float2 turn = float2(sin(x), cos(x));
     const uint3 hash_pcg3d_value_1 = hash_pcg3d(asuint(int3(cell, zoom))
         + uint3(3668340011u, 2445500225u, 1209535135u));
-    float way = (float3((hash_pcg3d_value_1 >> (8u).xxx)) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
+    float way = (float3(hash_pcg3d_value_1 >> (8u).xxx) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = ConstructBrushstroke((0.5).xx, turn, way, 0.0);
     float2 uv = (0.5).xx + brush_turned(offset * float2(style.aspect, 1.0), stroke, style);
     float2 from_edge = min(uv, (1.0).xx - uv);
@@ -858,8 +858,8 @@ float2 bristles_laid_3(SpacedPlace at, float ink, Brush style)
             break;
         }
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
-        float scale = asfloat((uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
-            + asuint(int(127)))) << 23u));
+        float scale = asfloat(uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
+            + asuint(int(127)))) << 23u);
         float2 p = clamp(at.place * scale, (-4194304.0).xx, (4194304.0).xx)
             / float2(style.aspect, 1.0);
         int2 corner = naga_f2i32(floor(p));
@@ -883,7 +883,7 @@ float2 bristles_laid_3(SpacedPlace at, float ink, Brush style)
                 + asuint(int2(int(2), asint(asuint(int(7))
                 * asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))))));
             uint tile_now = tile[min(uint(blue_index(turning)), 255u)];
-            float late = 0.96875 * ((float(((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u))
+            float late = 0.96875 * ((float((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
             float share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
@@ -920,13 +920,13 @@ Brushstroke brush_stroke_4(float2 p, int2 cell, int zoom, float drawn, Brush sty
 {
     const uint3 hash_pcg3d_value = hash_pcg3d(asuint(int3(cell, zoom))
         + uint3(3668340011u, 2445500225u, 1209535135u));
-    float3 chance = float3((hash_pcg3d_value >> (8u).xxx)) * 5.9604645e-8;
+    float3 chance = float3(hash_pcg3d_value >> (8u).xxx) * 5.9604645e-8;
     float2 offset = p - (float2(cell) + (0.5).xx + style.scatter * (chance.xy - (0.5).xx));
     float x = 0.5 * (chance.z - 0.5);
     float2 turn = float2(sin(x), cos(x));
     const uint3 hash_pcg3d_value_1 = hash_pcg3d(asuint(int3(cell, zoom))
         + uint3(2027808484u, 397355436u, 181057748u));
-    float way = (float3((hash_pcg3d_value_1 >> (8u).xxx)) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
+    float way = (float3(hash_pcg3d_value_1 >> (8u).xxx) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = ConstructBrushstroke((0.5).xx, turn, way, 0.0);
     float2 uv = (0.5).xx + brush_turned_3(offset * float2(3.0, 1.0), stroke, style);
     float2 from_edge = min(uv, (1.0).xx - uv);
@@ -961,8 +961,8 @@ float2 bristles_laid_4(SpacedPlace at, float ink, Brush style)
             break;
         }
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
-        float scale = asfloat((uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
-            + asuint(int(127)))) << 23u));
+        float scale = asfloat(uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
+            + asuint(int(127)))) << 23u);
         float2 p = clamp(at.place * scale, (-4194304.0).xx, (4194304.0).xx) / float2(3.0, 1.0);
         int2 corner = naga_f2i32(floor(p));
         int2 phase = naga_mod(asint(asuint(naga_mod(corner, (int(3)).xx)) + asuint((int(3)).xx)),
@@ -985,7 +985,7 @@ float2 bristles_laid_4(SpacedPlace at, float ink, Brush style)
                 + asuint(int2(int(3), asint(asuint(int(7))
                 * asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))))));
             uint tile_now = tile[min(uint(blue_index(turning)), 255u)];
-            float late = 0.96875 * ((float(((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u))
+            float late = 0.96875 * ((float((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
             float share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
@@ -1014,13 +1014,13 @@ Brushstroke brush_stroke_5(float2 p, int2 cell, int zoom, float drawn, Brush sty
 {
     const uint3 hash_pcg3d_value = hash_pcg3d(asuint(int3(cell, zoom))
         + uint3(2027808484u, 397355436u, 181057748u));
-    float3 chance = float3((hash_pcg3d_value >> (8u).xxx)) * 5.9604645e-8;
+    float3 chance = float3(hash_pcg3d_value >> (8u).xxx) * 5.9604645e-8;
     float2 offset = p - (float2(cell) + (0.5).xx + style.scatter * (chance.xy - (0.5).xx));
     float x = style.turn * (chance.z - 0.5);
     float2 turn = float2(sin(x), cos(x));
     const uint3 hash_pcg3d_value_1 = hash_pcg3d(asuint(int3(cell, zoom))
         + uint3(387276957u, 2644177943u, 3447547657u));
-    float way = (float3((hash_pcg3d_value_1 >> (8u).xxx)) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
+    float way = (float3(hash_pcg3d_value_1 >> (8u).xxx) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = ConstructBrushstroke((0.5).xx, turn, way, 0.0);
     float2 uv = (0.5).xx + brush_turned(offset * float2(style.aspect, 1.0), stroke, style);
     float2 from_edge = min(uv, (1.0).xx - uv);
@@ -1055,8 +1055,8 @@ float2 bristles_laid_5(SpacedPlace at, float ink, Brush style)
             break;
         }
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
-        float scale = asfloat((uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
-            + asuint(int(127)))) << 23u));
+        float scale = asfloat(uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
+            + asuint(int(127)))) << 23u);
         float2 p = clamp(at.place * scale, (-4194304.0).xx, (4194304.0).xx)
             / float2(style.aspect, 1.0);
         int2 corner = naga_f2i32(floor(p));
@@ -1080,7 +1080,7 @@ float2 bristles_laid_5(SpacedPlace at, float ink, Brush style)
                 + asuint(int2(int(4), asint(asuint(int(7))
                 * asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))))));
             uint tile_now = tile[min(uint(blue_index(turning)), 255u)];
-            float late = 0.96875 * ((float(((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u))
+            float late = 0.96875 * ((float((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
             float share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {
@@ -1109,13 +1109,13 @@ Brushstroke brush_stroke_6(float2 p, int2 cell, int zoom, float drawn, Brush sty
 {
     const uint3 hash_pcg3d_value = hash_pcg3d(asuint(int3(cell, zoom))
         + uint3(4055616968u, 794710872u, 362115496u));
-    float3 chance = float3((hash_pcg3d_value >> (8u).xxx)) * 5.9604645e-8;
+    float3 chance = float3(hash_pcg3d_value >> (8u).xxx) * 5.9604645e-8;
     float2 offset = p - (float2(cell) + (0.5).xx + style.scatter * (chance.xy - (0.5).xx));
     float x = style.turn * (chance.z - 0.5);
     float2 turn = float2(sin(x), cos(x));
     const uint3 hash_pcg3d_value_1 = hash_pcg3d(asuint(int3(cell, zoom))
         + uint3(2415085441u, 3041533379u, 3628605405u));
-    float way = (float3((hash_pcg3d_value_1 >> (8u).xxx)) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
+    float way = (float3(hash_pcg3d_value_1 >> (8u).xxx) * 5.9604645e-8).x < 0.5 ? 1.0 : -1.0;
     Brushstroke stroke = ConstructBrushstroke((0.5).xx, turn, way, 0.0);
     float2 uv = (0.5).xx + brush_turned_2(offset * float2(style.aspect, 1.0), stroke, style);
     float2 from_edge = min(uv, (1.0).xx - uv);
@@ -1150,8 +1150,8 @@ float2 bristles_laid_6(SpacedPlace at, float ink, Brush style)
             break;
         }
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
-        float scale = asfloat((uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
-            + asuint(int(127)))) << 23u));
+        float scale = asfloat(uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
+            + asuint(int(127)))) << 23u);
         float2 p = clamp(at.place * scale, (-4194304.0).xx, (4194304.0).xx)
             / float2(style.aspect, 1.0);
         int2 corner = naga_f2i32(floor(p));
@@ -1175,7 +1175,7 @@ float2 bristles_laid_6(SpacedPlace at, float ink, Brush style)
                 + asuint(int2(int(8), asint(asuint(int(7))
                 * asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))))));
             uint tile_now = tile[min(uint(blue_index(turning)), 255u)];
-            float late = 0.96875 * ((float(((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u))
+            float late = 0.96875 * ((float((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
             float share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if (share <= 0.0) {

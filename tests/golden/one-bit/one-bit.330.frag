@@ -154,8 +154,8 @@ Angle angle_turned(Angle u, vec2 t) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -204,7 +204,7 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape) {
 
 /// Index of the number of the repeating tile that holds a cell's rank.
 uint blue_index(ivec2 cell) {
-    uvec2 at = (uvec2(cell) & uvec2(31u));
+    uvec2 at = uvec2(cell) & uvec2(31u);
     return 8u * at.y + (at.x >> 2u);
 }
 
@@ -233,8 +233,8 @@ float rim(Light light, vec3 normal, vec3 view, float width, float softness, floa
 float dither_blue(float value, vec2 place, int levels, float spread, float size) {
     ivec2 cell = ivec2(floor(place / vec2(size)));
     uint blue_index_value = blue_index(cell);
-    return value - 0.0 - 0.5 >= (float(((BLUE_TILE[blue_index_value]
-        >> (8u * (uint(cell.x) & 3u))) & 255u)) + 0.5) * 0.00390625 - 0.5 ? 1.0 : 0.0;
+    return value - 0.0 - 0.5 >= (float((BLUE_TILE[blue_index_value] >> (8u * (uint(cell.x) & 3u)))
+        & 255u) + 0.5) * 0.00390625 - 0.5 ? 1.0 : 0.0;
 }
 
 /// Inner contour
@@ -262,6 +262,7 @@ float inner_contour_suggestive(float width, float limit, float softness, vec3 te
     return clamp(pixels + 0.5 - distance_, 0.0, min(pixels, 1.0)) * strength
         * smoothstep(0.05, 0.3, dot(normal, view));
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

@@ -199,8 +199,8 @@ Angle angle_turned(Angle u, float2 t)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -256,7 +256,7 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape)
 /// Index of the number of the repeating tile that holds a cell's rank.
 uint blue_index(int2 cell)
 {
-    uint2 at = (asuint(cell) & (31u).xx);
+    uint2 at = asuint(cell) & (31u).xx;
     return 8u * at.y + (at.x >> 2u);
 }
 
@@ -291,8 +291,8 @@ float dither_blue(float value, float2 place, int levels, float spread, float siz
 {
     int2 cell = naga_f2i32(floor(place / (size).xx));
     const uint blue_index_value = blue_index(cell);
-    return value - 0.0 - 0.5 >= (float(((BLUE_TILE[min(uint(blue_index_value), 255u)]
-        >> (8u * (asuint(cell.x) & 3u))) & 255u)) + 0.5) * 0.00390625 - 0.5 ? 1.0 : 0.0;
+    return value - 0.0 - 0.5 >= (float((BLUE_TILE[min(uint(blue_index_value), 255u)]
+        >> (8u * (asuint(cell.x) & 3u))) & 255u) + 0.5) * 0.00390625 - 0.5 ? 1.0 : 0.0;
 }
 
 /// Inner contour
@@ -321,6 +321,7 @@ float inner_contour_suggestive(float width, float limit, float softness, float3 
     return clamp(pixels + 0.5 - distance_, 0.0, min(pixels, 1.0)) * strength
         * smoothstep(0.05, 0.3, dot(normal, view));
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

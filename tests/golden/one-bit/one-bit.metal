@@ -342,6 +342,7 @@ float inner_contour_suggestive(
         * metal::smoothstep(0.05, 0.3, metal::dot(normal, view));
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

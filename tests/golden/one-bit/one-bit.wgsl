@@ -290,7 +290,8 @@ fn inner_contour_suggestive(width: f32, limit: f32, softness: f32, tensor: vec3f
         * smoothstep(0.05, 0.3, dot(normal, view));
 }
 
-const tone_shape = ProfileShape(0.99875027, 0.04997917, 1.229384, 1.5428282, 0.1, 1.0145569, 0.43140125, 0u);
+const tone_shape = ProfileShape(0.99875027, 0.04997917, 1.229384, 1.5428282, 0.1, 1.0145569,
+    0.43140125, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

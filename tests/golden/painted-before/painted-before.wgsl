@@ -157,9 +157,12 @@ fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-const body_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.2081645, 1.573837, 0.25, 1.0277877, 0.44035247, 0u);
-const light_tone_shape = ProfileShape(0.9950042, 0.099833414, 2.0858297, 2.2877648, 0.2, 0.49455804, 0.21395217, 0u);
-const behind_tone_shape = ProfileShape(0.9921977, 0.12467473, 2.425296, 2.1444545, 0.25, 0.43399706, 0.1847509, 0u);
+const body_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.2081645, 1.573837, 0.25, 1.0277877,
+    0.44035247, 0u);
+const light_tone_shape = ProfileShape(0.9950042, 0.099833414, 2.0858297, 2.2877648, 0.2, 0.49455804,
+    0.21395217, 0u);
+const behind_tone_shape = ProfileShape(0.9921977, 0.12467473, 2.425296, 2.1444545, 0.25, 0.43399706,
+    0.1847509, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

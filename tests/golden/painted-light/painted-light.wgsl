@@ -218,9 +218,12 @@ fn profile_balanced_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick_3(warped, angle_footprint(warped), shape);
 }
 
-const body_tone_shape = ProfileShape(0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407, 0.021818977, 0u);
-const light_tone_shape = ProfileShape(0.9976349, 0.06873576, 2.5909312, 1.0, 0.13758, 0.5226457, 0.18761672, 0u);
-const behind_tone_shape = ProfileShape(0.9921977, 0.12467473, 2.425296, 1.7791567, 0.25, 0.46467006, 0.1911372, 0u);
+const body_tone_shape = ProfileShape(0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407,
+    0.021818977, 0u);
+const light_tone_shape = ProfileShape(0.9976349, 0.06873576, 2.5909312, 1.0, 0.13758, 0.5226457,
+    0.18761672, 0u);
+const behind_tone_shape = ProfileShape(0.9921977, 0.12467473, 2.425296, 1.7791567, 0.25, 0.46467006,
+    0.1911372, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

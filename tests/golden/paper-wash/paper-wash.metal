@@ -648,6 +648,7 @@ PaperGrain paper_grain_2(
         0.0, 1.0), height};
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

@@ -447,7 +447,11 @@ struct PaperGrain {
     height: f32,
 }
 
-const indigo_to_warm_paper = Ramp(array(vec4f(0.13, 0.14, 0.33, 1.0), vec4f(0.24, 0.36, 0.56, 1.0), vec4f(0.53, 0.66, 0.72, 1.0), vec4f(0.9, 0.8, 0.68, 1.0), vec4f(0.975, 0.95, 0.9, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.35, 0.62, 0.82), vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0), vec4f(0.0)), 5u, 1u);
+const indigo_to_warm_paper = Ramp(array(vec4f(0.13, 0.14, 0.33, 1.0), vec4f(0.24, 0.36, 0.56, 1.0),
+    vec4f(0.53, 0.66, 0.72, 1.0), vec4f(0.9, 0.8, 0.68, 1.0), vec4f(0.975, 0.95, 0.9, 1.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0)),
+    array(vec4f(0.0, 0.35, 0.62, 0.82), vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0), vec4f(0.0)), 5u, 1u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -186,16 +186,16 @@ Angle angle_turned_2(Angle u, vec2 t) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
 vec3 bounded_vec3(vec3 v) {
     uvec3 bits = floatBitsToUint(v);
-    uvec3 magnitude = (bits & uvec3(2147483647u));
-    vec3 largest = uintBitsToFloat(((bits & uvec3(2147483648u)) | uvec3(2139095039u)));
+    uvec3 magnitude = bits & uvec3(2147483647u);
+    vec3 largest = uintBitsToFloat((bits & uvec3(2147483648u)) | uvec3(2139095039u));
     vec3 numbers = mix(vec3(0.0), largest, equal(magnitude, uvec3(2139095040u)));
     return mix(numbers, v, lessThan(magnitude, uvec3(2139095040u)));
 }
@@ -203,8 +203,8 @@ vec3 bounded_vec3(vec3 v) {
 /// [`bounded`], component by component.
 vec4 bounded_vec4(vec4 v) {
     uvec4 bits = floatBitsToUint(v);
-    uvec4 magnitude = (bits & uvec4(2147483647u));
-    vec4 largest = uintBitsToFloat(((bits & uvec4(2147483648u)) | uvec4(2139095039u)));
+    uvec4 magnitude = bits & uvec4(2147483647u);
+    vec4 largest = uintBitsToFloat((bits & uvec4(2147483648u)) | uvec4(2139095039u));
     vec4 numbers = mix(vec4(0.0), largest, equal(magnitude, uvec4(2139095040u)));
     return mix(numbers, v, lessThan(magnitude, uvec4(2139095040u)));
 }
@@ -422,6 +422,7 @@ float window(vec2 uv, float bars, float softness) {
     vec2 beside = smoothstep(vec2(0.5 * bars), vec2(0.5 * bars + softness), from_cross);
     return within.x * within.y * beside.x * beside.y;
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

@@ -442,7 +442,8 @@ fn window(uv: vec2f, bars: f32, softness: f32) -> f32 {
     return within.x * within.y * beside.x * beside.y;
 }
 
-const lamps_eye_tone_shape = ProfileShape(0.87758255, 0.47942555, 8.353367, 2.4874215, 1.0, 0.117860116, 0.05078552, 0u);
+const lamps_eye_tone_shape = ProfileShape(0.87758255, 0.47942555, 8.353367, 2.4874215, 1.0,
+    0.117860116, 0.05078552, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

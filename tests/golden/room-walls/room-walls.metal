@@ -555,6 +555,7 @@ float window(
     return within.x * within.y * beside.x * beside.y;
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

@@ -422,8 +422,10 @@ fn window(uv: vec2f, bars: f32, softness: f32) -> f32 {
     return within.x * within.y * beside.x * beside.y;
 }
 
-const lamps_rim_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.5805954, 1.2600908, 0.2, 0.82074726, 0.32190663, 0u);
-const sun_tone_shape = ProfileShape(0.7960838, 0.6051864, 7.4299555, 2.1069195, 1.3, 0.14104924, 0.05909888, 0u);
+const lamps_rim_tone_shape = ProfileShape(0.9950042, 0.099833414, 1.5805954, 1.2600908, 0.2,
+    0.82074726, 0.32190663, 0u);
+const sun_tone_shape = ProfileShape(0.7960838, 0.6051864, 7.4299555, 2.1069195, 1.3, 0.14104924,
+    0.05909888, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -144,8 +144,8 @@ Angle angle_turned(Angle u, vec2 t) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -365,6 +365,7 @@ float halftone_lines(float value, vec2 place, float lines, float angle, vec2 vie
     vec2 cell = screen_cells(place, viewport, lines, angle);
     return 1.0 - lines_filtered(cell.y, 1.0 - value, footprint_of(cell.y));
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

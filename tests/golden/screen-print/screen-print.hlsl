@@ -183,8 +183,8 @@ Angle angle_turned(Angle u, float2 t)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -428,6 +428,7 @@ float halftone_lines(float value, float2 place, float lines, float angle, float2
     const float2 cell = screen_cells(place, viewport, lines, angle);
     return 1.0 - lines_filtered(cell.y, 1.0 - value, footprint_of(cell.y));
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

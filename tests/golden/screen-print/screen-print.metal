@@ -478,6 +478,7 @@ float halftone_lines(
     return 1.0 - lines_filtered(cell.y, 1.0 - value, footprint_of(cell.y));
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

@@ -355,7 +355,8 @@ fn halftone_lines(value: f32, place: vec2f, lines: f32, angle: f32, viewport: ve
     return 1.0 - lines_filtered(cell.y, 1.0 - value, footprint_of(cell.y));
 }
 
-const yellow_s_share_shape = ProfileShape(0.9887711, 0.14943813, 2.0858297, 1.7378688, 0.3, 0.54759663, 0.22553022, 0u);
+const yellow_s_share_shape = ProfileShape(0.9887711, 0.14943813, 2.0858297, 1.7378688, 0.3,
+    0.54759663, 0.22553022, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -331,6 +331,7 @@ float outer_contour(
     return metal::clamp(pixels + 0.5 - distance, 0.0, metal::min(pixels, 1.0)) * near;
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

@@ -11,7 +11,7 @@ precision highp int;
 
 /// A triangle over the whole picture.
 vec4 whole_picture(uint index) {
-    return vec4(float((index & 1u)) * 4.0 - 1.0, float((index >> 1u)) * 4.0 - 1.0, 0.0, 1.0);
+    return vec4(float(index & 1u) * 4.0 - 1.0, float(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
 void main() {

@@ -233,7 +233,12 @@ fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32
     return clamp(pixels + 0.5 - distance, 0.0, min(pixels, 1.0)) * near;
 }
 
-const from_dusk_to_sun = Ramp(array(vec4f(0.1373, 0.1647, 0.302, 1.0), vec4f(0.4196, 0.3725, 0.5255, 1.0), vec4f(0.7882, 0.5804, 0.4353, 1.0), vec4f(0.9412, 0.8039, 0.5725, 1.0), vec4f(1.0, 0.9843, 0.902, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.05, 0.35, 0.55, 0.75), vec4f(0.98, 0.0, 0.0, 0.0), vec4f(0.0), vec4f(0.0)), 5u, 0u);
+const from_dusk_to_sun = Ramp(array(vec4f(0.1373, 0.1647, 0.302, 1.0),
+    vec4f(0.4196, 0.3725, 0.5255, 1.0), vec4f(0.7882, 0.5804, 0.4353, 1.0),
+    vec4f(0.9412, 0.8039, 0.5725, 1.0), vec4f(1.0, 0.9843, 0.902, 1.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0)), array(vec4f(0.05, 0.35, 0.55, 0.75), vec4f(0.98, 0.0, 0.0, 0.0), vec4f(0.0),
+    vec4f(0.0)), 5u, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

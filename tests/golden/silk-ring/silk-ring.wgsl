@@ -418,9 +418,12 @@ fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed:
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
-const lit_side_shape = ProfileShape(0.9950042, 0.099833414, 1.1883951, 1.7298278, 0.2, 1.0107075, 0.4419037, 0u);
-const band_shape = ProfileShape(0.9998875, 0.014999437, 9.541332, 4.980432, 0.03, 0.07759806, 0.03648918, 0u);
-const second_band_shape = ProfileShape(1.0, 0.0, 6.6917324, 12.899528, 0.0, 0.07171497, 0.035865854, 0u);
+const lit_side_shape = ProfileShape(0.9950042, 0.099833414, 1.1883951, 1.7298278, 0.2, 1.0107075,
+    0.4419037, 0u);
+const band_shape = ProfileShape(0.9998875, 0.014999437, 9.541332, 4.980432, 0.03, 0.07759806,
+    0.03648918, 0u);
+const second_band_shape = ProfileShape(1.0, 0.0, 6.6917324, 12.899528, 0.0, 0.07171497, 0.035865854,
+    0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

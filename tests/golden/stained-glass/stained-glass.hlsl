@@ -248,8 +248,8 @@ Angle angle_turned(Angle u, float2 t)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -349,7 +349,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
 float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
 {
     float largest = max(length_of(along_x.xyz), length_of(along_y.xyz));
-    if (((largest < 1e-18) | (largest > 1e18))) {
+    if ((largest < 1e-18) | (largest > 1e18)) {
         return normal;
     }
     float3 s = along_x.xyz / (largest).xxx;
@@ -466,7 +466,7 @@ float profile_filtered_quick_2(Angle u, float w, ProfileShape shape)
 {
     float2 place = float2(u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
         u.half_cos * shape.half_cos_offset + u.half_sin * shape.half_sin_offset);
-    bool is_narrow = ((w > 0.0) & (w >= 3.4641016 * shape.edge_deviation));
+    bool is_narrow = (w > 0.0) & (w >= 3.4641016 * shape.edge_deviation);
     if (is_narrow) {
         return profile_ramp_quick(place.x, w, shape);
     }
@@ -503,7 +503,7 @@ uint3 hash_pcg3d(uint3 seed)
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> (16u).xxx));
+    v = v ^ (v >> (16u).xxx);
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -513,7 +513,7 @@ uint3 hash_pcg3d(uint3 seed)
 /// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
 float3 unit_of_hash(uint3 hash)
 {
-    return float3((hash >> (8u).xxx)) * 5.9604645e-8;
+    return float3(hash >> (8u).xxx) * 5.9604645e-8;
 }
 
 /// The hash of a lattice point.
@@ -526,7 +526,7 @@ uint3 lattice_hash(int3 cell, uint seed)
 /// 2002).
 float gradient_dot(uint3 hash, float3 d)
 {
-    uint axis = naga_mod((hash.x >> 8u), 3u);
+    uint axis = naga_mod(hash.x >> 8u, 3u);
     float a = axis == 0u ? d.y : d.x;
     float b = axis == 2u ? d.y : d.z;
     return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
@@ -563,7 +563,7 @@ float perlin_noise(float3 p, uint seed)
             break;
         }
         {
-            int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
+            int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
             float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
             const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
                 + asuint(at)), seed), d - float3(at));
@@ -726,6 +726,7 @@ float noise_perlin(float3 position, float scale, int octaves, float roughness, i
     float3 p = position * scale;
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

@@ -526,11 +526,20 @@ fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed:
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
-const colors = Ramp(array(vec4f(0.0706, 0.1882, 0.4784, 1.0), vec4f(0.1216, 0.4784, 0.6902, 1.0), vec4f(0.1137, 0.5412, 0.3529, 1.0), vec4f(0.9098, 0.6902, 0.1255, 1.0), vec4f(0.8471, 0.3255, 0.1098, 1.0), vec4f(0.6902, 0.0706, 0.2196, 1.0), vec4f(0.3529, 0.102, 0.4784, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.22, 0.4, 0.58), vec4f(0.75, 0.9, 1.0, 0.0), vec4f(0.0), vec4f(0.0)), 7u, 2u);
-const through_the_glass_shape = ProfileShape(0.9950042, 0.099833414, 1.1883951, 1.4967098, 0.2, 1.0679889, 0.45520553, 0u);
-const on_the_glass_shape = ProfileShape(0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u);
-const gleam_tone_shape = ProfileShape(0.99820054, 0.059964005, 11.126125, 3.022525, 0.12, 0.08196669, 0.036355104, 0u);
-const edge_of_the_lead_tone_shape = ProfileShape(0.9887711, 0.14943813, 3.3838634, 2.4220939, 0.3, 0.29531473, 0.1274162, 0u);
+const colors = Ramp(array(vec4f(0.0706, 0.1882, 0.4784, 1.0), vec4f(0.1216, 0.4784, 0.6902, 1.0),
+    vec4f(0.1137, 0.5412, 0.3529, 1.0), vec4f(0.9098, 0.6902, 0.1255, 1.0),
+    vec4f(0.8471, 0.3255, 0.1098, 1.0), vec4f(0.6902, 0.0706, 0.2196, 1.0),
+    vec4f(0.3529, 0.102, 0.4784, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)),
+    array(vec4f(0.0, 0.22, 0.4, 0.58), vec4f(0.75, 0.9, 1.0, 0.0), vec4f(0.0), vec4f(0.0)), 7u, 2u);
+const through_the_glass_shape = ProfileShape(0.9950042, 0.099833414, 1.1883951, 1.4967098, 0.2,
+    1.0679889, 0.45520553, 0u);
+const on_the_glass_shape = ProfileShape(0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1,
+    1.0089166, 0.41697913, 0u);
+const gleam_tone_shape = ProfileShape(0.99820054, 0.059964005, 11.126125, 3.022525, 0.12,
+    0.08196669, 0.036355104, 0u);
+const edge_of_the_lead_tone_shape = ProfileShape(0.9887711, 0.14943813, 3.3838634, 2.4220939, 0.3,
+    0.29531473, 0.1274162, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

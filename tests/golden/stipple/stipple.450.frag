@@ -140,7 +140,7 @@ float exp2_stable(float x) {
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
+    return twice * uintBitsToFloat(uint(int(whole) + 126) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -148,7 +148,7 @@ float exp2_stable(float x) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int(bits - 1060439283u) >> 23u);
+    int exponent = int(bits - 1060439283u) >> 23u;
     float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -172,8 +172,8 @@ vec3 normalize_seen(vec3 v) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -192,7 +192,7 @@ uvec3 hash_pcg3d(uvec3 seed) {
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> uvec3(16u)));
+    v = v ^ (v >> uvec3(16u));
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -238,7 +238,7 @@ float disk_filtered(float d, float r, float w) {
 
 /// Index of the number of the repeating tile that holds a cell's rank.
 uint blue_index(ivec2 cell) {
-    uvec2 at = (uvec2(cell) & uvec2(31u));
+    uvec2 at = uvec2(cell) & uvec2(31u);
     return 8u * at.y + (at.x >> 2u);
 }
 
@@ -285,7 +285,7 @@ float dots_of_octave(vec2 place, int zoom, float ink, vec3 stretch, float w, Dot
     int i = 0;
     float sum = 0.0;
     uint tile[256] = BLUE_TILE;
-    vec2 p = clamp(place * uintBitsToFloat((uint(zoom + 127) << 23u)), vec2(-4194304.0),
+    vec2 p = clamp(place * uintBitsToFloat(uint(zoom + 127) << 23u), vec2(-4194304.0),
         vec2(4194304.0));
     vec2 corner = floor(p);
     float reach = 1.0 - 0.5 * style.scatter;
@@ -299,13 +299,13 @@ float dots_of_octave(vec2 place, int zoom, float ink, vec3 stretch, float w, Dot
             break;
         }
         ivec2 cell = ivec2(corner) + ivec2(i % 3 - 1, i / 3 - 1);
-        vec3 chance = vec3((hash_pcg3d(uvec3(ivec3(cell, zoom)) + uvec3(0u, 0u, 0u))
-            >> uvec3(8u))) * 5.9604645e-8;
+        vec3 chance = vec3(hash_pcg3d(uvec3(ivec3(cell, zoom)) + uvec3(0u, 0u, 0u)) >> uvec3(8u))
+            * 5.9604645e-8;
         vec2 middle = vec2(cell) + vec2(0.5) + style.scatter * (chance.xy - vec2(0.5));
         vec2 offset = p - middle;
         ivec2 turning = cell + ivec2(0, zoom * 7);
-        float turn = 0.96875 * ((float(((tile[blue_index(turning)]
-            >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625);
+        float turn = 0.96875 * ((float((tile[blue_index(turning)]
+            >> (8u * (uint(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
         float grown = clamp((ink - turn) * 32.0, 0.0, 1.0);
         float radius = 0.5 * style.size * sqrt(grown);
         float far = length(offset) / reach;

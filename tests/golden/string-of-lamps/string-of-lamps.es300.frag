@@ -145,8 +145,8 @@ Angle angle_turned(Angle u, vec2 t) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -290,6 +290,7 @@ float profile_balanced(Angle angle, float shift, ProfileShape shape) {
     Angle warped = angle_turned(angle, vec2(0.0, 1.0));
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

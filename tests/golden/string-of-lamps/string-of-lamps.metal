@@ -382,6 +382,7 @@ float profile_balanced(
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

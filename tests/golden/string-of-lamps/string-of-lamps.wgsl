@@ -297,8 +297,10 @@ fn profile_balanced(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_quick(warped, angle_footprint(warped), shape);
 }
 
-const lamps_tone_shape = ProfileShape(0.90044713, 0.43496552, 10.016686, 2.4912605, 0.9, 0.09820393, 0.042312488, 0u);
-const moon_tone_shape = ProfileShape(0.90044713, 0.43496552, 2.9163208, 3.0838382, 0.9, 0.3121117, 0.13987324, 0u);
+const lamps_tone_shape = ProfileShape(0.90044713, 0.43496552, 10.016686, 2.4912605, 0.9, 0.09820393,
+    0.042312488, 0u);
+const moon_tone_shape = ProfileShape(0.90044713, 0.43496552, 2.9163208, 3.0838382, 0.9, 0.3121117,
+    0.13987324, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

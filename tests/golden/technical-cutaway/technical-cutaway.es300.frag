@@ -118,7 +118,7 @@ layout(location = 0) out vec4 out_color;
 /// v with 0 for each component that is NaN or infinite.
 vec4 finite_vec4(vec4 v) {
     uvec4 exponent = uvec4(2139095040u);
-    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
+    return mix(vec4(0.0), v, notEqual(floatBitsToUint(v) & exponent, exponent));
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -170,8 +170,8 @@ Angle angle_turned(Angle u, vec2 t) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 

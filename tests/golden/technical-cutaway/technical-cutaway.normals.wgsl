@@ -323,7 +323,8 @@ struct VectorParts {
     z: f32,
 }
 
-const metal_tone_shape = ProfileShape(0.99820054, 0.059964005, 7.166244, 3.1997643, 0.12, 0.124456726, 0.0556771, 0u);
+const metal_tone_shape = ProfileShape(0.99820054, 0.059964005, 7.166244, 3.1997643, 0.12,
+    0.124456726, 0.0556771, 0u);
 const contour_tone_shape = ProfileShape(0.8253356, 0.5646425, 0.0, 1.0, 1.2, 0.0, 0.0, 1u);
 
 struct Shaded {

@@ -124,7 +124,7 @@ float exp2_stable(float x) {
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
+    return twice * uintBitsToFloat(uint(int(whole) + 126) << 23u);
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -136,7 +136,7 @@ float exp2_stable_2(float x) {
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
+    return twice * uintBitsToFloat(uint(int(whole) + 126) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -144,7 +144,7 @@ float exp2_stable_2(float x) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int(bits - 1060439283u) >> 23u);
+    int exponent = int(bits - 1060439283u) >> 23u;
     float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -541,6 +541,7 @@ float profile_3(Angle angle, float shift, ProfileShape shape) {
     Angle warped = angle_turned_2(angle, vec2(0.0, 1.0));
     return profile_filtered_3(warped, angle_footprint(warped), shape);
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

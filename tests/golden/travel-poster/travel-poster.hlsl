@@ -160,7 +160,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
+    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -173,7 +173,7 @@ float exp2_stable_2(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
+    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -182,7 +182,7 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint(bits - 1060439283u) >> 23u);
+    int exponent = asint(bits - 1060439283u) >> 23u;
     float mantissa = asfloat(bits - (asuint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -556,7 +556,7 @@ float profile_filtered(Angle u, float w, ProfileShape shape)
 {
     const float point_ = profile_point(u, shape);
     bool is_wide = w < 0.1 * shape.edge_deviation;
-    if ((is_wide | (w <= 0.0))) {
+    if (is_wide | (w <= 0.0)) {
         return point_;
     }
     const float2 reach = sin_cos_tiny(0.19364917 * w);
@@ -572,7 +572,7 @@ float profile_filtered_2(Angle u, float w, ProfileShape shape)
 {
     const float point_ = profile_point_2(u, shape);
     bool is_wide = w < 0.1 * shape.edge_deviation;
-    if ((is_wide | (w <= 0.0))) {
+    if (is_wide | (w <= 0.0)) {
         return point_;
     }
     const float2 reach = sin_cos_tiny(0.19364917 * w);
@@ -588,7 +588,7 @@ float profile_filtered_3(Angle u, float w, ProfileShape shape)
 {
     const float point_ = profile_point_3(u, shape);
     bool is_wide = w < 0.1 * shape.edge_deviation;
-    if ((is_wide | (w <= 0.0))) {
+    if (is_wide | (w <= 0.0)) {
         return point_;
     }
     const float2 reach = sin_cos_tiny(0.19364917 * w);
@@ -635,6 +635,7 @@ float profile_3(Angle angle, float shift, ProfileShape shape)
     const Angle warped = angle_turned_2(angle, float2(0.0, 1.0));
     return profile_filtered_3(warped, angle_footprint(warped), shape);
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

@@ -710,6 +710,7 @@ float profile_3(
     return profile_filtered_3(warped, angle_footprint(warped), shape);
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

@@ -530,10 +530,17 @@ fn profile_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered_3(warped, angle_footprint(warped), shape);
 }
 
-const evening_sun_tone_shape = ProfileShape(1.0, 0.0, 1.0955735, 1.6395584, 0.0, 1.1385497, 0.5052584, 0u);
+const evening_sun_tone_shape = ProfileShape(1.0, 0.0, 1.0955735, 1.6395584, 0.0, 1.1385497,
+    0.5052584, 0u);
 const sky_tone_shape = ProfileShape(1.0, 0.0, 1.229384, 1.2860026, 0.0, 1.0836705, 0.44442755, 0u);
-const glow_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.425296, 2.5857167, 0.1, 0.4039123, 0.17722374, 0u);
-const seven_inks = Ramp(array(vec4f(0.0863, 0.1333, 0.2471, 1.0), vec4f(0.1725, 0.3176, 0.3882, 1.0), vec4f(0.4863, 0.2275, 0.2706, 1.0), vec4f(0.7686, 0.3294, 0.2471, 1.0), vec4f(0.8784, 0.5412, 0.298, 1.0), vec4f(0.9412, 0.7608, 0.4824, 1.0), vec4f(0.9843, 0.9333, 0.7961, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.15, 0.3, 0.45), vec4f(0.6, 0.8, 1.0, 0.0), vec4f(0.0), vec4f(0.0)), 7u, 0u);
+const glow_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.425296, 2.5857167, 0.1, 0.4039123,
+    0.17722374, 0u);
+const seven_inks = Ramp(array(vec4f(0.0863, 0.1333, 0.2471, 1.0),
+    vec4f(0.1725, 0.3176, 0.3882, 1.0), vec4f(0.4863, 0.2275, 0.2706, 1.0),
+    vec4f(0.7686, 0.3294, 0.2471, 1.0), vec4f(0.8784, 0.5412, 0.298, 1.0),
+    vec4f(0.9412, 0.7608, 0.4824, 1.0), vec4f(0.9843, 0.9333, 0.7961, 1.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)),
+    array(vec4f(0.0, 0.15, 0.3, 0.45), vec4f(0.6, 0.8, 1.0, 0.0), vec4f(0.0), vec4f(0.0)), 7u, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -131,7 +131,7 @@ float exp2_stable(float x) {
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
+    return twice * uintBitsToFloat(uint(int(whole) + 126) << 23u);
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -143,7 +143,7 @@ float exp2_stable_2(float x) {
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * uintBitsToFloat((uint(int(whole) + 126) << 23u));
+    return twice * uintBitsToFloat(uint(int(whole) + 126) << 23u);
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -163,8 +163,8 @@ vec3 normalize_seen_balanced(vec3 v) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -402,6 +402,7 @@ Light light_warp(Light light, vec3 normal, float amount, float slope, vec3 tenso
     return Light(is_flat ? light.direction : warped, light.own_direction, light.color,
         light.intensity);
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

@@ -168,7 +168,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
+    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -181,7 +181,7 @@ float exp2_stable_2(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
+    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -204,8 +204,8 @@ float3 normalize_seen_balanced(float3 v)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -411,7 +411,7 @@ float schlick(float at_normal, float cosine)
 /// (Walter et al. 2007, Heitz 2014).
 float ggx(Reflection r, float width, float at_normal)
 {
-    if (((r.n_l <= 0.0) | (r.n_v <= 0.0))) {
+    if ((r.n_l <= 0.0) | (r.n_v <= 0.0)) {
         return 0.0;
     }
     float a2 = width * width;
@@ -506,6 +506,7 @@ Light light_warp(Light light, float3 normal, float amount, float slope, float3 t
     return ConstructLight(is_flat ? light.direction : warped, light.own_direction, light.color,
         light.intensity);
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

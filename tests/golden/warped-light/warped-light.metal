@@ -542,6 +542,7 @@ Light light_warp(
         light.intensity};
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

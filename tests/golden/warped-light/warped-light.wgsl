@@ -382,7 +382,11 @@ fn light_warp(light: Light, normal: vec3f, amount: f32, slope: f32, tensor: vec3
         light.intensity);
 }
 
-const jade = Ramp(array(vec4f(0.0157, 0.1294, 0.1216, 1.0), vec4f(0.0588, 0.3529, 0.298, 1.0), vec4f(0.2471, 0.6275, 0.4784, 1.0), vec4f(0.7137, 0.8784, 0.6902, 1.0), vec4f(0.9333, 0.9725, 0.8471, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.35, 0.65, 0.9), vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0), vec4f(0.0)), 5u, 0u);
+const jade = Ramp(array(vec4f(0.0157, 0.1294, 0.1216, 1.0), vec4f(0.0588, 0.3529, 0.298, 1.0),
+    vec4f(0.2471, 0.6275, 0.4784, 1.0), vec4f(0.7137, 0.8784, 0.6902, 1.0),
+    vec4f(0.9333, 0.9725, 0.8471, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)),
+    array(vec4f(0.0, 0.35, 0.65, 0.9), vec4f(1.0, 0.0, 0.0, 0.0), vec4f(0.0), vec4f(0.0)), 5u, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

@@ -120,7 +120,7 @@ layout(location = 0) out vec4 out_color;
 /// v with 0 for each component that is NaN or infinite.
 vec4 finite_vec4(vec4 v) {
     uvec4 exponent = uvec4(2139095040u);
-    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
+    return mix(vec4(0.0), v, notEqual(floatBitsToUint(v) & exponent, exponent));
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -128,7 +128,7 @@ vec4 finite_vec4(vec4 v) {
 float log2_stable(float x) {
     uint bits = floatBitsToUint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (int(bits - 1060439283u) >> 23u);
+    int exponent = int(bits - 1060439283u) >> 23u;
     float mantissa = uintBitsToFloat(bits - (uint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -152,16 +152,16 @@ vec3 normalize_seen(vec3 v) {
 /// is infinite.
 float bounded(float x) {
     uint bits = floatBitsToUint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = uintBitsToFloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
 /// [`bounded`], component by component.
 vec3 bounded_vec3(vec3 v) {
     uvec3 bits = floatBitsToUint(v);
-    uvec3 magnitude = (bits & uvec3(2147483647u));
-    vec3 largest = uintBitsToFloat(((bits & uvec3(2147483648u)) | uvec3(2139095039u)));
+    uvec3 magnitude = bits & uvec3(2147483647u);
+    vec3 largest = uintBitsToFloat((bits & uvec3(2147483648u)) | uvec3(2139095039u));
     vec3 numbers = mix(vec3(0.0), largest, equal(magnitude, uvec3(2139095040u)));
     return mix(numbers, v, lessThan(magnitude, uvec3(2139095040u)));
 }
@@ -169,8 +169,8 @@ vec3 bounded_vec3(vec3 v) {
 /// [`bounded`], component by component.
 vec4 bounded_vec4(vec4 v) {
     uvec4 bits = floatBitsToUint(v);
-    uvec4 magnitude = (bits & uvec4(2147483647u));
-    vec4 largest = uintBitsToFloat(((bits & uvec4(2147483648u)) | uvec4(2139095039u)));
+    uvec4 magnitude = bits & uvec4(2147483647u);
+    vec4 largest = uintBitsToFloat((bits & uvec4(2147483648u)) | uvec4(2139095039u));
     vec4 numbers = mix(vec4(0.0), largest, equal(magnitude, uvec4(2139095040u)));
     return mix(numbers, v, lessThan(magnitude, uvec4(2139095040u)));
 }
@@ -331,7 +331,7 @@ uvec3 hash_pcg3d(uvec3 seed) {
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> uvec3(16u)));
+    v = v ^ (v >> uvec3(16u));
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -376,7 +376,7 @@ float perlin_noise(vec3 p, uint seed) {
             break;
         }
         {
-            ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
+            ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
             vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
             float gradient_dot_value = gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
             sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
@@ -403,7 +403,7 @@ float perlin_noise_2(vec3 p, uint seed) {
         if (!(i < 8)) {
             break;
         }
-        ivec3 at = ivec3((i & 1), ((i >> 1u) & 1), (i >> 2u));
+        ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
         vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
         uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(cell + at) + seed
             * uvec3(2654435769u, 2246822507u, 3266489909u));
@@ -540,7 +540,7 @@ MarkPlace mark_place_object(float angle, vec3 anchor, vec2 pixel, vec2 viewport)
 
 /// The height of paper in one octave; paper finer than a pixel is flat.
 float paper_octave(vec2 place, int zoom, float w, float fiber, uint seed) {
-    float scale = uintBitsToFloat((uint(zoom + 127) << 23u));
+    float scale = uintBitsToFloat(uint(zoom + 127) << 23u);
     vec2 p = clamp(place * scale, vec2(-4194304.0), vec2(4194304.0));
     uint own = seed + 7u * uint(zoom);
     float grain = perlin_noise_2(vec3(p, 0.5), own) - 0.5;
@@ -603,6 +603,7 @@ float noise_perlin_2(vec3 position, float scale, int octaves, float roughness, i
     vec3 p = position * scale;
     return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
+
 
 /// The look at one point of the surface.
 vec4 shade(Surface surface) {

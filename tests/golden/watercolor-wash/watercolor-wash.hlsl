@@ -168,7 +168,7 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint(bits - 1060439283u) >> 23u);
+    int exponent = asint(bits - 1060439283u) >> 23u;
     float mantissa = asfloat(bits - (asuint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -195,8 +195,8 @@ float3 normalize_seen(float3 v)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -204,8 +204,8 @@ float bounded(float x)
 float3 bounded_vec3(float3 v)
 {
     uint3 bits = asuint(v);
-    uint3 magnitude = (bits & (2147483647u).xxx);
-    float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
+    uint3 magnitude = bits & (2147483647u).xxx;
+    float3 largest = asfloat((bits & (2147483648u).xxx) | (2139095039u).xxx);
     float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
     return magnitude < (2139095040u).xxx ? v : numbers;
 }
@@ -214,8 +214,8 @@ float3 bounded_vec3(float3 v)
 float4 bounded_vec4(float4 v)
 {
     uint4 bits = asuint(v);
-    uint4 magnitude = (bits & (2147483647u).xxxx);
-    float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
+    uint4 magnitude = bits & (2147483647u).xxxx;
+    float4 largest = asfloat((bits & (2147483648u).xxxx) | (2139095039u).xxxx);
     float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
     return magnitude < (2139095040u).xxxx ? v : numbers;
 }
@@ -362,7 +362,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
         at = places_now <= x ? i_2 : at;
     }
     float place = places[0][min(uint(naga_mod(at, 4u)), 3u)];
-    if (((at + 1u >= 4u) | (x <= place))) {
+    if ((at + 1u >= 4u) | (x <= place)) {
         return colors[min(uint(at), 15u)];
     }
     uint after = at + 1u;
@@ -413,7 +413,7 @@ uint3 hash_pcg3d(uint3 seed)
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
-    v = (v ^ (v >> (16u).xxx));
+    v = v ^ (v >> (16u).xxx);
     v.x = v.x + v.y * v.z;
     v.y = v.y + v.z * v.x;
     v.z = v.z + v.x * v.y;
@@ -430,7 +430,7 @@ uint3 lattice_hash(int3 cell, uint seed)
 /// 2002).
 float gradient_dot(uint3 hash, float3 d)
 {
-    uint axis = naga_mod((hash.x >> 8u), 3u);
+    uint axis = naga_mod(hash.x >> 8u, 3u);
     float a = axis == 0u ? d.y : d.x;
     float b = axis == 2u ? d.y : d.z;
     return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
@@ -467,7 +467,7 @@ float perlin_noise(float3 p, uint seed)
             break;
         }
         {
-            int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
+            int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
             float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
             const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
                 + asuint(at)), seed), d - float3(at));
@@ -497,7 +497,7 @@ float perlin_noise_2(float3 p, uint seed)
         if (!(i < int(8))) {
             break;
         }
-        int3 at = int3((i & int(1)), ((i >> 1u) & int(1)), (i >> 2u));
+        int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
         float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
         const uint3 hash_pcg3d_value = hash_pcg3d(asuint(asint(asuint(cell) + asuint(at))) + seed
             * uint3(2654435769u, 2246822507u, 3266489909u));
@@ -668,7 +668,7 @@ MarkPlace mark_place_object(float angle, float3 anchor, float2 pixel, float2 vie
 /// The height of paper in one octave; paper finer than a pixel is flat.
 float paper_octave(float2 place, int zoom, float w, float fiber, uint seed)
 {
-    float scale = asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
+    float scale = asfloat(uint(asint(asuint(zoom) + asuint(int(127)))) << 23u);
     float2 p = clamp(place * scale, (-4194304.0).xx, (4194304.0).xx);
     uint own = seed + 7u * asuint(zoom);
     float grain = perlin_noise_2(float3(p, 0.5), own) - 0.5;
@@ -750,6 +750,7 @@ float noise_perlin_2(float3 position, float scale, int octaves, float roughness,
     float3 p = position * scale;
     return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

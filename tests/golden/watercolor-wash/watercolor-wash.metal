@@ -835,6 +835,7 @@ float noise_perlin_2(
     return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
+
 /// The look at one point of the surface.
 metal::float4 shade(
     Surface surface,

@@ -558,7 +558,11 @@ fn noise_perlin_2(position: vec3f, scale: f32, octaves: i32, roughness: f32, see
     return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
-const two_pigments = Ramp(array(vec4f(0.1843, 0.4353, 0.5608, 1.0), vec4f(0.2471, 0.6039, 0.5255, 1.0), vec4f(0.7882, 0.6353, 0.2353, 1.0), vec4f(0.8471, 0.451, 0.3529, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.45, 0.75, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 4u, 1u);
+const two_pigments = Ramp(array(vec4f(0.1843, 0.4353, 0.5608, 1.0),
+    vec4f(0.2471, 0.6039, 0.5255, 1.0), vec4f(0.7882, 0.6353, 0.2353, 1.0),
+    vec4f(0.8471, 0.451, 0.3529, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)),
+    array(vec4f(0.0, 0.45, 0.75, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 4u, 1u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

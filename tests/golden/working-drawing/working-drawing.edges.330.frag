@@ -508,7 +508,7 @@ vec4 edges_at(ivec2 pixel) {
         }
         {
             bool goes_on_value = goes_on(own, slope, size, pixel, around(index));
-            left = (left | (goes_on_value ? 0u : (1u << uint(index))));
+            left = left | (goes_on_value ? 0u : (1u << uint(index)));
         }
     }
     index_1 = left == 0u ? 4 : 0;

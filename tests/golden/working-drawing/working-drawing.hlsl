@@ -166,8 +166,8 @@ float3 normalize_seen_balanced(float3 v)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -175,8 +175,8 @@ float bounded(float x)
 float4 bounded_vec4(float4 v)
 {
     uint4 bits = asuint(v);
-    uint4 magnitude = (bits & (2147483647u).xxxx);
-    float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
+    uint4 magnitude = bits & (2147483647u).xxxx;
+    float4 largest = asfloat((bits & (2147483648u).xxxx) | (2139095039u).xxxx);
     float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
     return magnitude < (2139095040u).xxxx ? v : numbers;
 }
@@ -328,7 +328,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
         }
     }
     float place = places[min(uint(naga_div(at, 4u)), 3u)][min(uint(naga_mod(at, 4u)), 3u)];
-    if (((at + 1u >= count) | (x <= place))) {
+    if ((at + 1u >= count) | (x <= place)) {
         return bounded_vec4(colors[min(uint(at), 15u)]);
     }
     uint after = at + 1u;
@@ -592,6 +592,7 @@ VectorParts separate_vector(float3 vector_)
 {
     return ConstructVectorParts(vector_.x, vector_.y, 0.0);
 }
+
 
 /// The look at one point of the surface.
 float4 shade(Surface surface)

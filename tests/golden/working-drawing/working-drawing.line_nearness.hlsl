@@ -191,7 +191,7 @@ float3 normal_of(float4 texel)
 /// A triangle over the whole picture.
 float4 whole_picture(uint index)
 {
-    return float4(float((index & 1u)) * 4.0 - 1.0, float((index >> 1u)) * 4.0 - 1.0, 0.0, 1.0);
+    return float4(float(index & 1u) * 4.0 - 1.0, float(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
 int naga_f2i32(float value) {
@@ -214,9 +214,9 @@ float row_direction()
 /// Offset to one of the eight pixels around a pixel, by an index from 0 to 7; the nearest first.
 int2 around(int index)
 {
-    int side = asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint((index & int(1))))));
+    int side = asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint(index & int(1)))));
     int2 straight = index < int(2) ? int2(side, int(0)) : int2(int(0), side);
-    return index > int(3) ? int2(side, asint(asuint(int(1)) - asuint((index & int(2))))) : straight;
+    return index > int(3) ? int2(side, asint(asuint(int(1)) - asuint(index & int(2)))) : straight;
 }
 
 SeenPixel ConstructSeenPixel(int2 arg0, float4 arg1) {
@@ -535,13 +535,13 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u));
+    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// 2^n for n in [-126, 127], by its bits.
 float power_of_two(int n)
 {
-    return asfloat((uint(asint(asuint(n) + asuint(int(127)))) << 23u));
+    return asfloat(uint(asint(asuint(n) + asuint(int(127)))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -550,7 +550,7 @@ float log2_stable(float x)
 {
     uint bits = asuint(x);
     // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
-    int exponent = (asint(bits - 1060439283u) >> 23u);
+    int exponent = asint(bits - 1060439283u) >> 23u;
     float mantissa = asfloat(bits - (asuint(exponent) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2 = z * z;
@@ -658,7 +658,7 @@ float3 normalize_quick(float3 v, float3 otherwise)
 {
     float square = dot(v, v);
     // Comparisons are false for NaN; what `select` leaves out never reaches the result.
-    bool is_usable = ((square > 1e-30) & (square < 1e36));
+    bool is_usable = (square > 1e-30) & (square < 1e36);
     return is_usable ? v * rsqrt(is_usable ? square : 1.0) : otherwise;
 }
 
@@ -810,8 +810,8 @@ Angle angle_of_units(float3 d, float3 l)
 float bounded(float x)
 {
     uint bits = asuint(x);
-    uint magnitude = (bits & 2147483647u);
-    float largest = asfloat(((bits & 2147483648u) | 2139095039u));
+    uint magnitude = bits & 2147483647u;
+    float largest = asfloat((bits & 2147483648u) | 2139095039u);
     return magnitude < 2139095040u ? x : (magnitude == 2139095040u ? largest : 0.0);
 }
 
@@ -820,8 +820,8 @@ float bounded(float x)
 float2 bounded_vec2(float2 v)
 {
     uint2 bits = asuint(v);
-    uint2 magnitude = (bits & (2147483647u).xx);
-    float2 largest = asfloat(((bits & (2147483648u).xx) | (2139095039u).xx));
+    uint2 magnitude = bits & (2147483647u).xx;
+    float2 largest = asfloat((bits & (2147483648u).xx) | (2139095039u).xx);
     float2 numbers = magnitude == (2139095040u).xx ? largest : (0.0).xx;
     return magnitude < (2139095040u).xx ? v : numbers;
 }
@@ -831,8 +831,8 @@ float2 bounded_vec2(float2 v)
 float3 bounded_vec3(float3 v)
 {
     uint3 bits = asuint(v);
-    uint3 magnitude = (bits & (2147483647u).xxx);
-    float3 largest = asfloat(((bits & (2147483648u).xxx) | (2139095039u).xxx));
+    uint3 magnitude = bits & (2147483647u).xxx;
+    float3 largest = asfloat((bits & (2147483648u).xxx) | (2139095039u).xxx);
     float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
     return magnitude < (2139095040u).xxx ? v : numbers;
 }
@@ -842,8 +842,8 @@ float3 bounded_vec3(float3 v)
 float4 bounded_vec4(float4 v)
 {
     uint4 bits = asuint(v);
-    uint4 magnitude = (bits & (2147483647u).xxxx);
-    float4 largest = asfloat(((bits & (2147483648u).xxxx) | (2139095039u).xxxx));
+    uint4 magnitude = bits & (2147483647u).xxxx;
+    float4 largest = asfloat((bits & (2147483648u).xxxx) | (2139095039u).xxxx);
     float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
     return magnitude < (2139095040u).xxxx ? v : numbers;
 }

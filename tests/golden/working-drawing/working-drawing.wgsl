@@ -422,7 +422,10 @@ struct VectorParts {
     z: f32,
 }
 
-const paper = Ramp(array(vec4f(0.8, 0.845, 0.885, 1.0), vec4f(0.955, 0.965, 0.955, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.75, 0.0, 0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 2u, 1u);
+const paper = Ramp(array(vec4f(0.8, 0.845, 0.885, 1.0), vec4f(0.955, 0.965, 0.955, 1.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0),
+    vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)),
+    array(vec4f(0.0, 0.75, 0.0, 0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 2u, 1u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {

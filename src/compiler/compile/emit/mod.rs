@@ -26,7 +26,7 @@ use std::sync::Arc;
 use super::CompileOptions;
 use super::about::single_lights;
 use super::check::TypedGraph;
-use super::functions::{CallForm, Code, SpecializedFunctions, module_key};
+use super::functions::{CallForm, Code, SpecializedFunctions, module_key, write_line};
 use super::host::{
     Callee, HostDriver, HostProgram, ProgramStep, UniformMember, conversion_program,
 };
@@ -860,7 +860,7 @@ impl<'a> Emitter<'a> {
             let value = &self.special.values[id];
             if let Operation::Constant(constant) = &value.operation {
                 let literal = self.literal(constant, &value.ty, value.node);
-                let _ = writeln!(self.out, "const {name} = {literal};");
+                write_line(&format!("const {name} = {literal};"), 0, &mut self.out);
             }
         }
         if !self.constants.is_empty() {

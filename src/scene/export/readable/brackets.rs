@@ -12,6 +12,8 @@ const FAMILIES: [&[&str]; 6] = [
     &["+", "-"],
     &["*", "/", "%"],
 ];
+/// Operators of bits, which bind differently from language to language.
+const OF_BITS: [&str; 5] = ["&", "|", "^", "<<", ">>"];
 const LOGICAL: usize = 1;
 const SUM: usize = 4;
 
@@ -36,6 +38,8 @@ enum Content {
     Operand,
     /// Operands with operators, by the family that binds least.
     Operators(usize),
+    /// Operands with operators of bits among them.
+    Bits,
     /// Anything else.
     Other,
 }
@@ -89,6 +93,7 @@ fn is_needless(line: &str, open: usize, close: usize) -> bool {
     match (left(before), of(content), right(after)) {
         (Neighbor::Other, ..) | (_, _, Neighbor::Other) | (_, Content::Other, _) => false,
         (Neighbor::End, _, Neighbor::End) => true,
+        (_, Content::Bits, _) => false,
         (Neighbor::End, Content::Operand, _) => true,
         (Neighbor::Operator(_), Content::Operand, _) => !is_negative,
         (left, Content::Operators(own), right) => {
@@ -141,12 +146,14 @@ fn family(operator: &str) -> Option<usize> {
 fn of(content: &str) -> Content {
     let mut depth = 0_i32;
     let mut least: Option<usize> = None;
+    let mut has_bits = false;
     for word in content.split(' ').filter(|word| !word.is_empty()) {
         let is_operator = |c: char| !c.is_alphanumeric() && !"()[]{}_,.".contains(c);
         if word.chars().all(is_operator) {
             match family(word) {
                 _ if depth > 0 => {}
                 Some(own) => least = Some(least.map_or(own, |least| least.min(own))),
+                None if OF_BITS.contains(&word) => has_bits = true,
                 None => return Content::Other,
             }
             continue;
@@ -159,7 +166,7 @@ fn of(content: &str) -> Content {
             }
         }
     }
-    least.map_or(Content::Operand, Content::Operators)
+    if has_bits { Content::Bits } else { least.map_or(Content::Operand, Content::Operators) }
 }
 
 #[cfg(test)]
@@ -184,7 +191,8 @@ mod tests {
             ("if ((a > b)) {", "if (a > b) {"),
             ("if (((a + b) < c) && (d)) {", "if (a + b < c && d) {"),
             ("x = ((a < b) == c);", "x = (a < b) == c;"),
-            ("x = (a & (b | c));", "x = (a & (b | c));"),
+            ("x = (a & (b | c));", "x = a & (b | c);"),
+            ("return f((a & 1u) == b, (a >> 1u));", "return f((a & 1u) == b, a >> 1u);"),
             ("if (((a >> uint(b)) & 1u) == 0u) {", "if (((a >> uint(b)) & 1u) == 0u) {"),
             ("x = (float)(a);", "x = (float)(a);"),
             ("x = a * (-b + c);", "x = a * (-b + c);"),
