@@ -177,7 +177,7 @@ fn a_parameter_does_what_its_value_in_the_document_does() {
     }
 }
 
-/// What finds no room in the uniform is left out and told.
+/// Values that find no room in the uniform are left out and told.
 #[test]
 fn a_look_with_too_many_values_says_what_is_left_out() {
     let (mut nodes, mut wires) = (vec![json!({"id": "facing", "kind": "facing"})], Vec::new());

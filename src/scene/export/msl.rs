@@ -111,7 +111,10 @@ fn uniforms(text: &str) -> BTreeSet<String> {
 }
 
 /// A module as naga writes it, and the names of its entry points there.
-fn naga_text(valid: &ValidModule, resources: &msl::EntryPointResources) -> NagaText<impl Display + use<>> {
+fn naga_text(
+    valid: &ValidModule,
+    resources: &msl::EntryPointResources,
+) -> NagaText<impl Display + use<>> {
     let mut options = msl::Options {
         lang_version: (2, 0),
         fake_missing_bindings: false,
