@@ -9,7 +9,7 @@ use serde_json::Value as Json;
 
 use crate::support::random::Random;
 use crate::support::validators::tools_are_required;
-use chiaro::export::host_code::{JAVASCRIPT, translate};
+use chiaro::export::host_code::{HostLanguage, JAVASCRIPT, PYTHON, translate};
 use chiaro::interp::{FunctionOptions, Precision, Program, ScalarKind, Shape, Value};
 use chiaro::library::Library;
 
@@ -51,34 +51,92 @@ fn value(shape: &Shape, random: &mut Random) -> Value {
     }
 }
 
-/// A value as JavaScript.
-fn javascript(shape: &Shape, value: &Value) -> String {
-    let list = |parts: Vec<String>| format!("[{}]", parts.join(", "));
-    let number = |x: f64| format!("{x:?}");
-    match (shape, value) {
-        (Shape::Struct { members, .. }, Value::Struct(parts)) => {
-            let member = |((name, shape), part): (&(String, Shape), &Value)| {
-                format!("{name}: {}", javascript(shape, part))
-            };
-            let parts: Vec<String> = members.iter().zip(parts).map(member).collect();
-            format!("{{ {} }}", parts.join(", "))
+/// A language with the program that runs it and the way that its values are written.
+struct Runner {
+    language: &'static HostLanguage,
+    command: &'static str,
+    file: &'static str,
+    /// A scalar of a kind.
+    scalar: fn(ScalarKind, f64) -> String,
+    /// A member of a struct.
+    member: fn(&str, &str) -> String,
+    /// The text of a program that runs all cases and prints the results as JSON: a list of lists of
+    /// numbers for each function, null for what is no number.
+    program: fn(&[Case]) -> String,
+}
+
+/// All languages that are tried.
+const RUNNERS: [Runner; 2] = [
+    Runner {
+        language: &JAVASCRIPT,
+        command: "node",
+        file: "cases.mjs",
+        scalar: |kind, x| match kind {
+            ScalarKind::Bool => (x != 0.0).to_string(),
+            _ => format!("{x:?}"),
+        },
+        member: |name, value| format!("{name}: {value}"),
+        program: javascript,
+    },
+    Runner {
+        language: &PYTHON,
+        command: "python3",
+        file: "cases.py",
+        scalar: |kind, x| match kind {
+            ScalarKind::Bool => if x != 0.0 { "True" } else { "False" }.to_owned(),
+            ScalarKind::I32 | ScalarKind::U32 => format!("{x}"),
+            ScalarKind::Float => format!("{x:?}"),
+        },
+        member: |name, value| format!("\"{name}\": {value}"),
+        program: python,
+    },
+];
+
+impl Runner {
+    /// A value as the language has it.
+    fn value(&self, shape: &Shape, value: &Value) -> String {
+        let list = |parts: Vec<String>| format!("[{}]", parts.join(", "));
+        match (shape, value) {
+            (Shape::Struct { members, .. }, Value::Struct(parts)) => {
+                let member = |((name, shape), part): (&(String, Shape), &Value)| {
+                    (self.member)(name, &self.value(shape, part))
+                };
+                let parts: Vec<String> = members.iter().zip(parts).map(member).collect();
+                format!("{{ {} }}", parts.join(", "))
+            }
+            (Shape::Array { element, .. }, Value::Array(parts)) => {
+                list(parts.iter().map(|part| self.value(element, part)).collect())
+            }
+            (Shape::Matrix { rows, .. }, Value::Matrix { components, .. }) => {
+                let column = |column: &[f64]| {
+                    list(column.iter().map(|x| (self.scalar)(ScalarKind::Float, *x)).collect())
+                };
+                list(components.chunks(*rows).map(column).collect())
+            }
+            (Shape::Vector { kind, .. }, Value::Vector(scalars)) => {
+                list(scalars.iter().map(|it| (self.scalar)(*kind, it.as_f64())).collect())
+            }
+            (Shape::Scalar(kind), value) => {
+                (self.scalar)(*kind, value.as_f64().unwrap_or(f64::NAN))
+            }
+            _ => String::new(),
         }
-        (Shape::Array { element, .. }, Value::Array(parts)) => {
-            list(parts.iter().map(|part| javascript(element, part)).collect())
-        }
-        (Shape::Matrix { rows, .. }, Value::Matrix { components, .. }) => {
-            let column = |column: &[f64]| list(column.iter().map(|x| number(*x)).collect());
-            list(components.chunks(*rows).map(column).collect())
-        }
-        (Shape::Vector { kind, .. }, Value::Vector(scalars)) => {
-            let scalar = |x: f64| match kind {
-                ScalarKind::Bool => (x != 0.0).to_string(),
-                _ => number(x),
-            };
-            list(scalars.iter().map(|it| scalar(it.as_f64())).collect())
-        }
-        (_, Value::Bool(x)) => x.to_string(),
-        (_, value) => number(value.as_f64().unwrap_or(f64::NAN)),
+    }
+
+    /// What a program of the cases prints; `None`, said aloud, where nothing runs the language.
+    fn results(&self, cases: &[Case]) -> Option<Vec<Vec<Vec<Option<f64>>>>> {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let file = folder.path().join(self.file);
+        std::fs::write(&file, (self.program)(cases)).expect("a temporary file");
+        let Ok(output) = Command::new(self.command).arg(&file).output() else {
+            assert!(!tools_are_required(), "{} is missing: run scripts/setup", self.command);
+            println!("SKIPPED: {} is missing", self.command);
+            return None;
+        };
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{}", &said[..said.len().min(4000)]);
+        let numbers = serde_json::from_slice::<Json>(&output.stdout);
+        Some(numbers.and_then(serde_json::from_value).expect("lists of numbers"))
     }
 }
 
@@ -97,7 +155,7 @@ struct Case {
     calls: Vec<(Vec<String>, Vec<f64>)>,
 }
 
-fn cases() -> (Vec<Case>, BTreeMap<String, String>) {
+fn cases(runner: &Runner) -> (Vec<Case>, BTreeMap<String, String>) {
     let (mut cases, mut refused) = (Vec::new(), BTreeMap::new());
     let mut known = std::collections::BTreeSet::new();
     let mut random = Random::new(24);
@@ -112,7 +170,7 @@ fn cases() -> (Vec<Case>, BTreeMap<String, String>) {
                 let options =
                     FunctionOptions { literals: Some(literals), ..FunctionOptions::default() };
                 let Ok(program) = Program::compile(&valid.module, &name, options) else { continue };
-                let text = match translate(literals.source(), &[&name], &JAVASCRIPT) {
+                let text = match translate(literals.source(), &[&name], runner.language) {
                     Ok(text) => text,
                     Err(problem) => {
                         refused.insert(name, problem.message);
@@ -130,7 +188,8 @@ fn cases() -> (Vec<Case>, BTreeMap<String, String>) {
                     let mut wanted = Vec::new();
                     scalars(&result, &mut wanted);
                     let written = program.parameters().iter().zip(&arguments);
-                    let written = written.map(|(it, value)| javascript(&it.shape, value)).collect();
+                    let written =
+                        written.map(|(it, value)| runner.value(&it.shape, value)).collect();
                     calls.push((written, wanted));
                 }
                 cases.push(Case { function: name, text, calls });
@@ -140,9 +199,7 @@ fn cases() -> (Vec<Case>, BTreeMap<String, String>) {
     (cases, refused)
 }
 
-/// Lines of JavaScript that run all cases and print the results as JSON: a list of lists of numbers
-/// for each function, null for what is no number.
-fn program(cases: &[Case]) -> String {
+fn javascript(cases: &[Case]) -> String {
     let mut text = "const flat = (x) => typeof x === 'object' ? Object.values(x).flatMap(flat) \
                     : [Number(x)];\nconst results = [];\n"
         .to_owned();
@@ -156,6 +213,26 @@ fn program(cases: &[Case]) -> String {
     text + "console.log(JSON.stringify(results));\n"
 }
 
+fn python(cases: &[Case]) -> String {
+    let mut text = "import copy, json, math, struct\n\n\n\
+                    def flat(x):\n    \
+                        x = list(x.values()) if isinstance(x, dict) else x\n    \
+                        if isinstance(x, list):\n        \
+                            return [number for part in x for number in flat(part)]\n    \
+                        return [float(x) if math.isfinite(x) else None]\n\n\n\
+                    results = []\n"
+        .to_owned();
+    for case in cases {
+        let indented = case.text.lines().map(|line| format!("    {line}\n"));
+        let _ = writeln!(text, "def run():\n{}    return [", indented.collect::<String>());
+        for (arguments, _) in &case.calls {
+            let _ = writeln!(text, "        flat({}({})),", case.function, arguments.join(", "));
+        }
+        text += "    ]\n\n\nresults.append(run())\n";
+    }
+    text + "print(json.dumps(results))\n"
+}
+
 /// True if two numbers are the same but for rounding; what is no number may be any.
 fn agree(wanted: f64, found: Option<f64>, scale: f64) -> bool {
     match found {
@@ -166,7 +243,17 @@ fn agree(wanted: f64, found: Option<f64>, scale: f64) -> bool {
 
 #[test]
 fn javascript_computes_what_the_interpreter_does() {
-    let (cases, refused) = cases();
+    compare(&RUNNERS[0]);
+}
+
+#[test]
+fn python_computes_what_the_interpreter_does() {
+    compare(&RUNNERS[1]);
+}
+
+/// Runs the functions of the library in a language, and in the interpreter.
+fn compare(runner: &Runner) {
+    let (cases, refused) = cases(runner);
     assert!(cases.len() > 300, "{} functions are tried", cases.len());
     let allowed = ["pointer", "texture", "Image", "Derivative", "a parameter's type"];
     let unexpected: Vec<_> = refused
@@ -174,18 +261,7 @@ fn javascript_computes_what_the_interpreter_does() {
         .filter(|(_, reason)| !allowed.iter().any(|word| reason.contains(word)))
         .collect();
     assert!(unexpected.is_empty(), "{unexpected:#?}");
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let file = folder.path().join("cases.mjs");
-    std::fs::write(&file, program(&cases)).expect("a temporary file");
-    let Ok(output) = Command::new("node").arg(&file).output() else {
-        assert!(!tools_are_required(), "node is missing: run scripts/setup");
-        return;
-    };
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{}", &said[..said.len().min(4000)]);
-    let results: Vec<Vec<Vec<Option<f64>>>> = serde_json::from_slice::<Json>(&output.stdout)
-        .and_then(serde_json::from_value)
-        .expect("lists of numbers");
+    let Some(results) = runner.results(&cases) else { return };
     let mut wrong = Vec::new();
     for (case, results) in cases.iter().zip(&results) {
         for ((arguments, wanted), found) in case.calls.iter().zip(results) {

@@ -11,6 +11,7 @@ mod function;
 mod javascript;
 mod module;
 mod names;
+mod python;
 mod types;
 mod uses;
 
@@ -37,8 +38,12 @@ impl std::fmt::Debug for HostLanguage {
 pub const JAVASCRIPT: HostLanguage =
     HostLanguage { slug: "javascript", label: "JavaScript", dialect: &javascript::JavaScript };
 
+/// Python 3. The text needs `import copy, math, struct` before it.
+pub const PYTHON: HostLanguage =
+    HostLanguage { slug: "python", label: "Python", dialect: &python::Python };
+
 /// All languages of host code.
-pub const HOST_LANGUAGES: [&HostLanguage; 1] = [&JAVASCRIPT];
+pub const HOST_LANGUAGES: [&HostLanguage; 2] = [&JAVASCRIPT, &PYTHON];
 
 /// Functions of a WGSL source by their names, with all that they call, in a language.
 ///
