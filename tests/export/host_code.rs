@@ -9,7 +9,7 @@ use serde_json::Value as Json;
 
 use crate::support::random::Random;
 use crate::support::validators::tools_are_required;
-use chiaro::export::host_code::{HostLanguage, JAVASCRIPT, PYTHON, translate};
+use chiaro::export::host_code::{HostLanguage, JAVASCRIPT, PYTHON, RUST, translate};
 use chiaro::interp::{FunctionOptions, Precision, Program, ScalarKind, Shape, Value};
 use chiaro::library::Library;
 
@@ -56,6 +56,11 @@ struct Runner {
     language: &'static HostLanguage,
     command: &'static str,
     file: &'static str,
+    /// Program and arguments that make a program of the file, in the same folder, to be run in its
+    /// place; none for languages that are read.
+    compiler: Option<(&'static str, &'static [&'static str])>,
+    /// What stands before a struct's members.
+    structure: fn(&str) -> String,
     /// A scalar of a kind.
     scalar: fn(ScalarKind, f64) -> String,
     /// A member of a struct.
@@ -66,11 +71,13 @@ struct Runner {
 }
 
 /// All languages that are tried.
-const RUNNERS: [Runner; 2] = [
+const RUNNERS: [Runner; 3] = [
     Runner {
         language: &JAVASCRIPT,
         command: "node",
         file: "cases.mjs",
+        compiler: None,
+        structure: |_| String::new(),
         scalar: |kind, x| match kind {
             ScalarKind::Bool => (x != 0.0).to_string(),
             _ => format!("{x:?}"),
@@ -82,6 +89,8 @@ const RUNNERS: [Runner; 2] = [
         language: &PYTHON,
         command: "python3",
         file: "cases.py",
+        compiler: None,
+        structure: |_| String::new(),
         scalar: |kind, x| match kind {
             ScalarKind::Bool => if x != 0.0 { "True" } else { "False" }.to_owned(),
             ScalarKind::I32 | ScalarKind::U32 => format!("{x}"),
@@ -90,6 +99,34 @@ const RUNNERS: [Runner; 2] = [
         member: |name, value| format!("\"{name}\": {value}"),
         program: python,
     },
+    Runner {
+        language: &RUST,
+        command: "./cases",
+        file: "cases.rs",
+        compiler: Some((
+            "rustc",
+            &[
+                "--edition",
+                "2024",
+                "-A",
+                "warnings",
+                "-C",
+                "debuginfo=0",
+                "-o",
+                "cases",
+                "cases.rs",
+            ],
+        )),
+        structure: |name| format!("{name} "),
+        scalar: |kind, x| match kind {
+            ScalarKind::Bool => (x != 0.0).to_string(),
+            ScalarKind::I32 => format!("{x}_i32"),
+            ScalarKind::U32 => format!("{x}_u32"),
+            ScalarKind::Float => format!("{x:?}_f64"),
+        },
+        member: |name, value| format!("{name}: {value}"),
+        program: rust,
+    },
 ];
 
 impl Runner {
@@ -97,12 +134,12 @@ impl Runner {
     fn value(&self, shape: &Shape, value: &Value) -> String {
         let list = |parts: Vec<String>| format!("[{}]", parts.join(", "));
         match (shape, value) {
-            (Shape::Struct { members, .. }, Value::Struct(parts)) => {
+            (Shape::Struct { name, members }, Value::Struct(parts)) => {
                 let member = |((name, shape), part): (&(String, Shape), &Value)| {
                     (self.member)(name, &self.value(shape, part))
                 };
                 let parts: Vec<String> = members.iter().zip(parts).map(member).collect();
-                format!("{{ {} }}", parts.join(", "))
+                format!("{}{{ {} }}", (self.structure)(name), parts.join(", "))
             }
             (Shape::Array { element, .. }, Value::Array(parts)) => {
                 list(parts.iter().map(|part| self.value(element, part)).collect())
@@ -128,7 +165,16 @@ impl Runner {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let file = folder.path().join(self.file);
         std::fs::write(&file, (self.program)(cases)).expect("a temporary file");
-        let Ok(output) = Command::new(self.command).arg(&file).output() else {
+        let mut command = Command::new(self.command);
+        if let Some((compiler, arguments)) = self.compiler {
+            let made = Command::new(compiler).args(arguments).current_dir(folder.path()).output();
+            if let Ok(made) = made {
+                let said = String::from_utf8_lossy(&made.stderr);
+                assert!(made.status.success(), "{}", &said[..said.len().min(6000)]);
+            }
+            command = Command::new(folder.path().join(self.command));
+        }
+        let Ok(output) = command.arg(&file).output() else {
             assert!(!tools_are_required(), "{} is missing: run scripts/setup", self.command);
             println!("SKIPPED: {} is missing", self.command);
             return None;
@@ -153,6 +199,7 @@ struct Case {
     function: String,
     text: String,
     calls: Vec<(Vec<String>, Vec<f64>)>,
+    result: Shape,
 }
 
 fn cases(runner: &Runner) -> (Vec<Case>, BTreeMap<String, String>) {
@@ -192,7 +239,8 @@ fn cases(runner: &Runner) -> (Vec<Case>, BTreeMap<String, String>) {
                         written.map(|(it, value)| runner.value(&it.shape, value)).collect();
                     calls.push((written, wanted));
                 }
-                cases.push(Case { function: name, text, calls });
+                let result = program.result().clone();
+                cases.push(Case { function: name, text, calls, result });
             }
         }
     }
@@ -233,6 +281,61 @@ fn python(cases: &[Case]) -> String {
     text + "print(json.dumps(results))\n"
 }
 
+/// Expressions of the scalars of a value of Rust, each as an `f64`.
+fn rust_scalars(shape: &Shape, value: &str, into: &mut Vec<String>) {
+    match shape {
+        Shape::Scalar(ScalarKind::Bool) => into.push(format!("f64::from(u8::from({value}))")),
+        Shape::Scalar(ScalarKind::Float) => into.push(value.to_owned()),
+        Shape::Scalar(_) => into.push(format!("f64::from({value})")),
+        Shape::Vector { kind, size } => {
+            let element = Shape::Scalar(*kind);
+            (0..*size).for_each(|at| rust_scalars(&element, &format!("{value}[{at}]"), into));
+        }
+        Shape::Matrix { columns, rows } => {
+            let column = Shape::Vector { kind: ScalarKind::Float, size: *rows };
+            (0..*columns).for_each(|at| rust_scalars(&column, &format!("{value}[{at}]"), into));
+        }
+        Shape::Array { element, count } => {
+            (0..*count).for_each(|at| rust_scalars(element, &format!("{value}[{at}]"), into));
+        }
+        Shape::Struct { members, .. } => {
+            for (name, shape) in members {
+                rust_scalars(shape, &format!("{value}.{name}"), into);
+            }
+        }
+    }
+}
+
+fn rust(cases: &[Case]) -> String {
+    let mut text = String::new();
+    for (number, case) in cases.iter().enumerate() {
+        let _ = writeln!(text, "mod case_{number} {{\n{}", case.text);
+        let _ = writeln!(text, "pub fn run() -> Vec<Vec<f64>> {{\nlet mut all = Vec::new();");
+        for (arguments, _) in &case.calls {
+            let mut scalars = Vec::new();
+            rust_scalars(&case.result, "value", &mut scalars);
+            let _ = writeln!(
+                text,
+                "let value = {}({}); all.push(vec![{}]);",
+                case.function,
+                arguments.join(", "),
+                scalars.join(", ")
+            );
+        }
+        text += "all\n}\n}\n";
+    }
+    text += "fn text(x: &f64) -> String {\n    \
+             if x.is_finite() { format!(\"{x:?}\") } else { \"null\".to_owned() }\n}\n\
+             fn list(items: Vec<String>) -> String { format!(\"[{}]\", items.join(\",\")) }\n\
+             fn main() {\n    let all: Vec<Vec<Vec<f64>>> = vec![";
+    for number in 0..cases.len() {
+        let _ = write!(text, "case_{number}::run(), ");
+    }
+    text + "];\n    let row = |row: &Vec<f64>| list(row.iter().map(text).collect());\n    \
+            let case = |case: &Vec<Vec<f64>>| list(case.iter().map(row).collect());\n    \
+            println!(\"{}\", list(all.iter().map(case).collect()));\n}\n"
+}
+
 /// True if two numbers are the same but for rounding; what is no number may be any.
 fn agree(wanted: f64, found: Option<f64>, scale: f64) -> bool {
     match found {
@@ -249,6 +352,11 @@ fn javascript_computes_what_the_interpreter_does() {
 #[test]
 fn python_computes_what_the_interpreter_does() {
     compare(&RUNNERS[1]);
+}
+
+#[test]
+fn rust_computes_what_the_interpreter_does() {
+    compare(&RUNNERS[2]);
 }
 
 /// Runs the functions of the library in a language, and in the interpreter.

@@ -1,5 +1,6 @@
 //! Expressions of a function as terms of a language.
 
+use naga::proc::TypeResolution;
 use naga::{
     BinaryOperator, Expression, Handle, Literal, MathFunction, RelationalFunction, ScalarKind,
     SwizzleComponent, UnaryOperator,
@@ -20,8 +21,11 @@ impl FunctionWriter<'_> {
 
     /// Type of an expression, or of what it points to.
     pub(super) fn type_of(&self, handle: Handle<Expression>) -> Result<ValueType, Refusal> {
-        let inner = self.info[handle].ty.inner_with(&self.module.types);
-        types::value_type(self.module, inner).ok_or_else(|| self.refusal("a type of its own kind"))
+        let found = match &self.info[handle].ty {
+            TypeResolution::Handle(ty) => types::of(self.module, *ty),
+            TypeResolution::Value(inner) => types::value_type(self.module, inner),
+        };
+        found.ok_or_else(|| self.refusal("a type of its own kind"))
     }
 
     /// The text of an expression.

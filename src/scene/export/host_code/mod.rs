@@ -12,6 +12,7 @@ mod javascript;
 mod module;
 mod names;
 mod python;
+mod rust;
 mod types;
 mod uses;
 
@@ -42,8 +43,12 @@ pub const JAVASCRIPT: HostLanguage =
 pub const PYTHON: HostLanguage =
     HostLanguage { slug: "python", label: "Python", dialect: &python::Python };
 
+/// Rust.
+pub const RUST: HostLanguage =
+    HostLanguage { slug: "rust", label: "Rust", dialect: &rust::Rust };
+
 /// All languages of host code.
-pub const HOST_LANGUAGES: [&HostLanguage; 2] = [&JAVASCRIPT, &PYTHON];
+pub const HOST_LANGUAGES: [&HostLanguage; 3] = [&JAVASCRIPT, &PYTHON, &RUST];
 
 /// Functions of a WGSL source by their names, with all that they call, in a language.
 ///

@@ -15,10 +15,6 @@ pub(super) fn value_type(module: &Module, inner: &TypeInner) -> Option<ValueType
         TypeInner::Array { base, size: ArraySize::Constant(count), .. } => {
             ValueType::Array(count.get() as usize, Box::new(of(module, base)?))
         }
-        TypeInner::Struct { .. } => {
-            let named = module.types.iter().find(|(_, ty)| ty.inner == *inner);
-            ValueType::Struct(named?.1.name.clone()?)
-        }
         TypeInner::Pointer { base, .. } => of(module, base)?,
         TypeInner::ValuePointer { size: Some(size), scalar, .. } => {
             ValueType::Vector(size as usize, kind(scalar)?)
