@@ -72,6 +72,11 @@ fn every_value_is_a_parameter_with_a_name_and_a_group() {
     let offset = parameters.find(|parameter| parameter["name"] == "diffuse_offset");
     let offset = offset.expect("the offset of the layer Diffuse");
     assert_eq!(offset["group"], "Diffuse");
+    // Groups stand in the document's order, each in one piece.
+    let mut groups: Vec<&str> =
+        list(&described["parameters"]).iter().filter_map(|p| p["group"].as_str()).collect();
+    groups.dedup();
+    assert_eq!(groups, ["Base", "Fill", "Diffuse", "Specular", "Back-light", "Output"]);
     assert_eq!(offset["target"], "diffuse.offset");
     assert_eq!(offset["default"], 0.05);
     assert!(offset["max"].as_f64().is_some_and(|max| max > 3.0), "{offset}");

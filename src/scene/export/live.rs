@@ -89,7 +89,7 @@ fn fit(
     Ok(vec![Diagnostic::warning("uniform-full", message).hint(hint)])
 }
 
-/// Values of the artist's own nodes, in the order of the document.
+/// Values of the artist's own nodes, in the order of the document and of the nodes' inputs.
 fn values(look: &Look, library: &Library, typed: &TypedGraph) -> Vec<ExposedValue> {
     let is_exposed: HashSet<(&NodePath, &PortName)> = look
         .exposed
@@ -104,13 +104,37 @@ fn values(look: &Look, library: &Library, typed: &TypedGraph) -> Vec<ExposedValu
         let is_known = is_exposed.contains(&(&param.path, &param.port));
         param.value.is_some() && !is_known && is_of_artist(look, &param.path)
     };
-    let open = typed.params.iter().filter(is_open).take(MOST_VALUES);
+    let mut open: Vec<&Param> = typed.params.iter().filter(is_open).collect();
+    let mut places: HashMap<&NodePath, usize> = HashMap::new();
+    for (index, param) in open.iter().enumerate() {
+        places.entry(&param.path).or_insert(index);
+    }
+    open.sort_by_cached_key(|param| {
+        let outermost = param.path.ids().first().and_then(|id| look.graph.nodes.get_index_of(id));
+        let port = port_position(look, library, param);
+        (outermost, places.get(&param.path).copied(), port)
+    });
+    open.truncate(MOST_VALUES);
     let value = |param: &Param| ExposedValue {
         name: names.give(param),
         target: Target::Input { node: param.path.clone(), port: param.port.clone() },
         label: String::new(),
     };
-    open.map(value).collect()
+    open.into_iter().map(value).collect()
+}
+
+/// Position of a value's input among those of its node, as the window lists them.
+fn port_position(look: &Look, library: &Library, param: &Param) -> Option<usize> {
+    let (last, groups) = param.path.ids().split_last()?;
+    let graph = groups.iter().try_fold(&look.graph, |graph, id| {
+        Some(&look.definitions.get(graph.nodes.get(id)?.kind.as_str())?.graph)
+    });
+    let kind = graph?.nodes.get(last)?.kind.as_str();
+    let of_library = || library.groups.get(kind).map(|group| &group.definition);
+    match look.definitions.get(kind).or_else(of_library) {
+        Some(group) => group.inputs.iter().position(|input| input.name == param.port),
+        None => library.nodes.get(kind)?.input(param.port.as_str()),
+    }
 }
 
 /// True for a node that no group of the library holds.
