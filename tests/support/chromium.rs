@@ -12,6 +12,7 @@ use std::io::{BufRead as _, BufReader, Write as _};
 use std::path::Path;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -46,7 +47,11 @@ const FLAGS: [&str; 15] = [
 /// Part of what Chromium remarks about the speed of WebGL, which is no error of the page.
 const GL_REMARK: &str = "GL Driver Message (OpenGL, Performance";
 
-/// A running browser with one page.
+/// Turn of the one browser that runs at a time in a test program: several that start together on
+/// few cores leave each other without a graphics process.
+static TURN: Mutex<()> = Mutex::new(());
+
+/// A running browser with one page. Another one of the same test program starts when it is dropped.
 pub struct Chromium {
     browser: Child,
     requests: ChildStdin,
@@ -59,6 +64,8 @@ pub struct Chromium {
     errors: Vec<String>,
     /// The browser's profile, and what it says on standard error.
     folder: TempDir,
+    /// Held until the browser has ended.
+    _turn: MutexGuard<'static, ()>,
 }
 
 impl Chromium {
@@ -84,6 +91,7 @@ impl Chromium {
     }
 
     fn launch() -> std::io::Result<Self> {
+        let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
         let folder = tempfile::tempdir()?;
         let messages = File::create(folder.path().join("messages.txt"))?;
         let mut command = Command::new("sh");
@@ -106,7 +114,17 @@ impl Chromium {
         let requests = browser.stdin.take().ok_or_else(missing)?;
         let answers = listen(browser.stdout.take().ok_or_else(missing)?);
         let (events, errors) = (VecDeque::new(), Vec::new());
-        Ok(Self { browser, requests, answers, events, session: None, last_id: 0, errors, folder })
+        Ok(Self {
+            browser,
+            requests,
+            answers,
+            events,
+            session: None,
+            last_id: 0,
+            errors,
+            folder,
+            _turn: turn,
+        })
     }
 
     /// Opens a URL, such as `file:///tmp/page/index.html`, and waits for the page's event `load`.
