@@ -8,7 +8,7 @@ use std::process::Command;
 use serde_json::Value as Json;
 
 use crate::support::random::Random;
-use crate::support::validators::tools_are_required;
+use crate::support::validators::{say, tools_are_required};
 use chiaro::export::host_code::{HostLanguage, JAVASCRIPT, PYTHON, RUST, translate};
 use chiaro::interp::{FunctionOptions, Precision, Program, ScalarKind, Shape, Value};
 use chiaro::library::Library;
@@ -176,7 +176,7 @@ impl Runner {
         }
         let Ok(output) = command.arg(&file).output() else {
             assert!(!tools_are_required(), "{} is missing: run scripts/setup", self.command);
-            println!("SKIPPED: {} is missing", self.command);
+            say(&format!("SKIPPED: {} is missing", self.command));
             return None;
         };
         let said = String::from_utf8_lossy(&output.stderr);

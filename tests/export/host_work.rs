@@ -104,8 +104,7 @@ impl State {
     /// The bytes of the uniform, by Chiaro.
     fn uniform(&self, look: &Look, shader: &CompiledShader) -> Vec<u8> {
         let rig = Rig::new(look).value;
-        let view =
-            self.parallel.unwrap_or_else(|| (self.eye - self.middle).normalize_or(DVec3::Z));
+        let view = self.parallel.unwrap_or_else(|| (self.eye - self.middle).normalize_or(DVec3::Z));
         let inputs = RigInputs {
             time: self.time,
             illumination: self.illumination,
@@ -184,7 +183,7 @@ fn cases() -> Vec<Case> {
     let mut random = Random::new(7);
     let mut cases = Vec::new();
     for path in files::below(&root().join("examples/looks")) {
-        if !path.extension().is_some_and(|ending| ending == "json") {
+        if path.extension().is_none_or(|ending| ending != "json") {
             continue;
         }
         let name = path.file_stem().expect("a file").to_string_lossy().into_owned();

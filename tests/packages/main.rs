@@ -6,6 +6,9 @@
 
 use chiaro_test_drawing as support;
 
+mod babylon;
+mod library;
 mod pictures;
 mod table;
+mod three;
 mod web;

@@ -54,7 +54,13 @@ impl Trial {
     /// Our own picture of the look: one sample a pixel, without a backdrop, every value a uniform
     /// as in a package.
     pub(crate) fn ours(&self) -> RgbaImage {
-        self.drawn(&self.document)
+        self.drawn(&self.document, &[])
+    }
+
+    /// Our own picture of the look on another mesh or by another camera: arguments of `chiaro
+    /// render`.
+    pub(crate) fn ours_with_arguments(&self, arguments: &[&str]) -> RgbaImage {
+        self.drawn(&self.document, arguments)
     }
 
     /// Our own picture with exposed parameters set, by a scene as people write it.
@@ -66,10 +72,10 @@ impl Trial {
         });
         let text = serde_json::json!({"chiaro": "scene", "version": 1, "objects": [object]});
         std::fs::write(&scene, text.to_string()).expect("a file");
-        self.drawn(&scene)
+        self.drawn(&scene, &[])
     }
 
-    fn drawn(&self, document: &Path) -> RgbaImage {
+    fn drawn(&self, document: &Path, arguments: &[&str]) -> RgbaImage {
         let picture = self.folder.path().join("ours.png");
         let size = format!("{}x{}", SIZE[0], SIZE[1]);
         let mut command = chiaro();
@@ -79,7 +85,8 @@ impl Trial {
             .args(["--samples", "1", "--backdrop", "none", "--live", "--force"])
             .args(["--size", &size, "-o"])
             .arg(&picture)
-            .args(self.arguments);
+            .args(self.arguments)
+            .args(arguments);
         run(&mut command);
         image::open(&picture).expect("a picture").to_rgba8()
     }

@@ -14,9 +14,11 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use serde_json::{Value, json};
+
+use chiaro_language::clock::Clock;
 use tempfile::TempDir;
 
 use crate::validators::Tool;
@@ -139,14 +141,14 @@ impl Chromium {
         if let Some(problem) = answer["errorText"].as_str() {
             return Err(format!("{url}: {problem}"));
         }
-        let until = Instant::now() + PATIENCE;
+        let waited = Clock::start();
         loop {
             while let Some(event) = self.events.pop_front() {
                 if event["method"] == "Page.loadEventFired" {
                     return Ok(());
                 }
             }
-            let event = self.receive(until, "the page to load")?;
+            let event = self.receive(waited, "the page to load")?;
             self.note(event);
         }
     }
@@ -224,9 +226,9 @@ impl Chromium {
         bytes.push(0);
         let sent = self.requests.write_all(&bytes).and_then(|()| self.requests.flush());
         sent.map_err(|error| self.complaint(&format!("{method}: {error}")))?;
-        let until = Instant::now() + PATIENCE;
+        let waited = Clock::start();
         loop {
-            let mut answer = self.receive(until, method)?;
+            let mut answer = self.receive(waited, method)?;
             if answer["id"] != id {
                 self.note(answer);
                 continue;
@@ -239,8 +241,8 @@ impl Chromium {
     }
 
     /// The next message of the browser.
-    fn receive(&mut self, until: Instant, awaited: &str) -> Result<Value, String> {
-        let left = until.saturating_duration_since(Instant::now());
+    fn receive(&mut self, waited: Clock, awaited: &str) -> Result<Value, String> {
+        let left = PATIENCE.saturating_sub(Duration::from_secs_f64(waited.seconds()));
         self.answers.recv_timeout(left).map_err(|error| match error {
             RecvTimeoutError::Timeout => {
                 self.complaint(&format!("no answer: waited for {awaited}"))
@@ -304,6 +306,7 @@ impl Drop for Chromium {
 }
 
 /// Reads messages on a thread of its own, which ends with the browser.
+#[expect(clippy::disallowed_methods, reason = "a pipe has to be read beside the test")]
 fn listen(pipe: ChildStdout) -> Receiver<Value> {
     let (sender, receiver) = channel();
     thread::spawn(move || {

@@ -25,6 +25,10 @@ pub enum Tool {
     Slang,
     /// Pages of exported packages: Debian's `chromium`, driven by [`crate::chromium`].
     Chromium,
+    /// Packages for three.js: the npm package three.
+    Three,
+    /// Packages for Babylon.js: the npm package babylonjs.
+    Babylon,
 }
 
 impl Tool {
@@ -47,11 +51,16 @@ impl Tool {
             }
             Self::Slang => starts(&slangc(), "-version"),
             Self::Chromium => starts("chromium", "--version"),
+            Self::Three => three_folder().join("package.json").is_file(),
+            Self::Babylon => babylon_folder().join("package.json").is_file(),
         }
     }
 
     /// Result of a check without its tool: passes and prints a line, unless the tools are required.
-    pub(crate) fn missing(self) -> Result<(), String> {
+    ///
+    /// # Errors
+    /// A required tool that is missing.
+    pub fn missing(self) -> Result<(), String> {
         if tools_are_required() && self != Self::Slang {
             return Err(format!("{self} is missing: run scripts/setup"));
         }
@@ -68,8 +77,20 @@ impl fmt::Display for Tool {
             Self::Tint => "Tint",
             Self::Slang => "slangc",
             Self::Chromium => "Chromium",
+            Self::Three => "three.js",
+            Self::Babylon => "Babylon.js",
         })
     }
+}
+
+/// The folder of the npm package three.
+pub fn three_folder() -> PathBuf {
+    root().join(".tools/three/node_modules/three")
+}
+
+/// The folder of the npm package babylonjs.
+pub fn babylon_folder() -> PathBuf {
+    root().join(".tools/babylon/node_modules/babylonjs")
 }
 
 /// True if a missing tool is a failure.
@@ -77,8 +98,9 @@ pub fn tools_are_required() -> bool {
     env::var("CHIARO_REQUIRE_TOOLS").is_ok_and(|value| value == "1")
 }
 
+/// Line for whoever reads the test's output, such as that a check was skipped.
 #[expect(clippy::print_stderr, reason = "a skipped check is to be seen in the test's output")]
-fn say(line: &str) {
+pub fn say(line: &str) {
     eprintln!("{line}");
 }
 

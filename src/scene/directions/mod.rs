@@ -25,8 +25,8 @@ mod tessellated;
 mod weights;
 
 pub use blend::{blend_direction, blend_number, blend_vector};
-pub use tessellated::Tessellation;
 pub use kernel::appendix_b_series;
+pub use tessellated::Tessellation;
 pub use weights::{KeyWeights, SolvedKernel, SolvedWeights, SumKernel};
 
 pub use keys::{CLOSE_ANGLE, MAX_KEYS, MERGE_ANGLE};

@@ -105,15 +105,9 @@ impl FunctionWriter<'_> {
             }
             Literal::F64(x) | Literal::AbstractFloat(x) => (Kind::Float, dialect.float(x)),
             Literal::F16(x) => (Kind::Float, dialect.float(x.to_f64())),
-            Literal::U32(x) => {
-                (Kind::Unsigned, dialect.integer(i64::from(x), Kind::Unsigned))
-            }
-            Literal::U16(x) => {
-                (Kind::Unsigned, dialect.integer(i64::from(x), Kind::Unsigned))
-            }
-            Literal::U64(x) => {
-                (Kind::Unsigned, dialect.integer(x.cast_signed(), Kind::Unsigned))
-            }
+            Literal::U32(x) => (Kind::Unsigned, dialect.integer(i64::from(x), Kind::Unsigned)),
+            Literal::U16(x) => (Kind::Unsigned, dialect.integer(i64::from(x), Kind::Unsigned)),
+            Literal::U64(x) => (Kind::Unsigned, dialect.integer(x.cast_signed(), Kind::Unsigned)),
             Literal::I32(x) => (Kind::Signed, dialect.integer(i64::from(x), Kind::Signed)),
             Literal::I16(x) => (Kind::Signed, dialect.integer(i64::from(x), Kind::Signed)),
             Literal::I64(x) | Literal::AbstractInt(x) => {

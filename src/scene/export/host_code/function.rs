@@ -6,7 +6,7 @@ use naga::valid::FunctionInfo;
 use naga::{Block, Expression, Function, Handle, LocalVariable, Module, Statement, SwitchValue};
 
 use super::dialect::{Dialect, Head, Term, ValueType};
-use super::module::Shared;
+use super::module::ModuleWriter;
 use super::names::Names;
 use super::types;
 use super::uses::{Uses, each_block, each_operand, each_root, variable_of};
@@ -21,7 +21,7 @@ pub(super) struct FunctionWriter<'a> {
     pub(super) info: &'a FunctionInfo,
     pub(super) function: &'a Function,
     pub(super) dialect: &'a dyn Dialect,
-    pub(super) shared: &'a Shared<'a>,
+    pub(super) shared: &'a ModuleWriter<'a>,
     pub(super) uses: Uses,
     /// Names and types of the parameters.
     pub(super) parameters: Vec<(String, ValueType)>,
@@ -42,7 +42,7 @@ pub(super) struct FunctionWriter<'a> {
 
 impl<'a> FunctionWriter<'a> {
     pub(super) fn new(
-        shared: &'a Shared<'a>,
+        shared: &'a ModuleWriter<'a>,
         function: &'a Function,
         info: &'a FunctionInfo,
     ) -> Result<Self, Refusal> {
@@ -276,7 +276,8 @@ impl<'a> FunctionWriter<'a> {
                 Ok(())
             }
             Statement::Return { value: Some(value) } => {
-                self.is_returned = matches!(self.function.expressions[*value], Expression::Load { .. });
+                self.is_returned =
+                    matches!(self.function.expressions[*value], Expression::Load { .. });
                 let term = self.term(*value)?;
                 self.is_returned = false;
                 let line = format!("return {}{}", term.text, self.dialect.end());
@@ -447,7 +448,8 @@ impl<'a> FunctionWriter<'a> {
         let condition = self.term(condition)?;
         let (condition, accept, reject) = if accept.is_empty() && !reject.is_empty() {
             let mut helpers = self.shared.helpers.borrow_mut();
-            let not = self.dialect.scalar("!", super::dialect::Kind::Bool, &[condition], &mut helpers);
+            let not =
+                self.dialect.scalar("!", super::dialect::Kind::Bool, &[condition], &mut helpers);
             drop(helpers);
             (not.ok_or_else(|| self.refusal("`!`"))?, reject, accept)
         } else {
@@ -470,10 +472,7 @@ impl<'a> FunctionWriter<'a> {
     }
 
     /// The branch that is all there is in a block.
-    fn else_if(
-        &self,
-        block: &'a Block,
-    ) -> Option<(Handle<Expression>, &'a Block, &'a Block)> {
+    fn else_if(&self, block: &'a Block) -> Option<(Handle<Expression>, &'a Block, &'a Block)> {
         let (last, first) = block.split_last()?;
         let Statement::If { condition, accept, reject } = last else { return None };
         let is_silent = |statement: &Statement| match statement {
@@ -517,7 +516,7 @@ impl<'a> FunctionWriter<'a> {
                 continue;
             }
             let body = without_break(&case.body);
-            if body.iter().any(|statement| leaves(statement)) {
+            if body.iter().any(leaves) {
                 return Err(self.refusal("a switch that is left in the middle of a case"));
             }
             let mut condition: Option<Term> = None;

@@ -8,13 +8,62 @@ pub(super) struct JavaScript;
 impl Dialect for JavaScript {
     fn keywords(&self) -> &'static [&'static str] {
         &[
-            "arguments", "async", "await", "break", "case", "catch", "class", "const", "continue",
-            "debugger", "default", "delete", "do", "else", "enum", "eval", "export", "extends",
-            "false", "finally", "for", "function", "if", "implements", "import", "in",
-            "instanceof", "interface", "let", "look", "new", "null", "of", "package", "private",
-            "protected", "public", "return", "static", "super", "switch", "this", "throw", "true",
-            "try", "typeof", "undefined", "var", "void", "while", "with", "yield", "Math", "Array",
-            "Infinity", "NaN",
+            "arguments",
+            "async",
+            "await",
+            "break",
+            "case",
+            "catch",
+            "class",
+            "const",
+            "continue",
+            "debugger",
+            "default",
+            "delete",
+            "do",
+            "else",
+            "enum",
+            "eval",
+            "export",
+            "extends",
+            "false",
+            "finally",
+            "for",
+            "function",
+            "if",
+            "implements",
+            "import",
+            "in",
+            "instanceof",
+            "interface",
+            "let",
+            "look",
+            "new",
+            "null",
+            "of",
+            "package",
+            "private",
+            "protected",
+            "public",
+            "return",
+            "static",
+            "super",
+            "switch",
+            "this",
+            "throw",
+            "true",
+            "try",
+            "typeof",
+            "undefined",
+            "var",
+            "void",
+            "while",
+            "with",
+            "yield",
+            "Math",
+            "Array",
+            "Infinity",
+            "NaN",
         ]
     }
 
@@ -86,7 +135,10 @@ impl Dialect for JavaScript {
     }
 
     fn helper(&self, name: &str) -> Option<(&'static str, &'static [&'static str])> {
-        HELPERS.iter().find(|(known, ..)| *known == name).map(|(_, source, calls)| (*source, *calls))
+        HELPERS
+            .iter()
+            .find(|(known, ..)| *known == name)
+            .map(|(_, source, calls)| (*source, *calls))
     }
 
     fn ty(&self, _: &ValueType) -> String {
@@ -325,16 +377,8 @@ const HELPERS: &[(&str, &str, &[&str])] = &[
          };\n",
         &[],
     ),
-    (
-        "divide_i32",
-        "const divide_i32 = (a, b) => (b === 0 ? a : (a / b) | 0);\n",
-        &[],
-    ),
-    (
-        "divide_u32",
-        "const divide_u32 = (a, b) => (b === 0 ? a : Math.trunc(a / b));\n",
-        &[],
-    ),
+    ("divide_i32", "const divide_i32 = (a, b) => (b === 0 ? a : (a / b) | 0);\n", &[]),
+    ("divide_u32", "const divide_u32 = (a, b) => (b === 0 ? a : Math.trunc(a / b));\n", &[]),
     ("remainder_of", "const remainder_of = (a, b) => (b === 0 ? 0 : (a % b) + 0);\n", &[]),
     (
         "words",
@@ -364,11 +408,7 @@ const HELPERS: &[(&str, &str, &[&str])] = &[
         &[],
     ),
     ("length", "const length = (a) => Math.sqrt(dot(a, a));\n", &["dot"]),
-    (
-        "distance",
-        "const distance = (a, b) => length(a.map((x, i) => x - b[i]));\n",
-        &["length"],
-    ),
+    ("distance", "const distance = (a, b) => length(a.map((x, i) => x - b[i]));\n", &["length"]),
     (
         "normalize",
         "const normalize = (a) => {\n  \
@@ -377,11 +417,7 @@ const HELPERS: &[(&str, &str, &[&str])] = &[
          };\n",
         &["length"],
     ),
-    (
-        "reflect",
-        "const reflect = (a, n) => a.map((x, i) => x - 2 * dot(n, a) * n[i]);\n",
-        &["dot"],
-    ),
+    ("reflect", "const reflect = (a, n) => a.map((x, i) => x - 2 * dot(n, a) * n[i]);\n", &["dot"]),
     ("all", "const all = (a) => a.every((x) => x);\n", &[]),
     ("any", "const any = (a) => a.some((x) => x);\n", &[]),
     (

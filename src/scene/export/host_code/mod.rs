@@ -44,8 +44,7 @@ pub const PYTHON: HostLanguage =
     HostLanguage { slug: "python", label: "Python", dialect: &python::Python };
 
 /// Rust.
-pub const RUST: HostLanguage =
-    HostLanguage { slug: "rust", label: "Rust", dialect: &rust::Rust };
+pub const RUST: HostLanguage = HostLanguage { slug: "rust", label: "Rust", dialect: &rust::Rust };
 
 /// All languages of host code.
 pub const HOST_LANGUAGES: [&HostLanguage; 3] = [&JAVASCRIPT, &PYTHON, &RUST];

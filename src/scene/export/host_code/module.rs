@@ -13,7 +13,7 @@ use crate::interp::Literals;
 use crate::wgsl::{Declaration, DeclarationKind, Scan, ValidModule, scan};
 
 /// What the writers of a module's functions share.
-pub(super) struct Shared<'a> {
+pub(super) struct ModuleWriter<'a> {
     pub(super) module: &'a Module,
     pub(super) dialect: &'a dyn Dialect,
     pub(super) literals: &'a Literals,
@@ -28,7 +28,7 @@ pub(super) struct Shared<'a> {
     open_constants: RefCell<BTreeMap<String, (Kind, Term)>>,
 }
 
-impl Shared<'_> {
+impl ModuleWriter<'_> {
     /// Name of a function in the language.
     pub(super) fn function(&self, function: Handle<naga::Function>) -> String {
         self.functions[&function].clone()
@@ -48,7 +48,12 @@ impl Shared<'_> {
 
     /// The constant that the source names at a span, where it names one alone, in the place of a
     /// number of that kind.
-    pub(super) fn constant_at(&self, span: naga::Span, kind: Kind, number: &Term) -> Option<String> {
+    pub(super) fn constant_at(
+        &self,
+        span: naga::Span,
+        kind: Kind,
+        number: &Term,
+    ) -> Option<String> {
         let text = self.literals.source().get(span.to_range()?)?;
         let name = self.constants.get(text)?;
         let typed = self.module.constants.iter().find(|(_, it)| it.name.as_deref() == Some(text));
@@ -88,9 +93,10 @@ pub(super) fn write(
     let mut named = |kind: DeclarationKind| -> HashMap<String, String> {
         declared(kind).map(|it| (it.name.clone(), names.give(&it.name))).collect()
     };
-    let (structures, constants) = (named(DeclarationKind::Struct), named(DeclarationKind::Constant));
+    let (structures, constants) =
+        (named(DeclarationKind::Struct), named(DeclarationKind::Constant));
     names.reserve(HELPERS.iter().map(|name| (*name).to_owned()));
-    let shared = Shared {
+    let shared = ModuleWriter {
         module,
         dialect,
         literals,
@@ -106,8 +112,7 @@ pub(super) fn write(
     for (handle, function) in module.functions.iter().filter(|(it, _)| wanted.contains(it)) {
         let name = function.name.clone().unwrap_or_default();
         let failed = |refusal: Refusal| (name.clone(), refusal);
-        let writer =
-            FunctionWriter::new(&shared, function, &valid.info[handle]).map_err(failed)?;
+        let writer = FunctionWriter::new(&shared, function, &valid.info[handle]).map_err(failed)?;
         let doc = doc_of(&scanned, &name);
         text += &writer.write(&shared.function(handle), &doc).map_err(failed)?;
         text.push('\n');
@@ -129,8 +134,28 @@ pub(super) fn write(
 
 /// Names of helpers in any language, which no value of a function has.
 pub(super) const HELPERS: &[&str] = &[
-    "all", "any", "cross", "distance", "dot", "fma", "fract", "length", "mix", "normalize", "pow",
-    "radians", "degrees", "max", "min", "clamp", "reflect", "round", "saturate", "smoothstep", "step", "transpose",
+    "all",
+    "any",
+    "cross",
+    "distance",
+    "dot",
+    "fma",
+    "fract",
+    "length",
+    "mix",
+    "normalize",
+    "pow",
+    "radians",
+    "degrees",
+    "max",
+    "min",
+    "clamp",
+    "reflect",
+    "round",
+    "saturate",
+    "smoothstep",
+    "step",
+    "transpose",
 ];
 
 /// Functions that are reached from those of these names.
@@ -169,7 +194,7 @@ fn paragraph(declaration: &Declaration) -> Vec<String> {
     declaration.doc.iter().take_while(is_text).cloned().collect()
 }
 
-fn constants_text(shared: &Shared<'_>, scanned: &Scan) -> Result<String, Refusal> {
+fn constants_text(shared: &ModuleWriter<'_>, scanned: &Scan) -> Result<String, Refusal> {
     let mut text = String::new();
     let used = shared.used_constants.borrow().clone();
     let mut add = |name: &String, ty: &ValueType, value: &Term| {
@@ -196,7 +221,7 @@ fn constants_text(shared: &Shared<'_>, scanned: &Scan) -> Result<String, Refusal
 }
 
 /// The value of a constant.
-fn global(shared: &Shared<'_>, handle: Handle<naga::Expression>) -> Option<Term> {
+fn global(shared: &ModuleWriter<'_>, handle: Handle<naga::Expression>) -> Option<Term> {
     use naga::{Expression, Literal};
     let expressions = &shared.module.global_expressions;
     let dialect = shared.dialect;
@@ -230,7 +255,7 @@ fn global(shared: &Shared<'_>, handle: Handle<naga::Expression>) -> Option<Term>
     })
 }
 
-fn structures_text(shared: &Shared<'_>, scanned: &Scan) -> String {
+fn structures_text(shared: &ModuleWriter<'_>, scanned: &Scan) -> String {
     let mut text = String::new();
     for (handle, ty) in shared.module.types.iter() {
         let Some(name) = &ty.name else { continue };
@@ -250,7 +275,7 @@ fn structures_text(shared: &Shared<'_>, scanned: &Scan) -> String {
     text
 }
 
-fn helpers_text(shared: &Shared<'_>) -> String {
+fn helpers_text(shared: &ModuleWriter<'_>) -> String {
     let helpers = shared.helpers.borrow();
     let mut order: Vec<&str> = Vec::new();
     fn visit<'n>(dialect: &dyn Dialect, name: &'n str, order: &mut Vec<&'n str>)

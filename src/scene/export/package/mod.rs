@@ -7,6 +7,7 @@
 
 mod babylon;
 mod javascript;
+mod materials;
 mod three;
 mod web;
 
@@ -242,7 +243,7 @@ impl PackageScene {
         Some(Self {
             mesh: object.mesh.clone(),
             world_from_object: object.world_from_object,
-            camera: setup.scene.camera.clone(),
+            camera: setup.scene.camera,
             backdrop: setup.scene.backdrop.map(|color| [color[0], color[1], color[2]]),
         })
     }

@@ -38,7 +38,7 @@ fn near_member(id: &ObjectId) -> String {
 /// A place of the settings that keys move.
 enum Place<'a> {
     Parameter(&'a ParameterSetting),
-    Light(String, LightQuantity, &'a LightSetting),
+    Light(String, LightQuantity),
 }
 
 impl Place<'_> {
@@ -46,12 +46,12 @@ impl Place<'_> {
     fn of(&self, variable: &str) -> String {
         match self {
             Self::Parameter(setting) => format!("{variable}.{}", setting.member),
-            Self::Light(member, ..) => format!("{variable}.{member}"),
+            Self::Light(member, _) => format!("{variable}.{member}"),
         }
     }
 
     fn is_direction(&self) -> bool {
-        matches!(self, Self::Light(_, LightQuantity::Direction, _))
+        matches!(self, Self::Light(_, LightQuantity::Direction))
     }
 
     /// A value as a literal of the place's type.
@@ -136,7 +136,7 @@ impl<'a> KeyWriter<'a> {
             Target::Light { .. } => {
                 let quantity = target.light_field().map(|field| field.quantity());
                 let found = self.settings.light_field(target).zip(quantity);
-                found.map(|((member, light), it)| Place::Light(member, it, light)).into_iter().collect()
+                found.map(|((member, _), it)| Place::Light(member, it)).into_iter().collect()
             }
         }
     }
@@ -158,7 +158,7 @@ impl<'a> KeyWriter<'a> {
             let name = format!("track_{index}");
             let ty = match &place {
                 Place::Parameter(setting) => setting.ty.wgsl().to_owned(),
-                Place::Light(_, quantity, _) => match quantity {
+                Place::Light(_, quantity) => match quantity {
                     LightQuantity::Direction | LightQuantity::Position | LightQuantity::Color => {
                         "vec3f".to_owned()
                     }
@@ -216,9 +216,9 @@ impl<'a> KeyWriter<'a> {
             return Ok(());
         }
         // Weights on a mesh have a closed form that differs by less than anyone sees.
-        let solved = weights.solved().or_else(|| {
-            KeyWeights::new(&places, KeyScheme::AppendixB).value.solved()
-        });
+        let solved = weights
+            .solved()
+            .or_else(|| KeyWeights::new(&places, KeyScheme::AppendixB).value.solved());
         let solved = solved.ok_or_else(|| problem("keys without weights"))?;
         self.weights(index, &solved);
         let place = self.decider(index, &keys.by, host)?;
@@ -395,9 +395,8 @@ impl<'a> KeyWriter<'a> {
         let (keys, groups) = (solved.groups.len(), solved.centers.len());
         let name = format!("key_weights_{index}");
         let mut text = String::new();
-        let list = |numbers: &[f64]| {
-            numbers.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ")
-        };
+        let list =
+            |numbers: &[f64]| numbers.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ");
         let centers: Vec<String> =
             solved.centers.iter().map(|center| vec3(center.to_array())).collect();
         let centers = format!("array<vec3f, {groups}>({})", centers.join(", "));
@@ -515,8 +514,7 @@ fn turned_of(name: &str, count: usize) -> String {
 /// The kernel of the paper's Appendix B, by its two series.
 fn appendix_b() -> String {
     let ([series, with_psi], [factor, at_zero]) = appendix_b_series();
-    let list =
-        |numbers: &[f64]| numbers.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ");
+    let list = |numbers: &[f64]| numbers.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ");
     let count = series.len();
     format!(
         "/// The kernel of BADF Appendix B between two unit directions, by its series.\n\

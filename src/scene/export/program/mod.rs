@@ -51,8 +51,6 @@ pub(super) struct ModuleNumbers {
     pub(super) module: &'static str,
     /// Name of the function that makes the numbers.
     pub(super) function: String,
-    /// Number of words of four bytes.
-    pub(super) words: usize,
     /// Words that hold integers.
     pub(super) integers: Vec<usize>,
 }
@@ -120,7 +118,10 @@ impl Declarations {
             match self.known.get(&declaration.name) {
                 Some(known) if *known == text => {}
                 Some(_) => {
-                    return Err(problem(format!("two functions are called `{}`", declaration.name)));
+                    return Err(problem(format!(
+                        "two functions are called `{}`",
+                        declaration.name
+                    )));
                 }
                 None => {
                     self.order.push(declaration.name.clone());
@@ -171,7 +172,10 @@ fn identifier(wanted: &str, taken: &[&str]) -> String {
 
 /// True for a name that WGSL takes as a member's.
 fn is_no_word(name: &str) -> bool {
-    crate::wgsl::parse(&format!("struct Names {{ {name}: f32 }}\nfn f(n: Names) -> f32 {{ return n.{name}; }}")).is_ok()
+    crate::wgsl::parse(&format!(
+        "struct Names {{ {name}: f32 }}\nfn f(n: Names) -> f32 {{ return n.{name}; }}"
+    ))
+    .is_ok()
 }
 
 /// The value of a parameter's type that a document's value is.

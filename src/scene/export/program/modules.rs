@@ -47,18 +47,15 @@ pub(super) fn write(
          {body}    return numbers;\n}}\n\n",
         module.name
     );
-    Ok(Some(ModuleNumbers { module: module.name, function, words, integers: writer.integers }))
+    Ok(Some(ModuleNumbers { module: module.name, function, integers: writer.integers }))
 }
 
 /// Type of a member in the shader's uniform.
 fn type_of(host: &Host, member: &UniformMember) -> Result<Handle<naga::Type>, Diagnostic> {
     let module = &host.shader.valid.module;
     let lost = || problem(format!("the member `{}` has no place", member.name));
-    let (look, _) = module
-        .types
-        .iter()
-        .find(|(_, ty)| ty.name.as_deref() == Some("Look"))
-        .ok_or_else(lost)?;
+    let (look, _) =
+        module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some("Look")).ok_or_else(lost)?;
     let named = |ty: Handle<naga::Type>, name: &str| match &module.types[ty].inner {
         TypeInner::Struct { members, .. } => {
             members.iter().find(|it| it.name.as_deref() == Some(name)).map(|it| it.ty)

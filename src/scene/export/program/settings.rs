@@ -181,11 +181,21 @@ pub(super) fn surrounding(context: Context) -> Result<&'static str, Diagnostic> 
 }
 
 /// The expression of a light's value, where `light` is the light in the world.
-pub(super) fn light_value(context: Context, light: &str, kind: LightKind) -> Result<String, Diagnostic> {
+pub(super) fn light_value(
+    context: Context,
+    light: &str,
+    kind: LightKind,
+) -> Result<String, Diagnostic> {
     let is_directional = kind == LightKind::Directional;
     Ok(match context.word() {
-        word @ ("light.direction" | "light.own_direction" | "light.position" | "light.aim"
-        | "light.color" | "light.intensity" | "light.cone" | "light.own_from_world"
+        word @ ("light.direction"
+        | "light.own_direction"
+        | "light.position"
+        | "light.aim"
+        | "light.color"
+        | "light.intensity"
+        | "light.cone"
+        | "light.own_from_world"
         | "light.shadow_map") => format!("{light}.{}", word.trim_start_matches("light.")),
         "light.fading" => format!("vec2f({light}.half_distance, {light}.range)"),
         "light.source" if is_directional => format!("vec4f({light}.direction, 0.0)"),

@@ -121,7 +121,7 @@ fn written_as_by_people(text: &str) -> String {
         let line = brackets::without_needless(returned.as_deref().unwrap_or(line));
         let statement = line.trim_start();
         let indent = line.len() - statement.len();
-        if statement.starts_with(['#', '/']) || indent % 4 != 0 {
+        if statement.starts_with(['#', '/']) || !indent.is_multiple_of(4) {
             written.push_str(&line);
             written.push('\n');
         } else {

@@ -1,0 +1,77 @@
+//! The package `babylon`: a look as a material of Babylon.js.
+//!
+//! `STEM.material.js` has the class, a few lines over a runtime that is the same for all looks and
+//! lies beside it as `chiaro.*.js`. WebGL engines are given the module's GLSL, WebGPU engines its
+//! WGSL, between what Babylon.js declares by itself. Uniforms are buffers with exactly the bytes of
+//! `LOOK.json`. Looks with passes before the picture, painted surfaces and shadow maps are refused.
+
+use super::super::ExportFile;
+use super::materials::Materials;
+use super::{Package, PackageRequest};
+use crate::diag::Diagnostic;
+
+/// The package.
+pub(super) const PACKAGE: Package = Package {
+    slug: "babylon",
+    label: "Babylon.js",
+    help: "An ES module with a material for Babylon.js, by WebGL and WebGPU.",
+    opens: None,
+    write,
+};
+
+/// Version of Babylon.js that the package was run with.
+const VERSION: &str = "9.35.0";
+
+/// Files of the runtime: names in this folder, and texts.
+const RUNTIME: [(&str, &str); 3] = [
+    ("runtime.js", include_str!("runtime.js")),
+    ("values.js", include_str!("../shared/values.js")),
+    ("uniforms.js", include_str!("../shared/uniforms.js")),
+];
+
+fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
+    let description = request.description;
+    let before = description.passes.iter().find(|pass| pass.name != "draw");
+    if let Some(pass) = before {
+        return Err(vec![refusal(&format!("draws the pass `{}` before its picture", pass.name))]);
+    }
+    if description.images.iter().any(|image| image.kind == "hcbtf") {
+        return Err(vec![refusal("reads a painted surface, an array of textures")]);
+    }
+    let mut files = vec![request.module()];
+    files.extend(files_of(&Materials::of(request)));
+    files.extend(request.textures.iter().cloned());
+    Ok(files)
+}
+
+fn refusal(what: &str) -> Diagnostic {
+    Diagnostic::error(
+        "not-in-package",
+        format!("the look {what}, which the package babylon does not carry"),
+    )
+    .hint("`--to web` and `--to three` carry it; without curvature, edges and shadows it fits here")
+}
+
+/// The files of the package beside the look's own module and images.
+fn files_of(materials: &Materials<'_>) -> Vec<ExportFile> {
+    let templates = [
+        (format!("{}.material.js", materials.stem), include_str!("material.js").to_owned()),
+        (format!("{}.material.d.ts", materials.stem), include_str!("material.d.ts").to_owned()),
+        ("README.md".to_owned(), include_str!("README.md").to_owned()),
+    ];
+    materials.files(templates, &RUNTIME, VERSION)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::materials::tests::{example, is_complete, text};
+    use super::*;
+
+    #[test]
+    fn the_package_is_complete_and_has_the_names_of_the_look() {
+        let files = files_of(&example());
+        is_complete(&files);
+        assert!(text(&files, "2-rim.material.js").contains("class Look2RimMaterial extends"));
+        assert!(text(&files, "2-rim.material.d.ts").contains("  \"warmth\": number;\n"));
+    }
+}

@@ -1,0 +1,105 @@
+// Values of a look that a program sets: its parameters and lights, by the artist's names.
+
+const isPlain = (value) => ["number", "boolean", "string"].includes(typeof value);
+
+/** Numbers of a value: an array, a vector or a color of three.js or Babylon.js. */
+function numbersOf(value, colorSpace) {
+  if (value?.isColor && colorSpace === "display") {
+    // Colors of three.js are linear; looks in display colors want what is shown.
+    const shown = value.getRGB({}, "srgb");
+    return [shown.r, shown.g, shown.b];
+  }
+  if (ArrayBuffer.isView(value) || Array.isArray(value)) return Array.from(value, Number);
+  if (value?.toArray) return Array.from(value.toArray(), Number);
+  if (value?.asArray) return Array.from(value.asArray(), Number);
+  return undefined;
+}
+
+/** The value in the form that the default has; a TypeError that says what is expected. */
+function checked(name, value, example, colorSpace) {
+  if (isPlain(example)) {
+    if (typeof value === typeof example && !Number.isNaN(value)) return value;
+    throw new TypeError(`${name} is a ${typeof example}, such as ${JSON.stringify(example)}`);
+  }
+  const isNumber = typeof value === "number";
+  const numbers = isNumber ? example.map(() => value) : numbersOf(value, colorSpace);
+  if (numbers && !numbers.some(Number.isNaN)) {
+    if (numbers.length === example.length) return Object.freeze(numbers);
+    // Colors without alpha are opaque.
+    if (numbers.length === 3 && example.length === 4) return Object.freeze([...numbers, 1]);
+  }
+  throw new TypeError(`${name} takes ${example.length} numbers, such as [${example}]`);
+}
+
+/** An object whose properties are values with defaults; other names cannot be set. */
+function settable(owner, fields, colorSpace, notify) {
+  const values = {};
+  const object = {};
+  for (const [key, example] of Object.entries(fields)) {
+    const original = isPlain(example) ? example : Object.freeze([...example]);
+    Object.defineProperty(object, key, {
+      enumerable: true,
+      get: () => values[key] ?? original,
+      set(value) {
+        if (value === undefined) delete values[key];
+        else values[key] = checked(`${owner}${key}`, value, original, colorSpace);
+        notify();
+      },
+    });
+  }
+  return { object: Object.preventExtensions(object), values };
+}
+
+/** Fields of lights that a program may set, in the light's own frame. */
+const LIGHT_FIELDS = [
+  "direction", "position", "aim", "color", "intensity", "inner", "outer", "half_distance", "range",
+];
+
+const IDENTITY = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+
+/** Parameters and lights of one material. What is set to `undefined` has the look's own value. */
+export class LookValues {
+  constructor(look) {
+    /** Counts changes. */
+    this.version = 0;
+    const notify = () => this.version++;
+    const space = look.colorSpace;
+    const defaults = Object.fromEntries(look.parameters.map(({ key, default: own }) => [key, own]));
+    const parameters = settable("parameters.", defaults, space, notify);
+    this.parameters = parameters.object;
+    this.lights = {};
+    this.values = { parameters: parameters.values, lights: {} };
+    for (const light of look.lights) {
+      const names = LIGHT_FIELDS.filter((field) => light[field] !== undefined);
+      const fields = Object.fromEntries(names.map((field) => [field, light[field]]));
+      const { object, values } = settable(`lights.${light.id}.`, fields, space, notify);
+      this.lights[light.id] = object;
+      this.values.lights[light.id] = values;
+    }
+    Object.freeze(this.lights);
+    /** Rotation of the illumination frame, which turns its lights together: three columns. */
+    this.illumination = IDENTITY;
+    /** Seconds, for looks that change with time. */
+    this.time = 0;
+  }
+
+  /** The state for `prepare`; `place` has camera, object and viewport. */
+  state(place) {
+    const { parameters, lights } = this.values;
+    const { illumination, time } = this;
+    return { parameters, lights, illumination, time, frame: 0, ...place };
+  }
+
+  /** Takes over the values of another material of the same look. */
+  copy(other) {
+    for (const key of Object.keys(this.parameters)) {
+      this.parameters[key] = other.values.parameters[key];
+    }
+    for (const [id, light] of Object.entries(this.lights)) {
+      for (const field of Object.keys(light)) light[field] = other.values.lights[id][field];
+    }
+    this.illumination = other.illumination;
+    this.time = other.time;
+    return this;
+  }
+}

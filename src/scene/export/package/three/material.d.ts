@@ -1,0 +1,58 @@
+// {{name}}: a look made with Chiaro {{version}}. Types of its material for {{renderer}}.
+
+import type { BufferGeometry, Color, Light, Matrix3, Vector2, Vector3, Vector4 } from "three";
+import { {{base}} } from "{{module}}";
+
+/** Numbers of a vector; reading gives an array that cannot be changed. */
+type Numbers<V> = V | readonly number[];
+
+/** What the look exposes. `undefined` brings the look's own value back. */
+export interface {{class}}Parameters {
+{{parameters}}}
+
+/** Fields of a light, in the light's own frame. */
+export interface {{class}}Light {
+  direction: Numbers<Vector3>;
+  position: Numbers<Vector3>;
+  aim: Numbers<Vector3>;
+  color: Numbers<Vector3> | Color;
+  intensity: number;
+  inner: number;
+  outer: number;
+  half_distance: number;
+  range: number;
+}
+
+export class {{type}} extends {{base}} {
+  constructor(options?: {
+    parameters?: Partial<{{class}}Parameters>;
+    /** True for geometries whose texture coordinates have v down, as those of GLTFLoader. */
+    flipV?: boolean;
+    [property: string]: unknown;
+  });
+  readonly parameters: {{class}}Parameters;
+  /** Lights of the look. */
+  // @ts-ignore: a boolean in materials of three.js that its lights shine on
+  readonly lights: { {{light_members}}};
+  /** Seconds, for looks that change with time. */
+  time: number;
+  /** Rotation that turns the look's lights together. */
+  set illumination(matrix: Matrix3);
+  /** What is written: `auto` fits the renderer, `none` leaves the look's own numbers. */
+  encoding: "auto" | "none" | "display" | "linear";
+  /** Resolves when the look's images are there. */
+  readonly ready: Promise<this>;
+  /** Lets a light of three.js drive a light of the look; `null` ends that. */
+  follow(id: {{light}}, light: Light | null): this;
+}
+
+/** Everything about the look: `look.parameters` has labels, ranges, units and defaults. */
+export const look: {
+  name: string;
+  parameters: { key: string; label: string; type: string; default: unknown;
+    min?: number; max?: number }[];
+  [field: string]: unknown;
+};
+
+/** Centers a geometry and scales it to a sphere of radius 1, the size that looks are made for. */
+export function fit<G extends BufferGeometry>(geometry: G): G;

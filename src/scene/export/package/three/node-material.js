@@ -1,0 +1,14 @@
+// {{name}}: a look made with Chiaro {{version}}, for WebGPURenderer of three.js.
+
+import { LookNodeMaterial as Base } from "./webgpu.js";
+import { look } from "./{{stem}}.js";
+
+export { fit } from "./scene.js";
+export { look };
+
+/** The look as a material: `new {{class}}NodeMaterial({ parameters: { ... } })`. */
+export class {{class}}NodeMaterial extends Base {
+  constructor(options) {
+    super(look, new URL("./", import.meta.url), options);
+  }
+}

@@ -1,0 +1,55 @@
+//! The package `babylon` in Babylon.js, by WebGL and WebGPU, with a mesh and a camera of its own.
+
+use crate::support::validators::{Tool, babylon_folder};
+use serde_json::json;
+
+use crate::library::{APIS, Library, Page, compare, examples};
+use crate::pictures::{Difference, Trial};
+
+static BABYLON: Library = Library {
+    slug: "babylon",
+    tool: Tool::Babylon,
+    folder: babylon_folder,
+    page: &["babylon.html", "babylon.core.js"],
+};
+
+/// Looks that the package carries are drawn as we draw them: many lights, an image, keys, noise,
+/// and one of linear light.
+#[test]
+fn babylon_draws_what_we_draw() {
+    let mut trials =
+        examples(&["looks/string-of-lamps", "looks/halftone-comic", "images/xtoon-orientation"]);
+    let linear = Trial::changed("looks/figure2-diffuse", |look| {
+        look["color_space"] = json!("linear");
+    });
+    trials.push(("linear".to_owned(), linear));
+    compare(&BABYLON, &trials);
+}
+
+/// Parameters and lights that are set through the material change the same pixels as in Chiaro, in
+/// scenes of either hand.
+#[test]
+fn parameters_and_lights_are_those_of_the_look() {
+    let trial = Trial::of("looks/figure3-profile");
+    let changed = Trial::changed("looks/figure3-profile", |look| {
+        look["nodes"][1]["values"]["falloff"] = json!(0.9);
+        look["lights"]["key"]["direction"] = json!([0.7, -0.4, 0.2]);
+    });
+    let Some(mut page) = Page::new(&BABYLON, &[&trial]) else { return };
+    for api in APIS {
+        page.open(api);
+        page.wear(0);
+        let arguments = page.own_arguments();
+        let ours = changed.ours_with_arguments(&arguments.each_ref().map(String::as_str));
+        let before = page.pixels();
+        page.evaluate("test.mesh.material.parameters.falloff = 0.9");
+        page.evaluate("test.mesh.material.lights.key.direction = [0.7, -0.4, 0.2]");
+        let found = Difference::of(&page.pixels(), &ours);
+        // WebGL takes derivatives from the other row of two.
+        assert!(found.beyond <= 20, "{api}: {found:?}");
+        assert!(Difference::of(&before, &ours).beyond > 500, "{api}: the values are seen");
+        page.evaluate("test.mesh.material.lights.key.direction = undefined");
+        page.evaluate("test.mesh.material.parameters.falloff = undefined");
+        assert_eq!(before, page.pixels(), "{api}: the look's own values are back");
+    }
+}

@@ -1,0 +1,96 @@
+//! The package `three` in three.js: both of its renderers, with a mesh, a camera and controls of
+//! its own.
+
+use crate::support::validators::{Tool, three_folder};
+use crate::support::{files, root};
+use serde_json::json;
+
+use crate::library::{APIS, Library, Page, compare, examples};
+use crate::pictures::{Difference, Trial};
+
+static THREE: Library =
+    Library { slug: "three", tool: Tool::Three, folder: three_folder, page: &["three.html"] };
+
+/// A look of each kind is drawn as we draw it: layers with curvature, keys, many passes, many
+/// lights, an image, painted surfaces, and one of linear light.
+#[test]
+fn three_draws_what_we_draw() {
+    let mut trials = examples(&[
+        "looks/figure1-layers",
+        "looks/figure5-directional",
+        "looks/ink-outlines",
+        "looks/string-of-lamps",
+        "hcbtf/grass-flat",
+        "images/xtoon-orientation",
+    ]);
+    let linear = Trial::changed("looks/figure2-diffuse", |look| {
+        look["color_space"] = json!("linear");
+    });
+    trials.push(("linear".to_owned(), linear));
+    compare(&THREE, &trials);
+}
+
+/// All example looks. `CHIARO_BLESS=1` writes their lines.
+#[test]
+#[ignore = "takes minutes; scripts/soak runs it"]
+fn soak_three_draws_all_examples() {
+    let folders = ["looks", "images", "hcbtf"].map(|name| root().join("examples").join(name));
+    let documents = folders.iter().flat_map(|folder| files::below(folder));
+    let documents = documents.filter(|path| path.extension().is_some_and(|it| it == "json"));
+    let trials = documents.map(|path| {
+        let example = path.strip_prefix(root().join("examples")).expect("an example");
+        let example = example.with_extension("").to_string_lossy().into_owned();
+        let name = example.rsplit('/').next().unwrap_or_default().to_owned();
+        (name, Trial::of(&example))
+    });
+    let mut trials: Vec<_> = trials.collect();
+    // A few at a time: every package holds its textures.
+    while !trials.is_empty() {
+        let rest = trials.split_off(trials.len().min(8));
+        compare(&THREE, &trials);
+        trials = rest;
+    }
+}
+
+/// Parameters and lights that are set through the material change the same pixels as in Chiaro, and
+/// a wrong name or value is told.
+#[test]
+fn parameters_and_lights_are_those_of_the_look() {
+    let trial = Trial::of("looks/figure3-profile");
+    let changed = Trial::changed("looks/figure3-profile", |look| {
+        look["nodes"][1]["values"]["falloff"] = json!(0.9);
+        look["lights"]["key"]["direction"] = json!([0.7, -0.4, 0.2]);
+    });
+    let Some(mut page) = Page::new(&THREE, &[&trial]) else { return };
+    for api in APIS {
+        page.open(api);
+        page.wear(0);
+        let arguments = page.own_arguments();
+        let ours = changed.ours_with_arguments(&arguments.each_ref().map(String::as_str));
+        let before = page.pixels();
+        page.evaluate("test.mesh.material.parameters.falloff = 0.9");
+        page.evaluate("test.mesh.material.lights.key.direction = [0.7, -0.4, 0.2]");
+        let set = page.pixels();
+        let found = Difference::of(&set, &ours);
+        // WebGL takes derivatives from the other row of two.
+        assert!(found.beyond <= 20, "{api}: {found:?}");
+        assert!(Difference::of(&before, &ours).beyond > 500, "{api}: the values are seen");
+        page.evaluate("test.mesh.material.lights.key.direction = undefined");
+        // A light of three.js from the same side.
+        page.evaluate("test.follow('key', [0.7, -0.4, 0.2]), true");
+        let followed = page.pixels();
+        let differ = set.iter().zip(&followed).filter(|(a, b)| a.abs_diff(**b) > 1).count();
+        assert_eq!(differ, 0, "{api}: the light of three.js is followed");
+        page.evaluate("test.follow('key', null), true");
+        page.evaluate("test.mesh.material.parameters.falloff = undefined");
+        assert_eq!(before, page.pixels(), "{api}: the look's own values are back");
+        for (wrong, told) in [
+            ("follow('kee', null)", "no light \"kee\", but key"),
+            ("parameters.falloff = 'wide'", "parameters.falloff is a number"),
+            ("lights.key.direction = [1, 2]", "takes 3 numbers"),
+        ] {
+            let error = page.browser.evaluate(&format!("test.mesh.material.{wrong}"));
+            assert!(error.as_ref().is_err_and(|it| it.contains(told)), "{api}: {error:?}");
+        }
+    }
+}
