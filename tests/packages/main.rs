@@ -8,6 +8,7 @@ use chiaro_test_drawing as support;
 
 mod babylon;
 mod library;
+mod blender;
 mod pictures;
 mod table;
 mod three;

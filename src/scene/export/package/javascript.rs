@@ -154,7 +154,7 @@ fn parameter(setting: &ParameterSetting) -> String {
 }
 
 /// A value as JSON: lists for vectors, columns for matrices.
-fn value(value: &interp::Value) -> Value {
+pub(super) fn value(value: &interp::Value) -> Value {
     match value {
         interp::Value::Bool(x) => json!(x),
         interp::Value::I32(x) => json!(x),
@@ -174,7 +174,7 @@ fn value(value: &interp::Value) -> Value {
 }
 
 /// The exposed parameters; colors are lists of four numbers, in the look's own space.
-fn parameters(description: &Description, work: &HostWork) -> Value {
+pub(super) fn parameters(description: &Description, work: &HostWork) -> Value {
     let mut list = Vec::new();
     for (index, parameter) in description.parameters.iter().enumerate() {
         let Some(name) = &parameter.name else { continue };
@@ -192,7 +192,7 @@ fn parameters(description: &Description, work: &HostWork) -> Value {
     json!(list)
 }
 
-fn lights(description: &Description) -> Value {
+pub(super) fn lights(description: &Description) -> Value {
     let light = |light: &super::super::description::LightDescription| {
         let mut object = match json!(light.values) {
             Value::Object(object) => object,
@@ -207,7 +207,7 @@ fn lights(description: &Description) -> Value {
 }
 
 /// The passes; the parameter that decides about sides by its name.
-fn passes(described: &Value) -> Value {
+pub(super) fn passes(described: &Value) -> Value {
     let mut passes = described["passes"].clone();
     for pass in passes.as_array_mut().into_iter().flatten() {
         let index = pass["sides_parameter"].as_u64();
@@ -223,8 +223,8 @@ fn passes(described: &Value) -> Value {
     passes
 }
 
-/// A module: its bindings with their places in each language, its texts, its host work.
-fn module_text(module: &Value, described: &Value, work: &HostWork, sources: &[Source]) -> String {
+/// A module: its bindings with their places in each language.
+pub(super) fn module_object(module: &Value, described: &Value) -> Map<String, Value> {
     let name = module["name"].as_str().unwrap_or_default();
     let mut object = Map::new();
     let entry = |stage: &str| {
@@ -269,14 +269,23 @@ fn module_text(module: &Value, described: &Value, work: &HostWork, sources: &[So
         "entry_points".into(),
         json!({"vertex": entry("vertex")["name"], "fragment": entry("fragment")["name"]}),
     );
-    let mut body = pretty(&Value::Object(object));
+    object
+}
+
+/// The text of a module's file in a language.
+pub(super) fn source(sources: &[Source], language: &str, module: &str, ending: &str) -> String {
+    let mut found = sources.iter().filter(|it| it.0 == language && it.1 == module);
+    let files = found.next().map(|it| it.2.as_slice()).unwrap_or_default();
+    let file = files.iter().find(|file| file.name.ends_with(ending));
+    file.map(|file| String::from_utf8_lossy(&file.bytes).into_owned()).unwrap_or_default()
+}
+
+/// A module with its texts and its host work.
+fn module_text(module: &Value, described: &Value, work: &HostWork, sources: &[Source]) -> String {
+    let name = module["name"].as_str().unwrap_or_default();
+    let mut body = pretty(&Value::Object(module_object(module, described)));
     body.truncate(body.trim_end().trim_end_matches('}').trim_end().len());
-    let source = |language: &str, ending: &str| {
-        let mut found = sources.iter().filter(|it| it.0 == language && it.1 == name);
-        let files = found.next().map(|it| it.2.as_slice()).unwrap_or_default();
-        let file = files.iter().find(|file| file.name.ends_with(ending));
-        quoted(&file.map(|file| String::from_utf8_lossy(&file.bytes)).unwrap_or_default())
-    };
+    let source = |language: &str, ending: &str| quoted(&source(sources, language, name, ending));
     let _ = write!(body, ",\n  \"wgsl\": {},\n", source("wgsl", ".wgsl"));
     let _ = writeln!(
         body,

@@ -6,8 +6,10 @@
 //! players read.
 
 mod babylon;
+mod blender;
 mod javascript;
 mod materials;
+mod python;
 mod three;
 mod web;
 
@@ -43,7 +45,8 @@ pub struct Package {
 }
 
 /// All packages, in the order in which the window lists them.
-pub const PACKAGES: [&Package; 3] = [&web::PACKAGE, &three::PACKAGE, &babylon::PACKAGE];
+pub const PACKAGES: [&Package; 4] =
+    [&web::PACKAGE, &three::PACKAGE, &babylon::PACKAGE, &blender::PACKAGE];
 
 /// The scene that a package shows the look in.
 #[derive(Clone, Debug)]
@@ -66,6 +69,12 @@ pub(super) struct PackageRequest<'a> {
     pub(super) stem: &'a str,
     /// The look in JavaScript: an expression whose value is the object `look`.
     pub(super) javascript: &'a str,
+    /// The look's document.
+    pub(super) look: &'a Look,
+    /// Host work of the look.
+    pub(super) work: &'a program::HostWork,
+    /// Shaders of the look's modules.
+    pub(super) sources: &'a [javascript::Source],
     /// Description of the look.
     pub(super) description: &'a Description,
     /// Images and HCBTFs that the look reads.
@@ -145,6 +154,9 @@ pub fn export_package(
         title: &modules.title,
         stem,
         javascript: &javascript,
+        look,
+        work: &work,
+        sources: &sources,
         description: &description,
         textures: &carried,
         scene,

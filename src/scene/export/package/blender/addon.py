@@ -1,0 +1,317 @@
+# The add-on: properties, the panel in the sidebar of the 3D viewport, and what draws in it.
+
+# The name under which the scene keeps the look's settings, and objects that they wear it.
+STORED = "chiaro_" + re.sub(r"\W+", "_", LOOK["name"].lower()).strip("_")
+SUBTYPES = {"radians": "ANGLE", "angle": "ANGLE"}
+
+
+def redraw(_owner=None, _context=None):
+    for window in bpy.context.window_manager.windows if bpy.context.window_manager else []:
+        for area in window.screen.areas:
+            if area.type == "VIEW_3D":
+                area.tag_redraw()
+
+
+def member_of(key):
+    """The name of a parameter's property."""
+    return "p_" + re.sub(r"\W", "_", key)
+
+
+def property_of(parameter):
+    """The property of an exposed parameter."""
+    own, kind = parameter["default"], parameter["type"]
+    common = {
+        "name": parameter.get("label") or parameter["key"],
+        "description": parameter.get("help") or "",
+        "update": redraw,
+        "options": {"ANIMATABLE"},
+    }
+    low, high = parameter.get("min"), parameter.get("max")
+    if isinstance(own, bool):
+        return bpy.props.BoolProperty(default=own, **common)
+    if isinstance(own, list) and all(isinstance(x, (int, float)) for x in own) and len(own) <= 4:
+        is_color = kind in ("color", "composite")
+        subtype = "COLOR_GAMMA" if is_color and LOOK["colorSpace"] == "display" else "COLOR"
+        if is_color:
+            return bpy.props.FloatVectorProperty(
+                default=own, size=len(own), subtype=subtype, soft_min=0.0, soft_max=1.0, **common
+            )
+        return bpy.props.FloatVectorProperty(default=own, size=len(own), **common)
+    if not isinstance(own, (int, float)):
+        return None
+    ends = {}
+    if low is not None:
+        ends["soft_min"] = int(low) if kind == "int" else low
+    if high is not None:
+        ends["soft_max"] = int(high) if kind == "int" else high
+    if kind == "int":
+        return bpy.props.IntProperty(default=int(own), **ends, **common)
+    subtype = SUBTYPES.get(parameter.get("unit"), "NONE")
+    return bpy.props.FloatProperty(default=own, subtype=subtype, **ends, **common)
+
+
+def is_light(_owner, thing):
+    return thing.type == "LIGHT"
+
+
+def settings_annotations():
+    """The properties of the scene."""
+    found = {
+        "is_shown": bpy.props.BoolProperty(
+            name="Show in viewport",
+            description="Draw the look over the objects that wear it",
+            update=redraw,
+        ),
+        "fit": bpy.props.BoolProperty(
+            name="Fit to unit size",
+            description="Bring what wears the look to the size that Chiaro shows it in, so that "
+            "curvature and widths of lines are as they were designed",
+            default=True,
+            update=redraw,
+        ),
+    }
+    for parameter in LOOK["parameters"]:
+        made = property_of(parameter) if parameter.get("live", True) else None
+        if made is not None:
+            found[member_of(parameter["key"])] = made
+    for number, light in enumerate(LOOK["lights"]):
+        found[f"light_{number}"] = bpy.props.PointerProperty(
+            name=light.get("label") or light["id"],
+            description="A light of the scene that this one follows; none for the look's own",
+            type=bpy.types.Object,
+            poll=is_light,
+            update=redraw,
+        )
+    return found
+
+
+def options_of(scene):
+    """What a scene's settings say."""
+    settings = getattr(scene, STORED)
+    values = {}
+    for parameter in LOOK["parameters"]:
+        member = member_of(parameter["key"])
+        if member in settings_type.__annotations__:
+            value = getattr(settings, member)
+            is_list = isinstance(parameter["default"], list)
+            values[parameter["key"]] = list(value) if is_list else value
+    lights = {
+        light["id"]: getattr(settings, f"light_{number}")
+        for number, light in enumerate(LOOK["lights"])
+    }
+    return {
+        "parameters": values,
+        "lights": lights,
+        "fit": settings.fit,
+        "time": (scene.frame_current - scene.frame_start) / scene.render.fps,
+        "frame": float(scene.frame_current - scene.frame_start),
+    }
+
+
+class CHIARO_OT_wear(bpy.types.Operator):
+    """Puts the look on the selected meshes, or takes it off"""
+
+    bl_idname = f"object.{STORED}_wear"
+    bl_label = "Put on selected"
+    bl_options = {"REGISTER", "UNDO"}
+    takes_off: bpy.props.BoolProperty(name="Take off", options={"SKIP_SAVE"})
+
+    def execute(self, context):
+        meshes = [thing for thing in context.selected_objects if thing.type == "MESH"]
+        if not meshes:
+            self.report({"WARNING"}, "Select a mesh first")
+            return {"CANCELLED"}
+        for thing in meshes:
+            if not self.takes_off:
+                thing[STORED] = True
+            elif STORED in thing:
+                del thing[STORED]
+        if not self.takes_off:
+            getattr(context.scene, STORED).is_shown = True
+        redraw()
+        return {"FINISHED"}
+
+
+class CHIARO_PT_look(bpy.types.Panel):
+    bl_idname = f"CHIARO_PT_{STORED}"
+    bl_label = LOOK["name"]
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "Chiaro"
+
+    def draw(self, context):
+        settings = getattr(context.scene, STORED)
+        column = self.layout.column()
+        column.use_property_split = True
+        column.prop(settings, "is_shown")
+        column.prop(settings, "fit")
+        row = self.layout.row(align=True)
+        row.operator(CHIARO_OT_wear.bl_idname, text="Put on selected")
+        row.operator(CHIARO_OT_wear.bl_idname, text="Take off").takes_off = True
+        if FAILURE:
+            self.layout.label(text=FAILURE[-1], icon="ERROR")
+        group = None
+        for parameter in LOOK["parameters"]:
+            member = member_of(parameter["key"])
+            if member not in settings_type.__annotations__:
+                continue
+            if parameter.get("group") != group or group is None:
+                group = parameter.get("group")
+                box = self.layout.column()
+                box.use_property_split = True
+                if group:
+                    box.label(text=group)
+            box.prop(settings, member)
+        if LOOK["lights"]:
+            box = self.layout.column()
+            box.use_property_split = True
+            box.label(text="Lights")
+            for number in range(len(LOOK["lights"])):
+                box.prop(settings, f"light_{number}")
+
+
+settings_type = type(
+    f"CHIARO_PG_{STORED}", (bpy.types.PropertyGroup,), {"__annotations__": settings_annotations()}
+)
+
+# What shows the picture over the viewport, with the depths of what was drawn. Rows are turned back.
+SHOWING_VERTEX = """
+void main() {
+    at = corner * vec2(0.5, -0.5) + 0.5;
+    gl_Position = vec4(corner, 0.0, 1.0);
+}
+"""
+SHOWING_FRAGMENT = """
+void main() {
+    vec4 found = texture(picture, at);
+    if (found.a <= 0.0) discard;
+    vec3 straight = clamp(found.rgb / found.a, 0.0, 1.0);
+    if (is_linear > 0.5) {
+        vec3 high = 1.055 * pow(straight, vec3(1.0 / 2.4)) - 0.055;
+        straight = mix(high, 12.92 * straight, lessThanEqual(straight, vec3(0.0031308)));
+    }
+    if (is_encoding > 0.5) {
+        vec3 low = straight / 12.92, high = pow((straight + 0.055) / 1.055, vec3(2.4));
+        straight = mix(high, low, lessThanEqual(straight, vec3(0.04045)));
+    }
+    color = vec4(straight, found.a);
+    // A little nearer, so that the mesh itself does not show through.
+    gl_FragDepth = texture(depths, at).r - 2e-5;
+}
+"""
+SHOWING = []
+FAILURE = []
+HANDLERS = []
+
+
+def showing_shader():
+    if not SHOWING:
+        info = gpu.types.GPUShaderCreateInfo()
+        info.vertex_in(0, "VEC2", "corner")
+        varyings = gpu.types.GPUStageInterfaceInfo("showing")
+        varyings.smooth("VEC2", "at")
+        info.vertex_out(varyings)
+        info.sampler(0, "FLOAT_2D", "picture")
+        info.sampler(1, "FLOAT_2D", "depths")
+        info.push_constant("FLOAT", "is_linear")
+        info.push_constant("FLOAT", "is_encoding")
+        info.fragment_out(0, "VEC4", "color")
+        info.depth_write("ANY")
+        info.vertex_source(SHOWING_VERTEX)
+        info.fragment_source(SHOWING_FRAGMENT)
+        SHOWING.append(gpu.shader.create_from_info(info))
+    return SHOWING[0]
+
+
+def show(is_encoding):
+    """Shows the player's picture in the frame buffer that is bound, with its depths.
+
+    `is_encoding` says that the frame buffer encodes what is drawn as sRGB, as a viewport's does.
+    """
+    one = player()
+    shader = showing_shader()
+    target = one.targets["draw"]
+    gpu.state.blend_set("ALPHA")
+    gpu.state.depth_test_set("LESS_EQUAL")
+    gpu.state.depth_mask_set(True)
+    shader.bind()
+    shader.uniform_sampler("picture", target.colors[0])
+    shader.uniform_sampler("depths", target.depth)
+    shader.uniform_float("is_linear", 1.0 if LOOK["colorSpace"] == "linear" else 0.0)
+    shader.uniform_float("is_encoding", 1.0 if is_encoding else 0.0)
+    one.screen.draw(shader)
+    gpu.state.depth_mask_set(False)
+    gpu.state.depth_test_set("NONE")
+    gpu.state.blend_set("NONE")
+
+
+def draw_viewport():
+    context = bpy.context
+    scene = context.scene
+    settings = getattr(scene, STORED, None)
+    if settings is None or not settings.is_shown or FAILURE:
+        return
+    things = [thing for thing in context.visible_objects if thing.get(STORED)]
+    things = [thing for thing in things if thing.type == "MESH"]
+    if not things:
+        return
+    region = context.region_data
+    viewport = gpu.state.viewport_get()
+    try:
+        depsgraph = context.evaluated_depsgraph_get()
+        size = (viewport[2], viewport[3])
+        view, projection = region.view_matrix.copy(), region.window_matrix.copy()
+        player().draw(things, depsgraph, view, projection, size, options_of(scene))
+        show(True)
+    except Exception as problem:
+        # Told once in the panel, and in full in the console; not again and again while drawing.
+        FAILURE.append(str(problem))
+        traceback.print_exc()
+
+
+@bpy.app.handlers.persistent
+def after_load(*_):
+    """Meshes of another file may have the names of those before."""
+    if PLAYER is not None:
+        PLAYER.bodies.clear()
+
+
+@bpy.app.handlers.persistent
+def after_change(_scene, depsgraph):
+    if PLAYER is None:
+        return
+    for update in depsgraph.updates:
+        if isinstance(update.id, bpy.types.Object) and update.is_updated_geometry:
+            PLAYER.forget(update.id.name_full)
+
+
+CLASSES = (settings_type, CHIARO_OT_wear, CHIARO_PT_look)
+
+
+def register():
+    for one in CLASSES:
+        bpy.utils.register_class(one)
+    setattr(bpy.types.Scene, STORED, bpy.props.PointerProperty(type=settings_type))
+    bpy.app.handlers.depsgraph_update_post.append(after_change)
+    bpy.app.handlers.load_post.append(after_load)
+    if not bpy.app.background:
+        handler = bpy.types.SpaceView3D.draw_handler_add(draw_viewport, (), "WINDOW", "POST_VIEW")
+        HANDLERS.append(handler)
+
+
+def unregister():
+    while HANDLERS:
+        bpy.types.SpaceView3D.draw_handler_remove(HANDLERS.pop(), "WINDOW")
+    if after_change in bpy.app.handlers.depsgraph_update_post:
+        bpy.app.handlers.depsgraph_update_post.remove(after_change)
+    if after_load in bpy.app.handlers.load_post:
+        bpy.app.handlers.load_post.remove(after_load)
+    if hasattr(bpy.types.Scene, STORED):
+        delattr(bpy.types.Scene, STORED)
+    for one in reversed(CLASSES):
+        bpy.utils.unregister_class(one)
+    FAILURE.clear()
+
+
+if __name__ == "__main__":
+    register()
