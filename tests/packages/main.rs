@@ -7,8 +7,8 @@
 use chiaro_test_drawing as support;
 
 mod babylon;
-mod library;
 mod blender;
+mod library;
 mod pictures;
 mod table;
 mod three;
