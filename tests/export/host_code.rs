@@ -160,7 +160,8 @@ impl Runner {
         }
     }
 
-    /// What a program of the cases prints; `None`, said aloud, where nothing runs the language.
+    /// Results that a program of the cases prints; `None`, said aloud, where nothing runs the
+    /// language.
     fn results(&self, cases: &[Case]) -> Option<Vec<Vec<Vec<Option<f64>>>>> {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let file = folder.path().join(self.file);

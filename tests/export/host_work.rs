@@ -1,5 +1,5 @@
-//! Host work of whole looks, as their packages carry it: the bytes of every uniform, from JavaScript
-//! or Python and from Chiaro, with keys, lights and parameters in motion.
+//! Host work of whole looks, as their packages carry it: the bytes of every uniform, from
+//! JavaScript or Python and from Chiaro, with keys, lights and parameters in motion.
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
