@@ -1,7 +1,8 @@
 # The add-on: properties, the panel in the sidebar of the 3D viewport, and what draws in it.
 
 # The name under which the scene keeps the look's settings, and objects that they wear it.
-STORED = "chiaro_" + re.sub(r"\W+", "_", LOOK["name"].lower()).strip("_")
+# Blender takes names of ASCII alone, below 64 letters.
+STORED = "chiaro_" + (re.sub(r"[^a-z0-9]+", "_", LOOK["name"].lower()).strip("_")[:32] or "look")
 SUBTYPES = {"radians": "ANGLE", "angle": "ANGLE"}
 
 
