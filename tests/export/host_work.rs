@@ -12,7 +12,7 @@ use indexmap::IndexMap;
 use serde_json::{Value as Json, json};
 
 use crate::support::random::Random;
-use crate::support::validators::tools_are_required;
+use crate::support::validators::{say, tools_are_required};
 use crate::support::{files, root};
 use chiaro::compile::{CompileOptions, CompiledShader, HostInputs, Live, compile};
 use chiaro::document::{Camera, Look, Target, Tier, Value, Values};
@@ -264,7 +264,7 @@ fn compare(cases: &[Case], command: &str, file: &str, program: &str) {
     std::fs::write(&file, program).expect("a temporary file");
     let Ok(output) = Command::new(command).arg(&file).output() else {
         assert!(!tools_are_required(), "{command} is missing: run scripts/setup");
-        println!("SKIPPED: {command} is missing");
+        say(&format!("SKIPPED: {command} is missing"));
         return;
     };
     let said = String::from_utf8_lossy(&output.stderr);
