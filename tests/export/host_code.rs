@@ -59,7 +59,7 @@ struct Runner {
     /// Program and arguments that make a program of the file, in the same folder, to be run in its
     /// place; none for languages that are read.
     compiler: Option<(&'static str, &'static [&'static str])>,
-    /// What stands before a struct's members.
+    /// Text before a struct's members.
     structure: fn(&str) -> String,
     /// A scalar of a kind.
     scalar: fn(ScalarKind, f64) -> String,

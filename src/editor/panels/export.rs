@@ -1,5 +1,5 @@
-//! Cards of the programs that a look can be exported to: what each needs of this look, what it would
-//! refuse and what the folder would weigh, tried out in the background; a click exports.
+//! Cards of the programs that a look can be exported to: what each needs of this look, what it
+//! would refuse and what the folder would weigh, tried out in the background; a click exports.
 
 use std::sync::Arc;
 
@@ -45,7 +45,7 @@ struct TrialRequest {
     stamp: Stamp,
 }
 
-/// What the packages say to a look.
+/// Answers of the packages to a look.
 struct Trial {
     stamp: Stamp,
     needs: Result<LookNeeds, Vec<Diagnostic>>,
@@ -55,7 +55,7 @@ struct Trial {
     changed: Vec<String>,
 }
 
-/// What a package says to a look.
+/// Answer of a package to a look.
 enum PackageTrial {
     /// Number of files, and their bytes.
     Takes { files: usize, bytes: usize },
@@ -124,7 +124,7 @@ impl ExportCards {
         commands
     }
 
-    /// What the look needs, in a line or two.
+    /// Needs of the look, in a line or two.
     fn head(&self, ui: &mut Ui, is_current: bool) {
         let Some(done) = &self.done else {
             hint(ui, "Trying what the look needs ...");

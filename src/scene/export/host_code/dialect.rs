@@ -160,7 +160,7 @@ impl ValueType {
     }
 }
 
-/// How strongly the parts of an expression hold together, the strongest first.
+/// Strength with which the parts of an expression hold together, the strongest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Level {
     /// A name, a number, a call.

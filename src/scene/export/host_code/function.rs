@@ -11,7 +11,7 @@ use super::names::Names;
 use super::types;
 use super::uses::{Uses, each_block, each_operand, each_root, variable_of};
 
-/// What a language cannot express, in words.
+/// Reason why a language cannot express something, in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Refusal(pub(super) String);
 
@@ -34,7 +34,7 @@ pub(super) struct FunctionWriter<'a> {
     /// Expressions that were emitted and have no name.
     pending: Vec<Handle<Expression>>,
     declared: HashSet<Handle<LocalVariable>>,
-    /// What is run before a loop's next turn.
+    /// Blocks that are run before the next turn of the loops around.
     continuing: Vec<&'a Block>,
     lines: Vec<String>,
     indent: usize,

@@ -438,7 +438,8 @@ const HELPERS: &[(&str, &str, &[&str])] = &[
     ),
     (
         "matrix_times_matrix",
-        "const matrix_times_matrix = (a, b) => b.map((column) => matrix_times_vector(a, column));\n",
+        "const matrix_times_matrix = (a, b) =>\n  \
+           b.map((column) => matrix_times_vector(a, column));\n",
         &["matrix_times_vector"],
     ),
     (
@@ -448,12 +449,14 @@ const HELPERS: &[(&str, &str, &[&str])] = &[
     ),
     (
         "matrix_plus_matrix",
-        "const matrix_plus_matrix = (a, b) => a.map((column, i) => column.map((x, j) => x + b[i][j]));\n",
+        "const matrix_plus_matrix = (a, b) =>\n  \
+           a.map((column, i) => column.map((x, j) => x + b[i][j]));\n",
         &[],
     ),
     (
         "matrix_minus_matrix",
-        "const matrix_minus_matrix = (a, b) => a.map((column, i) => column.map((x, j) => x - b[i][j]));\n",
+        "const matrix_minus_matrix = (a, b) =>\n  \
+           a.map((column, i) => column.map((x, j) => x - b[i][j]));\n",
         &[],
     ),
 ];

@@ -12,7 +12,7 @@ use super::types;
 use crate::interp::Literals;
 use crate::wgsl::{Declaration, DeclarationKind, Scan, ValidModule, scan};
 
-/// What the writers of a module's functions share.
+/// Writer of a module: state that the writers of its functions share.
 pub(super) struct ModuleWriter<'a> {
     pub(super) module: &'a Module,
     pub(super) dialect: &'a dyn Dialect,

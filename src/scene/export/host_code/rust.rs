@@ -433,7 +433,8 @@ const HELPERS: &[(&str, &str, &[&str])] = &[
     ),
     (
         "matrix_times_scalar",
-        "fn matrix_times_scalar<const C: usize, const R: usize>(m: [[f64; R]; C], x: f64) -> [[f64; R]; C] {\n    \
+        "fn matrix_times_scalar<const C: usize, const R: usize>(\n    m: [[f64; R]; C],\n    \
+         x: f64,\n) -> [[f64; R]; C] {\n    \
          m.map(|column| column.map(|y| y * x))\n}\n",
         &[],
     ),

@@ -37,7 +37,7 @@ pub struct Package {
     pub slug: &'static str,
     /// Name of the package for people.
     pub label: &'static str,
-    /// What the package is: a sentence.
+    /// Sentence that says what the package is.
     pub help: &'static str,
     /// File to open after an export, where there is one.
     pub opens: Option<&'static str>,
@@ -110,9 +110,9 @@ pub fn package(slug: &str) -> Option<&'static Package> {
     PACKAGES.into_iter().find(|package| package.slug == slug)
 }
 
-/// Exports `look` as a package whose files' names begin with `stem`. Images and HCBTFs that the look
-/// reads, whose paths are relative to `folder`, are read with `assets`. Returns the files to write;
-/// no two have the same name.
+/// Exports `look` as a package whose files' names begin with `stem`. Images and HCBTFs that the
+/// look reads, whose paths are relative to `folder`, are read with `assets`. Returns the files to
+/// write; no two have the same name.
 ///
 /// # Errors
 /// All errors of the look; constructs that the package's languages or its host code cannot express;
@@ -184,7 +184,7 @@ fn manifest(request: &PackageRequest<'_>, package: &Package, files: &[ExportFile
 /// Name of the picture that a package is expected to show.
 pub const EXPECTED: &str = "expected.png";
 
-/// What a look asks of whoever draws it.
+/// Needs of a look: all that it asks of whoever draws it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct LookNeeds {
     /// Labels of the passes before the picture, in order.

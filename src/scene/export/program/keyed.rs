@@ -7,7 +7,7 @@ use super::super::modules::Host;
 use super::literal::{literal, number, vec3};
 use super::modules::Steps;
 use super::settings::{LightSetting, ParameterSetting, Settings};
-use super::{identifier, problem, typed};
+use super::{identifier, problem, templates, typed};
 use crate::compile::TypedGraph;
 use crate::diag::Diagnostic;
 use crate::directions::{KeyWeights, SolvedKernel, SolvedWeights, SumKernel, appendix_b_series};
@@ -193,12 +193,13 @@ impl<'a> KeyWriter<'a> {
             let last = keys.last().map(|(_, value)| value.clone()).unwrap_or_default();
             let _ = write!(
                 self.functions,
-                "/// `{}` over time.\nfn {name}(time: f32) -> {ty} {{\n{text}    return {last};\n}}\n\n",
+                "/// `{}` over time.\nfn {name}(time: f32) -> {ty} {{\n{text}    \
+                 return {last};\n}}\n\n",
                 track.target
             );
             let _ = writeln!(self.body, "    {target} = {name}(around.time);");
             if place.is_direction() && !self.functions.contains("fn turned(") {
-                self.functions += TURNED;
+                self.functions += templates::TURNED;
             }
         }
     }
@@ -258,7 +259,9 @@ impl<'a> KeyWriter<'a> {
             let count = values.len();
             let name = format!("turned_{count}");
             if !self.functions.contains(&format!("fn {name}(")) {
-                self.functions += &turned_of(&name, count);
+                let words = [("COUNT", count.to_string())];
+                let words = words.each_ref().map(|(word, with)| (*word, with.as_str()));
+                self.functions += &filled(templates::TURNED_OF, &words);
             }
             let list = values.join(", ");
             let _ = writeln!(
@@ -393,145 +396,86 @@ impl<'a> KeyWriter<'a> {
     /// The function of the weights of a set.
     fn weights(&mut self, index: usize, solved: &SolvedWeights) {
         let (keys, groups) = (solved.groups.len(), solved.centers.len());
-        let name = format!("key_weights_{index}");
-        let mut text = String::new();
-        let list =
-            |numbers: &[f64]| numbers.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ");
         let centers: Vec<String> =
             solved.centers.iter().map(|center| vec3(center.to_array())).collect();
-        let centers = format!("array<vec3f, {groups}>({})", centers.join(", "));
-        let equal = number(1.0 / groups as f64);
         let place = match solved.places {
-            None => {
-                let _ = writeln!(
-                    text,
-                    "    let place = unit_or(x, vec3f(0.0));\n    let is_known = dot(place, place) > 0.5;"
-                );
-                "place"
-            }
-            Some([origin, scale]) => {
-                let _ = writeln!(
-                    text,
-                    "    let place = clamp((x - {}) * {}, vec3f(-1e6), vec3f(1e6));\n    let is_known = true;",
-                    vec3(origin.to_array()),
-                    vec3(scale.to_array())
-                );
-                "place"
-            }
+            None => templates::DIRECTION.to_owned(),
+            Some([origin, scale]) => filled(
+                templates::PLACE,
+                &[("ORIGIN", &vec3(origin.to_array())), ("SCALE", &vec3(scale.to_array()))],
+            ),
         };
-        match &solved.kernel {
-            SolvedKernel::Whole => {
-                let _ = writeln!(text, "    var raw = array<f32, 1>(1.0);");
-            }
-            SolvedKernel::InverseDistance => {
-                let _ = write!(
-                    text,
-                    "    var centers = {centers};\n    var raw: array<f32, {groups}>;\n    var all = 0.0;\n    \
-                     for (var i = 0; i < {groups}; i++) {{\n        let way = {place} - centers[i];\n        \
-                     raw[i] = 1.0 / max(dot(way, way), 1e-30);\n        all = all + raw[i];\n    }}\n    \
-                     for (var i = 0; i < {groups}; i++) {{\n        raw[i] = raw[i] / all;\n    }}\n"
-                );
-            }
+        let raw = match &solved.kernel {
+            SolvedKernel::Whole => templates::WHOLE.to_owned(),
+            SolvedKernel::InverseDistance => templates::INVERSE_DISTANCE.to_owned(),
             SolvedKernel::Sum { kernel, constants, coefficients } => {
                 let function = match kernel {
                     SumKernel::Biharmonic => "biharmonic_kernel",
                     SumKernel::Distance => "distance_kernel",
                     SumKernel::AppendixB => {
-                        if !self.functions.contains("fn appendix_b_kernel(") {
-                            self.functions += &appendix_b();
-                        }
+                        self.appendix_b();
                         "appendix_b_kernel"
                     }
                 };
-                let _ = write!(
-                    text,
-                    "    var centers = {centers};\n    var coefficients = array<f32, {}>({});\n    \
-                     var raw = array<f32, {groups}>({});\n    \
-                     for (var i = 0; i < {groups}; i++) {{\n        \
-                     let kernel = {function}({place}, centers[i]);\n        \
-                     for (var j = 0; j < {groups}; j++) {{\n            \
-                     raw[j] = raw[j] + coefficients[i * {groups} + j] * kernel;\n        }}\n    }}\n",
-                    coefficients.len(),
-                    list(coefficients),
-                    list(constants)
-                );
+                filled(
+                    templates::SUM,
+                    &[
+                        ("TERMS", &coefficients.len().to_string()),
+                        ("COEFFICIENTS", &list(coefficients)),
+                        ("CONSTANTS", &list(constants)),
+                        ("KERNEL", function),
+                    ],
+                )
             }
-        }
-        let _ = write!(
-            text,
-            "    var sum = 0.0;\n    \
-             for (var i = 0; i < {groups}; i++) {{\n        \
-             raw[i] = select({equal}, eased(raw[i]), is_known);\n        \
-             sum = sum + raw[i];\n    }}\n"
+        };
+        let size = |group: usize| solved.groups.iter().filter(|it| **it == Some(group)).count();
+        let share = |group: &Option<usize>| match *group {
+            None => "0.0".to_owned(),
+            Some(group) if size(group) == 1 => format!("raw[{group}] / sum"),
+            Some(group) => format!("raw[{group}] / sum / {}", number(size(group) as f64)),
+        };
+        let shares: Vec<String> = solved.groups.iter().map(share).collect();
+        self.functions += &filled(
+            templates::WEIGHTS,
+            &[
+                ("FIND_PLACE", &place),
+                ("FIND_RAW", &raw),
+                ("INDEX", &index.to_string()),
+                ("CENTERS", &centers.join(", ")),
+                ("GROUPS", &groups.to_string()),
+                ("KEYS", &keys.to_string()),
+                ("EVEN", &number(1.0 / groups as f64)),
+                ("SHARES", &shares.join(", ")),
+            ],
         );
-        let sizes: Vec<usize> = (0..groups)
-            .map(|group| solved.groups.iter().filter(|it| **it == Some(group)).count().max(1))
-            .collect();
-        let shares: Vec<String> = solved
-            .groups
-            .iter()
-            .map(|group| match group {
-                None => "0.0".to_owned(),
-                Some(group) if sizes[*group] == 1 => format!("raw[{group}] / sum"),
-                Some(group) => format!("raw[{group}] / sum / {}", number(sizes[*group] as f64)),
-            })
-            .collect();
-        let _ = write!(
-            self.functions,
-            "/// Weights of the keys of set {index}, which sum to 1.\n\
-             fn {name}(x: vec3f) -> array<f32, {keys}> {{\n{text}    \
-             return array<f32, {keys}>({});\n}}\n\n",
-            shares.join(", ")
+    }
+
+    /// The kernel of the paper's Appendix B, once.
+    fn appendix_b(&mut self) {
+        if self.functions.contains("fn appendix_b_kernel(") {
+            return;
+        }
+        let ([series, with_psi], [factor, at_zero]) = appendix_b_series();
+        self.functions += &filled(
+            templates::APPENDIX_B,
+            &[
+                ("COUNT", &series.len().to_string()),
+                ("LAST", &(series.len() - 1).to_string()),
+                ("SERIES", &list(series)),
+                ("WITH_PSI", &list(with_psi)),
+                ("FACTOR", &number(factor)),
+                ("AT_ZERO", &number(at_zero)),
+            ],
         );
     }
 }
 
-/// The direction between two.
-const TURNED: &str = "\
-/// The direction between two, by a share of the way.
-fn turned(a: vec3f, b: vec3f, share: f32) -> vec3f {
-    let sum = (1.0 - share) * unit_or(a, vec3f(0.0)) + share * unit_or(b, vec3f(0.0));
-    let nearest = select(a, b, share > 0.5);
-    return select(unit_or(nearest, b), unit_or(sum, a), length(sum) > 1e-9 * max(share, 1.0 - share));
+/// Numbers with commas.
+fn list(numbers: &[f64]) -> String {
+    numbers.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ")
 }
 
-";
-
-/// A function that gives the direction among `count`.
-fn turned_of(name: &str, count: usize) -> String {
-    format!(
-        "/// The direction among {count} of those weights; of opposite ones that of the greatest weight.\n\
-         fn {name}(weights: array<f32, {count}>, directions: array<vec3f, {count}>) -> vec3f {{\n    \
-         var shares = weights;\n    var ways = directions;\n    var sum = vec3f(0.0);\n    \
-         var most = 0.0;\n    var strongest = vec3f(0.0, 0.0, 1.0);\n    \
-         for (var i = 0; i < {count}; i++) {{\n        let way = unit_or(ways[i], vec3f(0.0));\n        \
-         if dot(way, way) > 0.5 && shares[i] > 0.0 {{\n            sum = sum + shares[i] * way;\n            \
-         if shares[i] > most {{\n                most = shares[i];\n                strongest = way;\n            }}\n        }}\n    }}\n    \
-         if length(sum) > 1e-9 * most {{\n        return unit_or(sum, strongest);\n    }}\n    return strongest;\n}}\n\n"
-    )
-}
-
-/// The kernel of the paper's Appendix B, by its two series.
-fn appendix_b() -> String {
-    let ([series, with_psi], [factor, at_zero]) = appendix_b_series();
-    let list = |numbers: &[f64]| numbers.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ");
-    let count = series.len();
-    format!(
-        "/// The kernel of BADF Appendix B between two unit directions, by its series.\n\
-         fn appendix_b_kernel(a: vec3f, b: vec3f) -> f32 {{\n    \
-         var series = array<f32, {count}>({});\n    var with_psi = array<f32, {count}>({});\n    \
-         let near = 0.25 * dot(a - b, a - b);\n    if near <= 0.0 {{\n        return 0.0;\n    }}\n    \
-         var plain = 0.0;\n    var other = 0.0;\n    if near <= 0.5 {{\n        \
-         for (var i = {last}; i > 0; i--) {{\n            plain = plain * near + series[i];\n            \
-         other = other * near + with_psi[i];\n        }}\n        \
-         return 0.25 * near * (other - log(near) * plain);\n    }}\n    \
-         let far = clamp(0.25 * dot(a + b, a + b), 0.0, 0.5);\n    \
-         for (var i = {last}; i >= 0; i--) {{\n        plain = plain * far + series[i];\n    }}\n    \
-         return 0.25 * (1.0 + log(1.0 - far) - {} * plain) - {};\n}}\n\n",
-        list(series),
-        list(with_psi),
-        number(factor),
-        number(at_zero),
-        last = count - 1
-    )
+/// A template with texts in the place of its words, one after another.
+fn filled(template: &str, words: &[(&str, &str)]) -> String {
+    words.iter().fold(template.to_owned(), |text, (word, with)| text.replace(word, with))
 }

@@ -2,14 +2,15 @@
 //! numbers of every module's `Look` uniform.
 //!
 //! `host_code` translates the source, so that each language has the same program; `interp` runs it
-//! in tests. Two functions stand at its top for each module: `keyed`, where the look has keys, takes
-//! the settings (parameters and lights) to those that hold in the surroundings, and
-//! `MODULE_numbers` makes the uniform's numbers of them, one for each four bytes.
+//! in tests. `keyed`, where the look has keys, takes the settings (parameters and lights) to those
+//! that hold in the surroundings; `MODULE_numbers` makes the numbers of a module's uniform of them,
+//! one for each four bytes.
 
 mod keyed;
 mod literal;
 mod modules;
 mod settings;
+mod templates;
 
 use std::collections::BTreeMap;
 

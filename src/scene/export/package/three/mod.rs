@@ -76,7 +76,7 @@ fn files_of(materials: &Materials<'_>) -> Vec<ExportFile> {
     materials.files(templates, &RUNTIME, VERSION)
 }
 
-/// What tells the typings of one class from those of the other.
+/// Difference between the typings of one class and those of the other.
 struct Typings {
     class: &'static str,
     renderer: &'static str,
