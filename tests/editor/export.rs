@@ -10,7 +10,7 @@ use crate::editor_support::User;
 use crate::editor_support::home::Home;
 use chiaro::document::{Edit, GraphId, Look};
 use chiaro::editor::App;
-use eframe::egui::{Key, Modifiers};
+use eframe::egui::{Key, Modifiers, Role};
 
 const MENU: [(&str, &str); 8] = [
     ("Export to all languages...", "all"),
@@ -227,4 +227,30 @@ fn copy_as_has_the_same_languages() {
             told(&hand)
         );
     }
+}
+
+#[test]
+fn a_card_writes_a_page_that_opens() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let out = folder.path().join("page");
+    let mut hand = User::drawing();
+    hand.press("Export");
+    hand.press("Export to a program or a page");
+    hand.settle();
+    assert!(hand.says("This look has 1 light"), "the look's needs are told");
+    assert!(hand.says("three.js") && hand.says("kB"), "cards tell what folders weigh");
+    hand.app_mut().answer_dialog(&out);
+    hand.bring(Role::Button, "Export for Web page");
+    hand.press("Export for Web page");
+    hand.settle();
+    for file in ["index.html", "player.js", "expected.png", "chiaro.json"] {
+        assert!(out.join(file).is_file(), "{file}: {:?}", hand.app().message());
+    }
+    // What is written once may be written again.
+    hand.app_mut().answer_dialog(&out);
+    hand.press("Export for Web page");
+    hand.settle();
+    let told = hand.app().message().unwrap_or_default().to_owned();
+    assert!(told.starts_with("Exported") && told.contains("page"), "{told}");
+    assert!(!out.join("look-shaders").exists(), "no second folder: {told}");
 }

@@ -13,7 +13,7 @@ use crate::support::root;
 
 use crate::pictures::Difference;
 
-/// What stands at the top of the table.
+/// Text at the top of the table.
 const HEAD: &str = "\
 # Differences of packages' pictures from our own: package, API, look, greatest difference of a
 # channel of 8 bits, pixels beyond 1. At 160x120, one sample a pixel, on the software GPU of

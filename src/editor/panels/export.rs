@@ -23,7 +23,7 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::EXPORT,
     "Export",
     "The look for other programs and for pages: what each needs, refuses and weighs",
-    PanelPlace::BELOW_PICTURE.closed(),
+    PanelPlace::BELOW_GRAPH,
     |bench, ui, context| bench.export.show(ui, context.session),
 )
 .with_each_frame(|bench, _, session, presence| {
@@ -33,9 +33,9 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 .with_jobs(|bench| &bench.export);
 
 /// Least width of a card, in points.
-const CARD: f32 = 280.0;
+const CARD: f32 = 250.0;
 /// Height of a card, in points.
-const HEIGHT: f32 = 168.0;
+const HEIGHT: f32 = 138.0;
 /// Gap between cards, in points.
 const GAP: f32 = 10.0;
 

@@ -25,11 +25,12 @@ pub(super) fn rows() -> impl Iterator<Item = CommandRow> {
         without_key(Command::ExportLook(language.slug, None), label)
     });
     let packages = PACKAGES.into_iter().map(move |package| {
-        let label = format!("Export for {}...", package.label);
+        let label = format!("Export as a package: {}...", package.label);
         without_key(Command::ExportLook(package.slug, None), label)
     });
     let cards = Command::ShowPanel(PanelId::EXPORT);
     let cards = without_key(cards, "Export to a program or a page".to_owned());
-    let exports = [cards, all].into_iter().chain(packages).chain(exports);
-    copies.chain(exports.map(|row| row.in_menu(Menu::Export)))
+    let exports = [cards, all].into_iter().chain(exports);
+    // The menu leads to the cards, which tell what each package is.
+    copies.chain(exports.map(|row| row.in_menu(Menu::Export))).chain(packages)
 }
