@@ -127,7 +127,7 @@ const KEPT_TO: &[(&str, &[&str])] = &[
     ("egui_tiles", &["editor"]),
     ("eframe", &["editor"]),
     ("rfd", &["editor"]),
-    ("notify", &["editor"]),
+    ("notify", &["editor", "cli"]),
     ("clap", &["cli"]),
     ("ctrlc", &["cli"]),
     ("zip", &["scene"]),

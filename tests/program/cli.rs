@@ -1390,3 +1390,49 @@ mod gpu {
         drop(stdin);
     }
 }
+
+/// Starts an export that watches its look; the lines that it says, until a minute is over.
+fn watching(shop: &Shop) -> (std::process::Child, impl Iterator<Item = String> + use<>) {
+    use std::io::BufRead as _;
+    let program = env!("CARGO_BIN_EXE_chiaro");
+    let arguments = ["export", "look.json", "--to", "wgsl", "-o", "out", "--watch"];
+    let mut child = Command::new("timeout")
+        .arg("60")
+        .arg(program)
+        .args(arguments)
+        .current_dir(shop.0.path())
+        .stdout(std::process::Stdio::null())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    let lines = std::io::BufReader::new(child.stderr.take().unwrap()).lines();
+    (child, lines.map_while(Result::ok))
+}
+
+#[test]
+fn an_export_that_watches_follows_the_look() {
+    let shop = Shop::new();
+    let example = support::root().join("examples/looks/clay.json");
+    let text = fs::read_to_string(example).unwrap();
+    shop.write("look.json", &text);
+    let (mut child, mut lines) = watching(&shop);
+    let mut exported = || {
+        let said: Vec<String> = lines.by_ref().take_while(|l| !l.contains("watching ")).collect();
+        (said.join("\n"), fs::read_to_string(shop.path("out/look.wgsl")).unwrap_or_default())
+    };
+    let (_, first) = exported();
+    assert!(first.contains("fn shade("), "{first}");
+    // A look that is broken for a moment is told, and what was written stays.
+    shop.write("look.json", "{");
+    let (said, kept) = exported();
+    assert!(said.contains("error") && kept == first, "{said}");
+    let name: Json = serde_json::from_str::<Json>(&text).unwrap()["name"].clone();
+    let other = text.replace(&name.to_string(), "\"Another name\"");
+    assert_ne!(other, text);
+    shop.write("look.json", &other);
+    let (said, second) = exported();
+    assert!(second.contains("Another name"), "{said}\n{second}");
+    // `timeout` hands a polite end on to the program, and no other.
+    Command::new("kill").arg(child.id().to_string()).status().unwrap();
+    child.wait().unwrap();
+}

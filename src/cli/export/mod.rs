@@ -16,6 +16,7 @@ use chiaro_scene::export;
 use chiaro_scene::export::package::package;
 
 mod package;
+mod watch;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -25,6 +26,7 @@ Examples:
   chiaro export look.json --to all -o shaders/
   chiaro export look.json --to hlsl --tier auto -o shaders/
   chiaro export look.json --to web -o page/ --mesh shape:creature
+  chiaro export look.json --to three -o game/look --watch
   chiaro export look.json --to wgsl --live -o shaders/      with every value as a parameter
 
 Languages: wgsl, glsl-es300, glsl-330, glsl-450, hlsl, msl, spirv. Beside the shaders lies a JSON \
@@ -59,6 +61,9 @@ pub(super) struct Arguments {
     /// because it computes what was known before
     #[arg(long)]
     live: bool,
+    /// Export again whenever the look or what it reads changes, until Ctrl-C
+    #[arg(long, requires = "output")]
+    watch: bool,
     /// A folder of a project's own nodes; `nodes/` beside the look is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
@@ -71,6 +76,15 @@ pub(super) struct Arguments {
 }
 
 pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    if arguments.watch {
+        watch::run(arguments, output).await
+    } else {
+        export(arguments, output).await
+    }
+}
+
+/// Exports once.
+async fn export(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     if let [slug] = &arguments.to[..]
         && let Some(package) = package(slug.trim())
     {

@@ -87,6 +87,11 @@ pub(super) trait Dialect {
         Some("}")
     }
 
+    /// Spaces before the lines of a block.
+    fn indent(&self) -> &'static str {
+        "    "
+    }
+
     /// The statement of an empty block, for languages that need one.
     fn nothing(&self) -> Option<&'static str> {
         None

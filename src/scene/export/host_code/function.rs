@@ -119,7 +119,7 @@ impl<'a> FunctionWriter<'a> {
     }
 
     fn line(&mut self, line: &str) {
-        self.lines.push(format!("{}{line}", "    ".repeat(self.indent)));
+        self.lines.push(format!("{}{line}", self.dialect.indent().repeat(self.indent)));
     }
 
     fn inside(

@@ -163,6 +163,10 @@ impl Dialect for JavaScript {
         }
     }
 
+    fn indent(&self) -> &'static str {
+        "  "
+    }
+
     fn declare_structure(&self, _: &str, _: &[String], _: &[MemberSource]) -> String {
         String::new()
     }

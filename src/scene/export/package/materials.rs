@@ -152,7 +152,8 @@ fn type_of(parameter: &MaterialParameter<'_>) -> String {
 /// The parameters as a list of the README, a line each.
 fn list(materials: &Materials<'_>) -> String {
     if materials.parameters.is_empty() {
-        return "  This look exposes none: expose some in Chiaro and export again.\n".to_owned();
+        return "  This look exposes none: expose some in Chiaro, or export with `--live`.\n"
+            .to_owned();
     }
     let line = |parameter: &MaterialParameter<'_>| {
         let kind = type_of(parameter).replace("Numbers<", "").replace('>', "");

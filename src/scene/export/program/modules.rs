@@ -28,6 +28,7 @@ pub(super) fn write(
     let function = identifier(&format!("{}_numbers", module.name), &[]);
     let wanted = host.shader.host.members.iter().map(|member| member.step);
     let mut steps = Steps::new(host, settings);
+    steps.take_names();
     let mut body = steps.write(wanted)?;
     let module_of_look = &host.shader.valid.module;
     let mut writer =
@@ -133,13 +134,33 @@ pub(super) struct Steps<'a> {
     host: &'a Host,
     settings: &'a Settings,
     functions: Option<ValidModule>,
+    /// Expressions of the steps that were written.
     names: BTreeMap<usize, String>,
+    /// Names that the results of calls are to have.
+    wanted: BTreeMap<usize, String>,
 }
 
 impl<'a> Steps<'a> {
     pub(super) fn new(host: &'a Host, settings: &'a Settings) -> Self {
         let functions = wgsl::parse(&host.source.wgsl).ok();
-        Self { host, settings, functions, names: BTreeMap::new() }
+        Self { host, settings, functions, names: BTreeMap::new(), wanted: BTreeMap::new() }
+    }
+
+    /// Lets the results of calls have the names of the members that they are for.
+    fn take_names(&mut self) {
+        let lights = self.settings.lights.iter().map(|light| light.member.clone());
+        let mut taken: Vec<String> = lights.collect();
+        taken.extend(["settings", "around", "numbers"].map(str::to_owned));
+        // A value that is called like a function would hide the function.
+        for source in [super::HOST, self.host.source.wgsl.as_str()] {
+            taken.extend(wgsl::scan(source).declarations.into_iter().map(|it| it.name));
+        }
+        for member in &self.host.shader.host.members {
+            let names: Vec<&str> = taken.iter().map(String::as_str).collect();
+            let name = identifier(&member.name, &names);
+            taken.push(name.clone());
+            self.wanted.entry(member.step).or_insert(name);
+        }
     }
 
     /// The expression of a step that was written.
@@ -186,7 +207,8 @@ impl<'a> Steps<'a> {
                     let arguments: Vec<String> =
                         arguments.iter().map(|&argument| self.name(argument)).collect();
                     let call = format!("{function}({})", arguments.join(", "));
-                    let name = format!("value_{index}");
+                    let wanted = self.wanted.get(&index).cloned();
+                    let name = wanted.unwrap_or_else(|| format!("value_{index}"));
                     let _ = writeln!(text, "    let {name} = {call};");
                     name
                 }

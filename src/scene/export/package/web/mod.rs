@@ -100,7 +100,7 @@ fn filled(template: &str, request: &PackageRequest<'_>) -> String {
         parameters.iter().filter_map(|one| Some(one.name.as_ref()?.to_string())).collect();
     let listed: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
     let parameters = if names.is_empty() {
-        "The look has none: expose some in Chiaro and export again.".to_owned()
+        "The look exposes none: expose some in Chiaro, or export with `--live`.".to_owned()
     } else {
         format!("The look has these: {}.", listed.join(", "))
     };
