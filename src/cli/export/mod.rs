@@ -108,14 +108,7 @@ async fn export(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagno
     let mut library = library_for(&arguments.look, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
     let mut setup = open_look(&arguments.look, output)?;
-    if let Some(tier) = arguments.tier {
-        tier::set_every_tier(&mut setup.look, &mut library, tier);
-        if tier == TierChoice::Automatic {
-            let mut told = export::take_carried_tiers(&mut setup.look, &mut library);
-            setup.source.locate_all(&mut told);
-            output.diagnostics(&told);
-        }
-    }
+    take_tier(arguments, &mut setup, &mut library, output);
     if arguments.live {
         expose_all(&mut setup, &library, output)?;
     }
@@ -123,10 +116,7 @@ async fn export(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagno
         setup.source.locate_all(&mut problems);
         problems
     };
-    let stem = arguments
-        .look
-        .file_stem()
-        .map_or_else(|| "look".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let stem = stem(arguments);
     let place = (setup.folder.as_path(), &mut Assets::default());
     let exported =
         export::export(&setup.look, &library, &stem, &languages, place).map_err(located)?;
@@ -168,6 +158,23 @@ async fn export(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagno
         output.message(&told);
     }
     Ok(())
+}
+
+/// Beginning of the names of the exported files: the name of the look's file without its ending.
+fn stem(arguments: &Arguments) -> String {
+    let stem = arguments.look.file_stem();
+    stem.map_or_else(|| "look".to_owned(), |stem| stem.to_string_lossy().into_owned())
+}
+
+/// Gives a look the tier that `--tier` asks for, and tells what an export does not carry.
+fn take_tier(arguments: &Arguments, worn: &mut SetupLook, library: &mut Library, output: &Output) {
+    let Some(tier) = arguments.tier else { return };
+    tier::set_every_tier(&mut worn.look, library, tier);
+    if tier == TierChoice::Automatic {
+        let mut told = export::take_carried_tiers(&mut worn.look, library);
+        worn.source.locate_all(&mut told);
+        output.diagnostics(&told);
+    }
 }
 
 /// Exposes every value of a look, as `--live` asks.

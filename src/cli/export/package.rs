@@ -6,12 +6,11 @@ use super::super::open::{check_nodes_folder, library_for, not_a_look};
 use super::super::output::Output;
 use super::super::render::executor;
 use super::super::target::outputs;
-use super::super::tier::{self, TierChoice};
+use super::super::tier;
 use super::Arguments;
 use crate::diag::Diagnostic;
 use crate::document::Document;
-use crate::frame::{Assets, Setup, open};
-use crate::library::Library;
+use crate::frame::{Assets, open};
 use chiaro_scene::export;
 use chiaro_scene::export::package::{Package, PackageScene, draw_expected, export_package};
 
@@ -36,17 +35,14 @@ pub(super) async fn run(
     let opened = open(&arguments.look, arguments.mesh.as_deref(), &mut assets)?;
     let (mut setup, warnings) = opened.into_parts();
     output.diagnostics(&warnings);
-    take_tier(arguments, &mut setup, &mut library, output);
-    if arguments.live {
-        for worn in &mut setup.looks {
+    for worn in &mut setup.looks {
+        super::take_tier(arguments, worn, &mut library, output);
+        if arguments.live {
             super::expose_all(worn, &library, output)?;
         }
     }
     let worn = &setup.looks[0];
-    let stem = arguments
-        .look
-        .file_stem()
-        .map_or_else(|| "look".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let stem = super::stem(arguments);
     let located = |mut problems: Vec<Diagnostic>| {
         worn.source.locate_all(&mut problems);
         problems
@@ -84,17 +80,4 @@ pub(super) async fn run(
         }
     }
     Ok(())
-}
-
-/// Takes the tier that `--tier` asks for.
-fn take_tier(arguments: &Arguments, setup: &mut Setup, library: &mut Library, output: &Output) {
-    let Some(tier) = arguments.tier else { return };
-    for worn in &mut setup.looks {
-        tier::set_every_tier(&mut worn.look, library, tier);
-        if tier == TierChoice::Automatic {
-            let mut told = export::take_carried_tiers(&mut worn.look, library);
-            worn.source.locate_all(&mut told);
-            output.diagnostics(&told);
-        }
-    }
 }

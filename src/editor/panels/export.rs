@@ -92,7 +92,8 @@ impl ExportCards {
         if let Some(done) = self.worker.answers().pop() {
             self.done = Some(done);
         }
-        let stamp = session.stamp();
+        // A turn of the view or a later moment changes nothing of an export.
+        let stamp = session.stamp().without_view();
         if presence != Presence::Seen || self.asked.as_ref() == Some(&stamp) {
             return;
         }
@@ -103,7 +104,8 @@ impl ExportCards {
 
     fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut commands = Vec::new();
-        let is_current = self.done.as_ref().is_some_and(|done| done.stamp == session.stamp());
+        let is_current =
+            self.done.as_ref().is_some_and(|done| done.stamp == session.stamp().without_view());
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             self.head(ui, is_current);
             let width = ui.available_width();

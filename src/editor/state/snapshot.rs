@@ -115,3 +115,13 @@ pub(crate) struct Stamp {
     pub(super) scene: Option<PictureRevision>,
     pub(super) painting: Option<PaintingRevision>,
 }
+
+impl Stamp {
+    /// The stamp with the camera and the moment left out: equal while the document, its files and
+    /// the mesh are the same.
+    #[must_use]
+    pub(crate) fn without_view(self) -> Self {
+        let orbit = Orbit { mesh: self.orbit.mesh, ..Orbit::default() };
+        Self { orbit, time: 0.0, ..self }
+    }
+}
