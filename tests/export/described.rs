@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 use std::fs;
 
 use crate::support::{files, root};
-use chiaro::document::{Look, Tier};
-use chiaro::export::{LANGUAGES, export, take_carried_tiers};
+use chiaro::diag::Diagnostic;
+use chiaro::document::{Look, Storage, Tier, Value};
+use chiaro::export::{ExportFile, ExportOptions, LANGUAGES, export};
 use chiaro::frame::Assets;
 use chiaro::library::Library;
 use serde_json::{Value as Json, json};
@@ -133,6 +134,39 @@ fn the_sides_to_draw_are_described() {
     }
 }
 
+/// What is told where a look takes the nearest tiers that an export carries.
+fn take_carried(look: &mut Look, library: &mut Library) -> Vec<Diagnostic> {
+    let options = ExportOptions { takes_carried_tiers: true, ..ExportOptions::default() };
+    options.apply(look, library, false).unwrap_or_else(|problems| panic!("{problems:?}"))
+}
+
+/// A package has painted surfaces in little room; their storage is what is asked for, else what the
+/// artist chose for a reason.
+#[test]
+fn painted_surfaces_are_stored_as_the_target_likes() {
+    let path = root().join("examples/hcbtf/stripes.json");
+    let folder = path.parent().expect("a folder");
+    let original = Look::load(&chiaro::files::Disk, &path).value.expect("an example");
+    let size = |storage: Option<Storage>, is_package: bool, chosen: Option<&str>| {
+        let (mut look, mut library) = (original.clone(), Library::built_in().clone());
+        for node in look.graph.nodes.values_mut().filter(|node| node.kind == "hcbtf_lookup") {
+            node.values.extend(chosen.map(|word| ("storage".into(), Value::Text(word.to_owned()))));
+        }
+        let options = ExportOptions { storage, ..ExportOptions::default() };
+        options.apply(&mut look, &mut library, is_package).expect("a look");
+        let place = (folder, &mut Assets::default());
+        let files = export(&look, &library, "a", &LANGUAGES[..1], place).expect("files").value;
+        let is_texture = |file: &&ExportFile| file.name.ends_with(".ktx2");
+        files.iter().find(is_texture).expect("a texture").bytes.len()
+    };
+    let [quick, compact, blocks] = Storage::ALL.map(|storage| size(Some(storage), false, None));
+    assert!(compact < quick && blocks < quick, "{quick} {compact} {blocks}");
+    assert_eq!(size(None, false, None), quick);
+    assert_eq!(size(None, true, None), compact);
+    assert_eq!(size(None, true, Some("blocks")), blocks);
+    assert_eq!(size(Some(Storage::Quick), true, Some("blocks")), quick);
+}
+
 /// The nearest tier that an export carries takes the place of one that it does not carry, and that
 /// is told by the node's name.
 #[test]
@@ -141,7 +175,7 @@ fn tiers_that_no_export_carries_are_replaced_aloud() {
         let name = path.display().to_string();
         let mut look = Look::load(&chiaro::files::Disk, &path).value.expect("an example");
         let mut library = Library::built_in().clone();
-        let told = take_carried_tiers(&mut look, &mut library);
+        let told = take_carried(&mut look, &mut library);
         assert!(!told.is_empty(), "{name}: it sends rays");
         for told in &told {
             let node = told.place.node.as_ref().expect("a node is named");
@@ -151,7 +185,7 @@ fn tiers_that_no_export_carries_are_replaced_aloud() {
         let exported =
             export(&look, &library, "a", &LANGUAGES[..1], (root(), &mut Assets::default()));
         assert!(exported.is_ok(), "{name}: {:?}", exported.err());
-        assert!(take_carried_tiers(&mut look, &mut library).is_empty(), "{name}");
+        assert!(take_carried(&mut look, &mut library).is_empty(), "{name}");
     }
 }
 
@@ -162,6 +196,6 @@ fn carried_tiers_stay() {
     let mut look = Look::load(&chiaro::files::Disk, &path).value.expect("an example");
     look.set_every_tier(Tier::Exact);
     let before = look.to_text();
-    let told = take_carried_tiers(&mut look, &mut Library::built_in().clone());
+    let told = take_carried(&mut look, &mut Library::built_in().clone());
     assert!(told.is_empty() && look.to_text() == before, "{told:?}");
 }

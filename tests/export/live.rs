@@ -6,7 +6,7 @@ use std::fs;
 use crate::support::eval::{scene_of, shape};
 use crate::support::root;
 use chiaro::document::{Look, Value};
-use chiaro::export::{LANGUAGES, export, expose_all_values};
+use chiaro::export::{ExportOptions, LANGUAGES, export};
 use chiaro::frame::Assets;
 use chiaro::ids::is_slug;
 use chiaro::library::Library;
@@ -22,7 +22,8 @@ fn example(name: &str) -> Json {
 fn live(json: &Json) -> (Look, Vec<String>) {
     let loaded = Look::read(&json.to_string(), "a.json");
     let mut look = loaded.value.unwrap_or_else(|| panic!("{:?}", loaded.diagnostics));
-    let told = expose_all_values(&mut look, Library::built_in());
+    let options = ExportOptions { is_live: true, ..ExportOptions::default() };
+    let told = options.apply(&mut look, &mut Library::built_in().clone(), false);
     let told = told.unwrap_or_else(|problems| panic!("{problems:?}"));
     (look, told.iter().map(ToString::to_string).collect())
 }

@@ -10,9 +10,10 @@ use super::output::Output;
 use super::target::{OutputPath, outputs};
 use super::tier::{self, TierChoice};
 use crate::diag::Diagnostic;
+use crate::document::Storage;
 use crate::frame::{Assets, SetupLook};
 use crate::library::Library;
-use chiaro_scene::export;
+use chiaro_scene::export::{self, ExportOptions};
 use chiaro_scene::export::package::package;
 
 mod package;
@@ -61,6 +62,10 @@ pub(super) struct Arguments {
     /// because it computes what was known before
     #[arg(long)]
     live: bool,
+    /// Store painted surfaces in another way than their nodes say: quick, compact or blocks.
+    /// Without it, packages have them compact where a node says quick
+    #[arg(long, value_name = "STORAGE", value_parser = parse_storage)]
+    textures: Option<Storage>,
     /// Export again whenever the look or what it reads changes, until Ctrl-C
     #[arg(long, requires = "output")]
     watch: bool,
@@ -108,10 +113,7 @@ async fn export(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagno
     let mut library = library_for(&arguments.look, arguments.nodes.as_deref());
     output.diagnostics(&library.problems);
     let mut setup = open_look(&arguments.look, output)?;
-    take_tier(arguments, &mut setup, &mut library, output);
-    if arguments.live {
-        expose_all(&mut setup, &library, output)?;
-    }
+    apply_options(arguments, &mut setup, &mut library, false, output)?;
     let located = |mut problems: Vec<Diagnostic>| {
         setup.source.locate_all(&mut problems);
         problems
@@ -166,29 +168,34 @@ fn stem(arguments: &Arguments) -> String {
     stem.map_or_else(|| "look".to_owned(), |stem| stem.to_string_lossy().into_owned())
 }
 
-/// Gives a look the tier that `--tier` asks for, and tells what an export does not carry.
-fn take_tier(arguments: &Arguments, worn: &mut SetupLook, library: &mut Library, output: &Output) {
-    let Some(tier) = arguments.tier else { return };
-    tier::set_every_tier(&mut worn.look, library, tier);
-    if tier == TierChoice::Automatic {
-        let mut told = export::take_carried_tiers(&mut worn.look, library);
-        worn.source.locate_all(&mut told);
-        output.diagnostics(&told);
-    }
-}
-
-/// Exposes every value of a look, as `--live` asks.
-fn expose_all(
+/// Changes a look as the arguments ask, and tells what an export does not carry; `is_package` where
+/// it goes into a package.
+fn apply_options(
+    arguments: &Arguments,
     worn: &mut SetupLook,
-    library: &Library,
+    library: &mut Library,
+    is_package: bool,
     output: &Output,
 ) -> Result<(), Vec<Diagnostic>> {
-    let told = export::expose_all_values(&mut worn.look, library).map_err(|mut problems| {
-        worn.source.locate_all(&mut problems);
-        problems
-    })?;
-    output.diagnostics(&told);
+    if let Some(tier) = arguments.tier {
+        tier::set_every_tier(&mut worn.look, library, tier);
+    }
+    let options = ExportOptions {
+        takes_carried_tiers: arguments.tier == Some(TierChoice::Automatic),
+        is_live: arguments.live,
+        storage: arguments.textures,
+    };
+    let mut told = options.apply(&mut worn.look, library, is_package);
+    let (Ok(problems) | Err(problems)) = &mut told;
+    worn.source.locate_all(problems);
+    output.diagnostics(&told?);
     Ok(())
+}
+
+/// The storage of painted surfaces that a word names, for clap.
+fn parse_storage(word: &str) -> Result<Storage, String> {
+    let names = || Storage::ALL.map(Storage::word).join(", ");
+    Storage::of(word).ok_or_else(|| format!("a storage is one of {}", names()))
 }
 
 /// Refuses a path that is no folder, or whose name ends like a file of some language: nobody looks

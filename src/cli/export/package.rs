@@ -36,10 +36,7 @@ pub(super) async fn run(
     let (mut setup, warnings) = opened.into_parts();
     output.diagnostics(&warnings);
     for worn in &mut setup.looks {
-        super::take_tier(arguments, worn, &mut library, output);
-        if arguments.live {
-            super::expose_all(worn, &library, output)?;
-        }
+        super::apply_options(arguments, worn, &mut library, true, output)?;
     }
     let worn = &setup.looks[0];
     let stem = super::stem(arguments);

@@ -180,7 +180,8 @@ impl App {
                 self.look_exports.copy(&self.session, language, ending);
             }
             Command::ExportLook(language, Some(folder)) => {
-                self.look_exports.write(&self.session, language, folder);
+                let options = self.bench.export.options();
+                self.look_exports.write(&self.session, language, folder, options);
             }
             Command::ExportLook(language, None) => {
                 let near = self.look_exports.suggested(&self.session);

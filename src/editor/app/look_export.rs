@@ -9,7 +9,7 @@ use std::sync::Arc;
 use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::export::package::{Package, PackageScene, draw_expected, export_package, package};
-use crate::export::{self, ExportFile};
+use crate::export::{self, ExportFile, ExportOptions};
 use crate::files::Outputs;
 use crate::frame::{Assets, Executor};
 use crate::library::Library;
@@ -36,6 +36,7 @@ struct LookExportRequest {
     /// Slug of a language or a package, or [`export::ALL`].
     target: &'static str,
     to: Destination,
+    options: ExportOptions,
 }
 
 /// Result of an export.
@@ -72,14 +73,21 @@ impl LookExports {
 
     /// Writes the open look, as it is now, in a language (or [`export::ALL`]) or as a package
     /// into a folder.
-    pub(crate) fn write(&mut self, session: &Session, language: &'static str, folder: PathBuf) {
+    pub(crate) fn write(
+        &mut self,
+        session: &Session,
+        language: &'static str,
+        folder: PathBuf,
+        options: ExportOptions,
+    ) {
         self.folder = Some(folder.clone());
-        self.add(job(session, language, Destination::Folder(folder)));
+        self.add(job(session, language, Destination::Folder(folder), options));
     }
 
     /// Copies the open look, as it is now, in a language: the one of its files with this ending.
     pub(crate) fn copy(&self, session: &Session, language: &'static str, ending: &'static str) {
-        self.add(job(session, language, Destination::Clipboard(ending)));
+        let options = ExportOptions { takes_carried_tiers: true, ..ExportOptions::default() };
+        self.add(job(session, language, Destination::Clipboard(ending), options));
     }
 
     /// Folder to suggest: that of the last export, or a new one beside the look.
@@ -128,8 +136,14 @@ fn own_folder(stem: &str) -> String {
     format!("{stem}-shaders")
 }
 
-fn job(session: &Session, target: &'static str, to: Destination) -> LookExportRequest {
+fn job(
+    session: &Session,
+    target: &'static str,
+    to: Destination,
+    options: ExportOptions,
+) -> LookExportRequest {
     LookExportRequest {
+        options,
         snapshot: session.snapshot_of(Arc::new(session.look().clone())).alone(),
         stem: stem(session),
         path: session.path().map(Path::to_path_buf),
@@ -149,21 +163,23 @@ async fn run(
     done.unwrap_or_else(|problems| LookExportResult::Told(told(&problems)))
 }
 
-/// The look and its library with tiers that an export carries, and what that changed.
-fn carried(job: &LookExportRequest) -> (Look, Library, String) {
+/// The look and its library as the choices of the export have them, and what that changed.
+fn prepared(
+    job: &LookExportRequest,
+    is_package: bool,
+) -> Result<(Look, Library, String), Vec<Diagnostic>> {
     let (mut look, mut library) = ((*job.snapshot.look).clone(), (*job.snapshot.library).clone());
-    let changed = export::take_carried_tiers(&mut look, &mut library);
-    let told = match &changed[..] {
+    let told = match &job.options.apply(&mut look, &mut library, is_package)?[..] {
         [] => String::new(),
         [one] => format!(" · {}", one.message),
         [first, rest @ ..] => format!(" · {}; and {} more", first.message, rest.len()),
     };
-    (look, library, told)
+    Ok((look, library, told))
 }
 
 fn write_languages(job: &LookExportRequest) -> Result<LookExportResult, Vec<Diagnostic>> {
     let languages = export::languages([job.target])?;
-    let (look, library, changed) = carried(job);
+    let (look, library, changed) = prepared(job, false)?;
     let mut assets = Assets::of(&job.snapshot.assets);
     let place = (job.snapshot.folder.as_path(), &mut assets);
     let exported = export::export(&look, &library, &job.stem, &languages, place)?;
@@ -186,7 +202,7 @@ async fn write_package(
     let Destination::Folder(folder) = &job.to else {
         return Ok(LookExportResult::Told("a package is a folder".to_owned()));
     };
-    let (look, library, changed) = carried(job);
+    let (look, library, changed) = prepared(job, true)?;
     let mut assets = Assets::default();
     let mut setup = job.snapshot.setup(&mut assets)?.value;
     setup.looks[0].look = look;

@@ -4,12 +4,13 @@
 use std::sync::Arc;
 
 use eframe::egui;
-use eframe::egui::{Align, Button, Layout, RichText, ScrollArea, Ui, vec2};
+use eframe::egui::{Align, Button, ComboBox, Layout, RichText, ScrollArea, Ui, vec2};
 
 use super::table::{PanelPlace, PanelRow, Presence};
 use crate::commands::{Command, PanelId};
 use crate::diag::Diagnostic;
-use crate::export;
+use crate::document::Storage;
+use crate::export::{self, ExportOptions};
 use crate::export::package::{LookNeeds, PACKAGES, Package, PackageScene, export_package};
 use crate::frame::Assets;
 use crate::library::Library;
@@ -42,16 +43,23 @@ const GAP: f32 = 10.0;
 /// A look to be tried.
 struct TrialRequest {
     snapshot: RenderSnapshot,
+    asked: Asked,
+}
+
+/// What a trial is of: a look as it was, and choices of the export.
+#[derive(Clone, PartialEq)]
+struct Asked {
     stamp: Stamp,
+    options: ExportOptions,
 }
 
 /// Answers of the packages to a look.
 struct Trial {
-    stamp: Stamp,
+    asked: Asked,
     needs: Result<LookNeeds, Vec<Diagnostic>>,
     /// By package, in the order of [`PACKAGES`].
     packages: Vec<PackageTrial>,
-    /// Nodes that are exported in another tier, in words.
+    /// Nodes that are exported in another tier and values without room, in words.
     changed: Vec<String>,
 }
 
@@ -67,7 +75,8 @@ enum PackageTrial {
 pub(crate) struct ExportCards {
     worker: Worker<TrialRequest, Trial>,
     done: Option<Trial>,
-    asked: Option<Stamp>,
+    asked: Option<Asked>,
+    options: ExportOptions,
 }
 
 impl BackgroundJobs for ExportCards {
@@ -84,7 +93,19 @@ impl ExportCards {
     /// `wake` is called from another thread when a trial is done.
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let worker = Worker::new("try exports", wake, |request: TrialRequest| run(request));
-        Self { worker, done: None, asked: None }
+        let options = ExportOptions { takes_carried_tiers: true, ..ExportOptions::default() };
+        Self { worker, done: None, asked: None, options }
+    }
+
+    /// Choices of the export, as the panel shows them.
+    pub(crate) fn options(&self) -> ExportOptions {
+        self.options
+    }
+
+    /// What a trial of the look as it is now is of. A turn of the view or a later moment changes
+    /// nothing of an export.
+    fn current(&self, session: &Session) -> Asked {
+        Asked { stamp: session.stamp().without_view(), options: self.options }
     }
 
     /// Takes a finished trial, and asks for one of the look as it is while the panel is seen.
@@ -92,22 +113,22 @@ impl ExportCards {
         if let Some(done) = self.worker.answers().pop() {
             self.done = Some(done);
         }
-        // A turn of the view or a later moment changes nothing of an export.
-        let stamp = session.stamp().without_view();
-        if presence != Presence::Seen || self.asked.as_ref() == Some(&stamp) {
+        let asked = self.current(session);
+        if presence != Presence::Seen || self.asked.as_ref() == Some(&asked) {
             return;
         }
-        self.asked = Some(stamp.clone());
+        self.asked = Some(asked.clone());
         let snapshot = session.snapshot_of(Arc::new(session.look().clone())).alone();
-        self.worker.request(|_| TrialRequest { snapshot, stamp });
+        self.worker.request(|_| TrialRequest { snapshot, asked });
     }
 
     fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut commands = Vec::new();
         let is_current =
-            self.done.as_ref().is_some_and(|done| done.stamp == session.stamp().without_view());
+            self.done.as_ref().is_some_and(|done| done.asked == self.current(session));
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             self.head(ui, is_current);
+            self.choices(ui);
             let width = ui.available_width();
             let columns = ((width + GAP) / (CARD + GAP)).floor().max(1.0);
             let card = vec2(((width + GAP) / columns - GAP).floor(), HEIGHT);
@@ -141,6 +162,39 @@ impl ExportCards {
         for changed in &done.changed {
             ui.label(RichText::new(changed).color(theme::of(ui).warning).size(theme::SMALL_TEXT));
         }
+    }
+
+    /// Choices of the export.
+    fn choices(&mut self, ui: &mut Ui) {
+        ui.horizontal_wrapped(|ui| {
+            ui.checkbox(&mut self.options.is_live, "Every value").on_hover_text(
+                "Every value can be set where the look arrives, not only those that you exposed: \
+                 each with its range, default and help. The shader is slower. For a look that is \
+                 still being tuned; without it for what is delivered",
+            );
+            let needs = self.done.as_ref().and_then(|done| done.needs.as_ref().ok());
+            if needs.is_none_or(|needs| needs.painted_surfaces == 0) {
+                return;
+            }
+            ui.add_space(GAP);
+            let label = ui.label("Painted surfaces");
+            let word = |storage: Option<Storage>| storage.map_or("as it fits", Storage::word);
+            let combo = ComboBox::from_id_salt("storage")
+                .selected_text(word(self.options.storage))
+                .show_ui(ui, |ui| {
+                    let all = std::iter::once(None).chain(Storage::ALL.map(Some));
+                    for storage in all {
+                        let about = storage.map_or(
+                            "packages have them compact where a node says quick; languages as the \
+                             nodes say",
+                            Storage::about,
+                        );
+                        ui.selectable_value(&mut self.options.storage, storage, word(storage))
+                            .on_hover_text(about);
+                    }
+                });
+            combo.response.labelled_by(label.id);
+        });
     }
 }
 
@@ -246,24 +300,24 @@ fn weight(bytes: usize) -> String {
 }
 
 fn run(request: TrialRequest) -> Trial {
-    let TrialRequest { snapshot, stamp } = request;
+    let TrialRequest { snapshot, asked } = request;
     let (mut look, mut library) = ((*snapshot.look).clone(), (*snapshot.library).clone());
-    let changed = export::take_carried_tiers(&mut look, &mut library);
-    let changed = changed.into_iter().map(|problem| problem.message).collect();
-    let needs = LookNeeds::of(&look, &library);
     let mut assets = Assets::default();
-    let packages = match snapshot.setup(&mut assets) {
-        Err(problems) => PACKAGES.iter().map(|_| refusal(&problems)).collect(),
-        Ok(setup) => {
-            let mut setup = setup.value;
-            setup.looks[0].look = look;
-            PACKAGES
-                .iter()
-                .map(|package| try_package(package, &setup, &library, &mut assets))
-                .collect()
+    let prepared = asked.options.apply(&mut look, &mut library, true);
+    let prepared = prepared.and_then(|changed| Ok((changed, snapshot.setup(&mut assets)?.value)));
+    let (changed, mut setup) = match prepared {
+        Ok(prepared) => prepared,
+        Err(problems) => {
+            let packages = PACKAGES.iter().map(|_| refusal(&problems)).collect();
+            return Trial { asked, needs: Err(problems), packages, changed: Vec::new() };
         }
     };
-    Trial { stamp, needs, packages, changed }
+    let changed = changed.iter().map(|problem| problem.message.clone()).collect();
+    let needs = LookNeeds::of(&look, &library);
+    setup.looks[0].look = look;
+    let mut taken = |package: &&Package| try_package(package, &setup, &library, &mut assets);
+    let packages = PACKAGES.iter().map(&mut taken).collect();
+    Trial { asked, needs, packages, changed }
 }
 
 fn try_package(

@@ -27,7 +27,7 @@ const LONGEST_NAME: usize = 64;
 ///
 /// # Errors
 /// All errors of the look, as its export would report them.
-pub fn expose_all_values(
+pub(super) fn expose_all_values(
     look: &mut Look,
     library: &Library,
 ) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {

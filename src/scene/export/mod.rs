@@ -25,6 +25,7 @@ mod live;
 mod modules;
 mod msl;
 mod one_file;
+mod options;
 pub mod package;
 mod pretty;
 mod program;
@@ -47,9 +48,8 @@ use crate::library::Library;
 
 pub use files::{in_the_way, write};
 pub use language::{Language, TextFile};
-pub use live::expose_all_values;
+pub use options::ExportOptions;
 pub use spirv::{fragment_spirv_words, spirv_words};
-pub use tiers::take_carried_tiers;
 
 /// All languages, in the order in which the window lists them: WGSL, three versions of GLSL, HLSL,
 /// MSL and SPIR-V.

@@ -3,12 +3,10 @@
 //! The exact tier of a node that casts shadows sends rays past the meshes of a scene. An export has
 //! no scene, but cheaper tiers of such nodes read maps, which it carries.
 
-use std::sync::Arc;
-
+use super::options::node_mut;
 use crate::compile::{TypedNode, check};
 use crate::diag::Diagnostic;
 use crate::document::{Look, Tier};
-use crate::ids::NodePath;
 use crate::library::{Library, Type};
 
 /// Most rounds of choosing: another tier of one node may leave others a different one.
@@ -29,7 +27,7 @@ pub(super) fn carried(node: &TypedNode) -> Option<(&'static str, Tier)> {
 /// Gives every node of a tier that no export carries the nearest one that it does, and tells each:
 /// a warning that names the node. A look that has errors stays as it is, and so do nodes without
 /// such a tier; exporting reports both.
-pub fn take_carried_tiers(look: &mut Look, library: &mut Library) -> Vec<Diagnostic> {
+pub(super) fn take_carried_tiers(look: &mut Look, library: &mut Library) -> Vec<Diagnostic> {
     let mut told = Vec::new();
     for _ in 0..ROUNDS {
         let Ok(checked) = check(look, library, None) else { break };
@@ -40,9 +38,8 @@ pub fn take_carried_tiers(look: &mut Look, library: &mut Library) -> Vec<Diagnos
             break;
         }
         for (node, (word, tier)) in chosen {
-            if !set_tier(look, library, &node.path, tier) {
-                return told;
-            }
+            let Some(found) = node_mut(look, library, &node.path) else { return told };
+            found.tier = Some(tier);
             let message = format!(
                 "the node `{}` ({}) is exported in its {word} tier: its exact one sends rays past \
                  the meshes of a scene, which an export does not carry",
@@ -52,27 +49,4 @@ pub fn take_carried_tiers(look: &mut Look, library: &mut Library) -> Vec<Diagnos
         }
     }
     told
-}
-
-/// Sets the tier of the node at a path, in the look or in a group of its own or of the library;
-/// false where the path leads to no node.
-fn set_tier(look: &mut Look, library: &mut Library, path: &NodePath, tier: Tier) -> bool {
-    let Some((last, outer)) = path.ids().split_last() else { return false };
-    let Look { graph, definitions, .. } = look;
-    let mut graph = graph;
-    for id in outer {
-        let Some(kind) = graph.nodes.get(id).map(|node| node.kind.clone()) else { return false };
-        graph = match definitions.get_mut(kind.as_str()) {
-            Some(own) => &mut own.graph,
-            None => match library.groups.get_mut(&kind) {
-                Some(group) => &mut Arc::make_mut(group).definition.graph,
-                None => return false,
-            },
-        };
-    }
-    match graph.nodes.get_mut(last) {
-        Some(node) => node.tier = Some(tier),
-        None => return false,
-    }
-    true
 }
