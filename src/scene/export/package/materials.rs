@@ -16,6 +16,8 @@ pub(super) struct Materials<'a> {
     pub(super) parameters: Vec<MaterialParameter<'a>>,
     /// Ids of the lights that the look reads.
     pub(super) lights: Vec<&'a str>,
+    /// The parameters as a table of Markdown, which templates have in the place `{{table}}`.
+    pub(super) table: String,
 }
 
 /// An exposed parameter.
@@ -49,6 +51,7 @@ impl<'a> Materials<'a> {
             stem: request.stem,
             parameters: parameters.collect(),
             lights: lights.collect(),
+            table: request.parameter_table(),
         }
     }
 
@@ -89,6 +92,7 @@ fn filled(template: &str, materials: &Materials<'_>, version: &str) -> String {
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{library}}", version)
         .replace("{{parameters}}", &parameters)
+        .replace("{{table}}", &materials.table)
         .replace("{{light}}", &joined(ids, " | ", "never", |id| format!("\"{id}\"")))
         .replace("{{lights}}", &joined(ids, ", ", "none here", |id| format!("`{id}`")))
         .replace(
@@ -174,6 +178,7 @@ pub(super) mod tests {
             stem: "2-rim",
             parameters: vec![parameter("warmth", "float"), parameter("tint", "color")],
             lights: vec!["key"],
+            table: String::new(),
         }
     }
 

@@ -97,4 +97,5 @@ fn readme(request: &PackageRequest<'_>) -> String {
         .replace("{{stem}}", &module_name(request.stem))
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{parameters}}", &listed)
+        .replace("{{table}}", &request.parameter_table())
 }
