@@ -85,12 +85,6 @@ pub(super) struct PackageRequest<'a> {
 }
 
 impl PackageRequest<'_> {
-    /// The look as a classic script, which declares `look`: a page that is opened from a file
-    /// cannot import modules.
-    fn script(&self) -> ExportFile {
-        self.javascript_file("const look = ")
-    }
-
     /// The look as an ES module, which exports `look`.
     fn module(&self) -> ExportFile {
         self.javascript_file("export const look = ")
@@ -101,6 +95,7 @@ impl PackageRequest<'_> {
         parameter_table::parameter_table(self.description)
     }
 
+    /// The look as a script that begins with `declaration`, as its first line of code.
     fn javascript_file(&self, declaration: &str) -> ExportFile {
         let lines = [
             format!("{}: made by Chiaro {}, JavaScript.", self.title, env!("CARGO_PKG_VERSION")),

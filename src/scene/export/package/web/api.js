@@ -24,13 +24,16 @@ window.chiaro = {
   },
 
   /**
-   * Draws a look on a canvas: `await chiaro.open(canvas, { look, scene, textures })`. The result
-   * has the methods below. Without `gestures: false` the canvas is dragged with the pointer.
+   * Draws an export on a canvas: `await chiaro.open(canvas, chiaroExports["clay"])`. The result
+   * has the methods below.
+   *
+   * @param options `api` and `samples`, as the player takes them; `gestures`: `false` for a
+   *   canvas that is not dragged; `wheel`: `true`, `"focus"`, `"ctrl"` or `false`.
    */
   async open(canvas, content, options = {}) {
     try {
       const found = await Player.open(canvas, content, options);
-      if (options.gestures !== false) found.gestures = new Gestures(found);
+      if (options.gestures !== false) found.gestures = new Gestures(found, options);
       found.draw();
       first ??= found;
       opening.resolve(found);
@@ -49,6 +52,12 @@ window.chiaro = {
 
   /** Sets fields of a light, in its own frame: `chiaro.light("key", { intensity: 2 })`. */
   light: (id, fields) => player().light(id, fields),
+
+  /** Gives a light the values that it has in the look. */
+  resetLight: (id) => player().resetLight(id),
+
+  /** Shows the look on a mesh of the page's own: arrays of `positions`, `indices`, `normals`... */
+  wear: (mesh) => player().wear(mesh),
 
   /** Gives everything, or one parameter, the value that it has in the look. */
   reset: (key) => player().reset(key),

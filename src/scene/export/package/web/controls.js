@@ -28,15 +28,19 @@ function rangeOf({ min, max, default: value }) {
 /**
  * A row: a label, a value and a button that gives back the default. `control` makes what lies in
  * it: `value` beside the label, `wide` below, `show(value)`, and `input`, which the label names.
+ * `spoken` is the label with its group, which tells rows of the same label apart; `own` the value
+ * that the button gives back, in words.
  */
-function row({ label, help, control, read, reset, isDefault }) {
+function row({ label, spoken = label, help, control, read, reset, isDefault, own }) {
   const id = freshId();
   control.input.id = id;
   const name = element("label", { htmlFor: id, textContent: label, title: help ?? "" });
+  control.input.setAttribute("aria-label", spoken);
+  const told = own ? `Back to ${own}` : "Back to the look's own";
   const back = element("button", {
-    type: "button", className: "reset", title: `Reset ${label}`, textContent: "↺", onclick: reset,
+    type: "button", className: "reset", title: told, textContent: "↺", onclick: reset,
   });
-  back.setAttribute("aria-label", `Reset ${label}`);
+  back.setAttribute("aria-label", `${spoken}: ${told.toLowerCase()}`);
   const made = element("div", { className: "row", title: help ?? "" }, name, control.value, back);
   if (control.wide) made.append(control.wide);
   if (help) {
@@ -48,30 +52,50 @@ function row({ label, help, control, read, reset, isDefault }) {
     control.show(read());
     back.disabled = isDefault();
   };
-  return { made, update };
+  return { made, update, isChanged: () => !isDefault() };
 }
 
 /** A slider with a number beside it. */
 function slider({ range: [least, most], unit, isWhole, set, label, isOpen }) {
   const { factor = 1, text = unit ?? "" } = DISPLAYED_UNITS[unit] ?? {};
-  const step = isWhole ? 1 : "any";
-  const input = element("input", { type: "range", min: least, max: most, step });
-  const number = element("input", { type: "number", step });
+  // A step of the arrow keys is a hundredth of the way.
+  const step = isWhole ? Math.max(1, Math.round((most - least) / 100)) : (most - least) / 100;
+  const input = element("input", {
+    type: "range", min: least, max: most, step: isWhole ? 1 : "any",
+  });
+  input.onkeydown = (event) => {
+    const way = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
+    if (!way) return;
+    event.preventDefault();
+    set(clampNumber(Number(input.value) + way * step, least, most));
+  };
+  // The slider is enough for whoever goes through the page by Tab.
+  const number = element("input", { type: "number", step: "any", tabIndex: -1 });
   number.setAttribute("aria-label", `${label}, as a number`);
+  number.onkeydown = (event) => {
+    const way = { ArrowDown: -1, ArrowUp: 1 }[event.key];
+    if (!way) return;
+    event.preventDefault();
+    number.value = shortNumber((number.valueAsNumber || 0) + way * step * factor);
+    number.onchange();
+  };
   input.oninput = () => set(Number(input.value));
   number.onchange = () => {
     const wanted = number.valueAsNumber / factor;
-    if (Number.isFinite(wanted)) set(isOpen ? wanted : clampNumber(wanted, least, most));
+    if (!Number.isFinite(wanted)) return show(latest);
+    const whole = isWhole ? Math.round(wanted) : wanted;
+    set(isOpen ? Math.max(whole, least) : clampNumber(whole, least, most));
+    show(latest);
   };
+  let latest = least;
   const show = (value) => {
+    latest = value;
     input.value = value;
     const share = (clampNumber(value, least, most) - least) / (most - least || 1);
     input.style.setProperty("--share", `${100 * share}%`);
     const shown = shortNumber(value * factor);
     input.setAttribute("aria-valuetext", `${shown}${text}`);
-    if (document.activeElement !== number || number.valueAsNumber !== Number(shown)) {
-      number.value = shown;
-    }
+    if (number.value !== shown) number.value = shown;
   };
   const mark = text ? element("span", { className: "unit", textContent: text }) : null;
   const value = element("span", { className: "value" }, number, mark);
@@ -107,7 +131,8 @@ function numbersOf({ count, set, read, label }) {
     input.setAttribute("aria-label", `${label} ${"xyzw"[i]}`);
     input.onchange = () => {
       const numbers = [...read()];
-      numbers[i] = input.valueAsNumber || 0;
+      if (Number.isFinite(input.valueAsNumber)) numbers[i] = input.valueAsNumber;
+      else input.value = shortNumber(numbers[i]);
       set(numbers);
     };
     return input;
@@ -149,36 +174,50 @@ function controlOf(player, parameter) {
   }
 }
 
+/** A value of a parameter in words, as its control shows it. */
+function wordsOf(player, { type, unit }, value) {
+  if (type === "color") return player.hexOf(value);
+  if (typeof value === "boolean") return value ? "on" : "off";
+  const { factor = 1, text = unit ? ` ${unit}` : "" } = DISPLAYED_UNITS[unit] ?? {};
+  if (typeof value === "number") return `${shortNumber(value * factor)}${text}`;
+  return Array.isArray(value) ? value.map(shortNumber).join(", ") : String(value);
+}
+
 /** The row of a parameter. */
 function parameterRow(player, parameter) {
-  const { key, label, help } = parameter;
-  const control = controlOf(player, parameter);
+  const { key, label, help, group } = parameter;
+  const spoken = group ? `${group}: ${label}` : label;
+  const control = controlOf(player, { ...parameter, label: spoken });
   if (!control) return null;
-  const made = row({
+  const found = row({
     label,
+    spoken,
     help: parameter.live ? help : "Decided when the look was exported.",
     control,
     read: () => player.get(key),
     reset: () => player.reset(key),
     isDefault: () => !(key in player.values),
+    own: wordsOf(player, parameter, parameter.default),
   });
-  if (!parameter.live) made.made.classList.add("is-fixed");
-  return made;
+  found.made.dataset.parameter = key;
+  if (!parameter.live) found.made.classList.add("is-fixed");
+  return { ...found, keys: [key] };
 }
 
 /** The row of a light: its color, and how bright it is. */
 function lightRow(player, light) {
   const { id, label } = light;
   const name = label || id;
+  const spoken = `Light ${name}`;
   const color = colorWell({
-    set: (hex) => player.light(id, { color: player.numbersOfHex(hex).slice(0, 3) }),
+    set: (hex) => player.light(id, { color: hex }),
     toHex: (value) => player.hexOf(value),
   });
-  color.input.setAttribute("aria-label", `${name}: color`);
+  color.input.setAttribute("aria-label", `${spoken}: color`);
   const bright = slider({
     range: [0, Math.max(2, 2 * light.intensity)],
-    set: (value) => player.light(id, { intensity: Math.max(value, 0) }),
-    label: `${name}: intensity`,
+    set: (value) => player.light(id, { intensity: value }),
+    label: `${spoken}: intensity`,
     isOpen: true,
   });
   const value = element("span", { className: "value" }, color.input, bright.value);
@@ -190,10 +229,33 @@ function lightRow(player, light) {
   const isOwn = (field) => String(player.lightNow(id)[field]) === String(light[field]);
   return row({
     label: name,
-    help: "The light's color, and how bright it is.",
+    spoken: `${spoken}: intensity`,
+    help: "The light's color, and how bright it is. To turn it, choose it below the picture.",
     control: { ...bright, value, show },
     read: () => player.lightNow(id),
     reset: () => player.resetLight(id),
     isDefault: () => fields.every(isOwn),
+    own: `intensity ${shortNumber(light.intensity)}, and where it was`,
   });
+}
+
+/** The row that tells how far all lights were turned together. */
+function illuminationRow(player) {
+  const input = element("output");
+  const angle = () => {
+    const own = player.scene.illumination;
+    const trace = player.illumination.reduce((sum, x, i) => sum + x * own[i], 0);
+    return Math.acos(clampNumber((trace - 1) / 2, -1, 1));
+  };
+  const show = (value) => (input.textContent = `turned by ${Math.round(value * 180 / Math.PI)}°`);
+  const found = row({
+    label: "All lights",
+    help: "Drag with Shift to turn all lights together.",
+    control: { input, value: input, show },
+    read: angle,
+    reset: () => player.resetIllumination(),
+    isDefault: () => String(player.illumination) === String(player.scene.illumination),
+    own: "where they were",
+  });
+  return found;
 }

@@ -10,11 +10,29 @@ class Gestures {
   /** Drags turn what `subject` names: `"view"`, `"lights"`, or the id of a light. */
   subject = "view";
 
-  constructor(player) {
+  /**
+   * @param wheel who may turn the wheel to come nearer: `true`, whoever is over the canvas;
+   *   `"focus"`, whoever has clicked it; `"ctrl"`, whoever holds Ctrl; `false`, nobody. Otherwise
+   *   the page scrolls.
+   */
+  constructor(player, { wheel = true } = {}) {
+    if (![true, false, "focus", "ctrl"].includes(wheel)) {
+      throw new Error(`wheel is true, false, "focus" or "ctrl", not ${JSON.stringify(wheel)}`);
+    }
     this.player = player;
+    this.wheelFor = wheel;
+    this.listen();
+  }
+
+  /** Hears what happens on the player's canvas, which can be reached by the keyboard. */
+  listen() {
+    this.close();
     this.pointers = new Map();
-    const { canvas } = player;
-    const listen = (type, listener) => canvas.addEventListener(type, listener, { passive: false });
+    this.closing = new AbortController();
+    const { canvas, look } = this.player;
+    const { signal } = this.closing;
+    const listen = (type, listener) =>
+      canvas.addEventListener(type, listener, { passive: false, signal });
     listen("pointerdown", (event) => this.down(event));
     listen("pointermove", (event) => this.move(event));
     listen("pointerup", (event) => this.up(event));
@@ -23,6 +41,19 @@ class Gestures {
     listen("keydown", (event) => this.key(event));
     listen("dblclick", () => this.resetView());
     listen("contextmenu", (event) => event.preventDefault());
+    // A browser that scrolls by the same finger would break the drag off.
+    canvas.style.touchAction = "none";
+    if (!canvas.hasAttribute("tabindex")) canvas.tabIndex = 0;
+    if (!canvas.hasAttribute("role")) canvas.setAttribute("role", "application");
+    if (!canvas.hasAttribute("aria-label")) {
+      const keys = "Arrow keys turn it, plus and minus go nearer, Home resets the view.";
+      canvas.setAttribute("aria-label", `${look.name}: a picture that can be turned. ${keys}`);
+    }
+  }
+
+  /** Hears nothing any more. */
+  close() {
+    this.closing?.abort();
   }
 
   down(event) {
@@ -55,6 +86,11 @@ class Gestures {
   }
 
   wheel(event) {
+    const isOn = {
+      ctrl: event.ctrlKey || event.metaKey,
+      focus: document.activeElement === this.player.canvas,
+    };
+    if (!(isOn[this.wheelFor] ?? this.wheelFor)) return;
     event.preventDefault();
     const lines = event.deltaMode === 0 ? event.deltaY / 100 : event.deltaY / 3;
     this.nearer(1.15 ** clamp(lines, -3, 3));

@@ -2,10 +2,10 @@
 //! WebGL 2 where there is none.
 //!
 //! A page from a file can neither import modules nor read files beside it, so everything is in
-//! classic scripts: the look (`LOOK.js`, written with every package), the mesh with its camera
-//! ([`scene`]), images as base64, the player, and the page. The player and the page are written as
-//! several files each, which lie in this folder, and are joined into one script here. They fetch
-//! nothing.
+//! classic scripts: the look (`LOOK.js`), the mesh with its camera ([`scene`]), images as base64,
+//! the player, and the page. What scripts of an export define lies at [`place`], so that a page may
+//! have several exports and names of its own. The player and the page are written as several files
+//! each, which lie in this folder, and are joined into one script here. They fetch nothing.
 //!
 //! The player draws as `docs/exports.md` says, by either of two executors with the same methods,
 //! `webgpu.js` and `webgl2.js`. In WebGL it draws with y turned over and shows the picture upside
@@ -41,21 +41,29 @@ const README: &str = include_str!("README.md");
 const STYLE: &str = include_str!("style.css");
 
 /// Parts of the player, in the order in which they are joined.
-const PLAYER: [&str; 10] = [
+const PLAYER: [&str; 12] = [
     include_str!("math.js"),
     include_str!("camera.js"),
     include_str!("assets.js"),
+    include_str!("geometry.js"),
     include_str!("uniforms.js"),
     include_str!("shadows.js"),
     include_str!("webgpu.js"),
     include_str!("webgl2.js"),
+    include_str!("checks.js"),
     include_str!("player.js"),
     include_str!("gestures.js"),
     include_str!("api.js"),
 ];
 
 /// Parts of the page around the player.
-const CONTROLS: [&str; 2] = [include_str!("controls.js"), include_str!("page.js")];
+const CONTROLS: [&str; 5] = [
+    include_str!("controls.js"),
+    include_str!("effects.js"),
+    include_str!("link.js"),
+    include_str!("panel.js"),
+    include_str!("page.js"),
+];
 
 /// Names of the package's own scripts, which no look's script may take.
 const OWN: [&str; 4] = ["scene", "textures", "player", "page"];
@@ -66,6 +74,13 @@ fn look_name(stem: &str) -> String {
     if is_taken { format!("{stem}-look") } else { stem.to_owned() }
 }
 
+/// The place that the scripts of an export share, and that no other one on the page has: scripts
+/// that are opened from a file cannot export names.
+fn place(request: &PackageRequest<'_>) -> String {
+    let name = serde_json::Value::from(look_name(request.stem));
+    format!("((window.chiaroExports ??= {{}})[{name}] ??= {{}}).")
+}
+
 /// The files of the package.
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
     let title = request.title;
@@ -73,13 +88,14 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
         ("index.html", filled(PAGE, request)),
         ("style.css", format!("/* {} */\n\n{STYLE}", made(title, "how the page looks"))),
         ("scene.js", scene::script(request, &made(title, "the mesh, the camera and the backdrop"))),
-        ("textures.js", textures(request.textures, &made(title, "the images that the look reads"))),
+        ("textures.js", textures(request, &made(title, "the images that the look reads"))),
         ("player.js", joined(&PLAYER, &made(title, "what draws the look on a canvas"))),
         ("page.js", joined(&CONTROLS, &made(title, "the page's tools and settings"))),
         ("README.md", filled(README, request)),
     ];
     let texts = texts.map(|(name, text)| ExportFile::text(name.to_owned(), text));
-    let look = ExportFile { name: look_name(request.stem) + ".js", ..request.script() };
+    let script = request.javascript_file(&format!("{}look = ", place(request)));
+    let look = ExportFile { name: look_name(request.stem) + ".js", ..script };
     Ok(std::iter::once(look).chain(texts).collect())
 }
 
@@ -124,9 +140,9 @@ fn escaped(text: &str) -> String {
 }
 
 /// The script with the images as base64, by name.
-fn textures(images: &[ExportFile], made: &str) -> String {
-    let mut script = format!("// {made}\nconst textures = {{\n");
-    for image in images {
+fn textures(request: &PackageRequest<'_>, made: &str) -> String {
+    let mut script = format!("// {made}\n{}textures = {{\n", place(request));
+    for image in request.textures {
         let name = serde_json::Value::from(image.name.as_str());
         let _infallible = writeln!(script, "  {name}: \"{}\",", STANDARD.encode(&image.bytes));
     }

@@ -8,6 +8,12 @@ const ICONS = {
   play: "M8 5v14l11-7z",
   pause: "M8 5v14M16 5v14",
   save: "M12 4v11m-5-5 5 5 5-5M5 20h14",
+  full: "M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5",
+  help: "M9 9.2a3 3 0 1 1 4.3 2.7c-.9.5-1.3 1-1.3 2.1M12 17.6v.2",
+  settings: "M4 7h9m4 0h3M4 17h3m4 0h9M15 4.5v5M9 14.5v5",
+  compare: "M12 4v16M9 6H4v12h5M15 6h5v12h-5",
+  link: "M10 14a4 4 0 0 0 5.7 0l3-3A4 4 0 0 0 13 5.3l-1 1M14 10a4 4 0 0 0-5.7 0l-3 3a4 4 0 0 0 "
+    + "5.7 5.7l1-1",
 };
 
 function icon(name) {
@@ -21,18 +27,21 @@ function icon(name) {
 }
 
 function toolButton(name, label, onclick) {
-  const made = element("button", { type: "button", className: "plain", title: label, onclick });
+  const made = element("button", {
+    type: "button", className: `plain ${name}`, title: label, onclick,
+  });
   made.setAttribute("aria-label", label);
   made.append(icon(name));
   return made;
 }
 
-/** The API that the page's address asks for: `?api=webgl2` or `#webgl2`. */
-function wantedApi() {
-  const inQuery = new URLSearchParams(location.search).get("api");
-  const inHash = location.hash.slice(1);
-  return inQuery ?? (["webgpu", "webgl2"].includes(inHash) ? inHash : undefined);
-}
+const query = new URLSearchParams(location.search);
+
+/** True but where the page's address says `?NAME=0`, as the address of a frame may. */
+const isWanted = (name) => query.get(name) !== "0";
+
+/** The API that the page's address asks for: `?api=webgl2`. */
+const wantedApi = () => query.get("api")?.toLowerCase() || undefined;
 
 /** Tells on the page what is wrong, and what helps. */
 function tellProblem(title, advice, reason) {
@@ -44,7 +53,7 @@ function tellProblem(title, advice, reason) {
   byId("problem").hidden = false;
 }
 
-/** What a drag turns: the view, all lights, or one of them. */
+/** What a drag turns: the view, or one of the lights. */
 function subjects(player) {
   const choices = [
     { id: "view", label: "View", key: "V" },
@@ -54,9 +63,11 @@ function subjects(player) {
     const input = element("input", { type: "radio", name: "subject", value: id });
     input.checked = id === "view";
     input.onchange = () => choose(id);
+    // A click leaves the keys to the picture; who goes by keys stays among the choices.
+    input.onpointerup = () => setTimeout(() => player.canvas.focus({ preventScroll: true }));
     const light = player.look.lights.find((one) => one.id === id);
     const dot = light ? element("span", { className: "dot", dataset: { light: id } }) : null;
-    const name = element("span", { textContent: label });
+    const name = element("span", { className: "word", textContent: label });
     const title = light ? `Drag turns this light (key ${key})` : `Drag turns the view (key ${key})`;
     return element("label", { title }, input, dot, name);
   });
@@ -65,9 +76,12 @@ function subjects(player) {
     options.forEach(({ firstChild }) => (firstChild.checked = firstChild.value === id));
   };
   addEventListener("keydown", (event) => {
-    if (event.target.matches?.("input, select") || event.ctrlKey || event.metaKey) return;
+    const isTyping = event.target.matches?.('input[type="number"], input[type="text"], select');
+    if (isTyping || event.ctrlKey || event.metaKey || event.altKey) return;
     const found = choices.find(({ key }) => key.toLowerCase() === event.key.toLowerCase());
-    if (found) choose(found.id);
+    if (!found) return;
+    choose(found.id);
+    player.canvas.focus({ preventScroll: true });
   });
   const made = element("fieldset", { className: "choices" }, ...options);
   made.setAttribute("aria-label", "A drag turns");
@@ -91,13 +105,25 @@ function fillTools(player) {
     setPlaying(!matchMedia("(prefers-reduced-motion: reduce)").matches);
     tools.append(button);
   }
-  tools.append(toolButton("save", "Save the picture as a PNG", () => save(player)));
-  tools.hidden = false;
+  const saved = toolButton("save", "Save the picture as a PNG", () => save(player));
+  saved.onpointerenter = () => {
+    const [width, height] = player.pageSize;
+    saved.title = `Save the picture as a PNG, transparent around, ${width} × ${height}`;
+  };
+  tools.append(saved);
+  if (document.fullscreenEnabled) {
+    const turnFull = () =>
+      (document.fullscreenElement ? document.exitFullscreen() : document.body.requestFullscreen());
+    tools.append(toolButton("full", "Fill the screen", turnFull));
+  }
+  tools.append(toolButton("help", "Help", () => byId("help").showModal()));
+  byId("help").onclick = ({ target }) => target === byId("help") && byId("help").close();
+  tools.hidden = !isWanted("tools");
 }
 
 /** Saves the picture as the page shows it, without the backdrop. */
 async function save(player) {
-  const { width, height } = player.canvas;
+  const [width, height] = player.pageSize;
   const picture = await player.picture(width, height, { camera: player.pageCamera });
   const canvas = element("canvas", { width, height });
   canvas.getContext("2d").putImageData(picture, 0, 0);
@@ -108,66 +134,63 @@ async function save(player) {
   });
 }
 
-function fillPanel(player) {
-  const { look } = player;
-  const rows = [];
-  const section = (title, found) => {
-    const kept = found.filter(Boolean);
-    if (!kept.length) return;
-    rows.push(...kept);
-    const heading = element("h2", { textContent: title });
-    byId("panel").append(element("section", {}, heading, ...kept.map(({ made }) => made)));
+/** The button that folds the panel, which a small page has folded at first. */
+function fillFold() {
+  const panel = byId("panel");
+  if (panel.hidden) return;
+  const button = toolButton("settings", "Settings", () => fold(!panel.hidden));
+  const fold = (isFolded) => {
+    panel.hidden = isFolded;
+    button.setAttribute("aria-expanded", String(!isFolded));
+    button.classList.toggle("is-on", !isFolded);
   };
-  const groups = new Map();
-  for (const parameter of look.parameters) {
-    const group = parameter.group || "Look";
-    groups.set(group, [...(groups.get(group) ?? []), parameterRow(player, parameter)]);
-  }
-  for (const [group, found] of groups) section(group, found);
-  section("Lights", look.lights.map((light) => lightRow(player, light)));
-  const all = element("button", { type: "button", className: "all", textContent: "Reset all" });
-  all.onclick = () => player.reset();
-  const help = "Drag turns what is chosen below the picture; with Shift all lights. The wheel or "
-    + "two fingers go nearer.";
-  const keys = " Keys: arrows turn, + and - go nearer, Home resets the view.";
-  const text = element("p", { className: "help", textContent: help });
-  text.append(element("span", { className: "keys", textContent: keys }));
-  byId("panel").append(all, text);
-  const update = () => {
-    rows.forEach((one) => one.update());
-    all.disabled = player.isUntouched;
-    for (const dot of document.querySelectorAll("[data-light]")) {
-      dot.style.setProperty("--color", player.hexOf(player.lightNow(dot.dataset.light).color));
-    }
+  button.setAttribute("aria-controls", "panel");
+  byId("corner").append(button);
+  fold(!isWanted("panel") || Math.min(innerWidth, innerHeight) < 480);
+  button.hidden = !isWanted("panel");
+}
+
+/** Says which API draws; a click draws by the other one. */
+function tellApi(player) {
+  const button = byId("api");
+  const other = player.api === "WebGPU" ? "WebGL 2" : "WebGPU";
+  button.textContent = player.api;
+  button.title = [`Draw by ${other} instead`, ...player.failures].join("\n");
+  button.onclick = () => {
+    const address = new URL(linkOf(player));
+    address.searchParams.set("api", other.toLowerCase().replace(" ", ""));
+    history.replaceState(null, "", address);
+    location.reload();
   };
-  for (const event of ["value", "light", "view", "reset"]) player.addEventListener(event, update);
-  update();
-  byId("panel").hidden = !rows.length;
+  button.hidden = !isWanted("tools");
 }
 
 async function start() {
   const canvas = byId("picture");
-  const [r, g, b] = scene.backdrop ?? [0.16, 0.165, 0.18];
+  const exported = Object.values(window.chiaroExports ?? {})[0];
+  const [r, g, b] = exported?.scene?.backdrop ?? [0.16, 0.165, 0.18];
   const byte = (x) => Math.round(255 * x);
   document.body.style.setProperty("--backdrop", `rgb(${byte(r)} ${byte(g)} ${byte(b)})`);
-  canvas.setAttribute("role", "application");
-  const told = "Arrow keys turn it, plus and minus go nearer, Home resets the view.";
-  canvas.setAttribute("aria-label", `${look.name}: a picture that can be turned. ${told}`);
   try {
-    const player = await chiaro.open(canvas, { look, scene, textures }, { api: wantedApi() });
+    const player = await chiaro.open(canvas, exported, { api: wantedApi() });
     byId("waiting").hidden = true;
-    byId("api").textContent = player.api;
-    byId("api").title = player.failures.join("\n");
-    byId("api").hidden = false;
+    tellApi(player);
+    player.addEventListener("api", () => tellApi(player));
     player.addEventListener("lost", ({ detail }) => tellProblem(
       "The picture stopped.", "Reload the page to draw it again.", detail,
     ));
+    takeLink(player);
     fillTools(player);
     fillPanel(player);
+    fillFold();
+    markLights(player);
+    byId("hint").hidden = false;
+    player.addEventListener("view", () => (byId("hint").hidden = true), { once: true });
   } catch (failure) {
     console.error(failure);
     const advice = wantedApi()
-      ? `The address of the page asks for ${wantedApi()}. Without that it takes what there is.`
+      ? `The address of the page asks for api=${wantedApi()}. Leave that out, and the page takes `
+        + "WebGPU or WebGL 2, whichever works."
       : "It needs WebGPU or WebGL 2. Open the page in a new Chrome, Edge, Firefox or Safari, and "
         + "see that graphics acceleration is turned on in its settings.";
     tellProblem("This look cannot be drawn here.", advice, failure.message);

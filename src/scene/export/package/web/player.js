@@ -21,6 +21,15 @@ const MOST_PIXELS = 2;
 /** The longest side of the picture on the page, in device pixels. */
 const MOST_SIDE = 4096;
 
+/** A device that is lost within this time, in milliseconds, had not drawn well at all. */
+const EARLY = 5000;
+
+/** Frames that take longer than this, in milliseconds, are drawn coarser while things move. */
+const SLOW = 50;
+
+/** Time without a change, in milliseconds, after which the picture is drawn finely again. */
+const REST = 200;
+
 /** The canvas that events and styles are given to; a new one where another API has taken it. */
 function freshCanvas(canvas) {
   const fresh = canvas.cloneNode(false);
@@ -37,65 +46,119 @@ class Player extends EventTarget {
    * @param options `api`: `webgpu` or `webgl2`, else the first that works. `samples`: 1, or 4 for
    *   smooth edges.
    */
-  static async open(canvas, { look, scene, textures = {} }, { api, samples = 4 } = {}) {
+  static async open(canvas, content, { api, samples = 4 } = {}) {
+    checkContent(content);
+    const { look, scene, textures = {} } = content;
     const player = new Player();
     const images = await readImages(look, textures);
     const mesh = readMesh(scene.mesh);
     mesh.isMirrored = determinant3(linear3(mesh.worldFromObject)) < 0;
     Object.assign(player, { canvas, look, scene, mesh, samples });
     player.content = { look, mesh, images, samples };
+    player.camera = { ...scene.camera };
     player.reset();
-    const names = api ? [api] : Object.keys(EXECUTORS);
-    const failures = [];
-    for (const name of names) {
-      if (failures.length) player.canvas = freshCanvas(player.canvas);
-      try {
-        if (!EXECUTORS[name]) throw new Error(`it is webgpu or webgl2, not ${name}`);
-        player.executor = await EXECUTORS[name].create(player.canvas, player.content);
-        break;
-      } catch (failure) {
-        failures.push(`${name}: ${failure.message}`);
-      }
-    }
-    if (!player.executor) throw new Error(failures.join("; "));
-    player.failures = failures;
-    player.executor.onLost((reason) => player.tell("lost", reason));
+    const wanted = api?.toLowerCase();
+    if (wanted && !EXECUTORS[wanted]) throw new Error(`api is "webgpu" or "webgl2", not "${api}"`);
+    player.failures = [];
+    await player.begin(wanted ? [wanted] : Object.keys(EXECUTORS));
     player.watchSize();
     return player;
   }
 
+  /** Draws by the first of some APIs that works; a canvas that one has failed on is replaced. */
+  async begin(names) {
+    for (const [at, name] of names.entries()) {
+      if (this.failures.length) this.canvas = freshCanvas(this.canvas);
+      try {
+        this.executor = await EXECUTORS[name].create(this.canvas, this.content);
+        this.begun = performance.now();
+        this.executor.onLost((reason) => this.recover(reason, names.slice(at + 1)));
+        return;
+      } catch (failure) {
+        this.failures.push(`${name}: ${failure.message}`);
+      }
+    }
+    throw new Error(this.failures.join("; "));
+  }
+
+  /** Goes on by another API where the first was lost at once; tells of it where none is left. */
+  async recover(reason, others) {
+    const { executor } = this;
+    if (!executor) return;
+    this.executor = null;
+    const told = reason || "the graphics card was lost";
+    try {
+      if (!others.length || performance.now() - this.begun > EARLY) throw new Error(told);
+      this.failures.push(`${executor.label}: ${told}`);
+      await this.begin(others);
+      this.sizes.disconnect();
+      this.watchSize();
+      this.gestures?.listen();
+      this.isDrawing = false;
+      this.draw();
+      this.tell("api");
+    } catch (failure) {
+      this.isPlaying = false;
+      this.tell("lost", failure.message);
+    }
+  }
+
   /** Name of the API that draws: `WebGPU` or `WebGL 2`. */
   get api() {
-    return this.executor.label;
+    return this.executor?.label;
   }
 
   // Values.
 
   /** Sets an exposed parameter by the name that the artist gave it. */
   set(key, value) {
-    const parameter = this.look.parameters.find((one) => one.key === key);
-    if (!parameter) {
-      const known = this.look.parameters.map((one) => one.key).join(", ");
-      throw new Error(`there is no parameter ${key}; there are: ${known || "none"}`);
-    }
-    this.values[key] = value;
+    const parameter = this.parameter(key);
+    const checked = checkedValue(parameter, value);
+    // Keys move a value only while it is not set.
+    if (!parameter.keyed && this.isSame(parameter, checked)) delete this.values[key];
+    else this.values[key] = checked;
     this.invalidate();
     this.tell("value", key);
   }
 
   /** The value of an exposed parameter. */
   get(key) {
-    const parameter = this.look.parameters.find((one) => one.key === key);
-    return key in this.values ? this.values[key] : parameter?.default;
+    const parameter = this.parameter(key);
+    return key in this.values ? this.values[key] : parameter.default;
+  }
+
+  parameter(key) {
+    const found = this.look.parameters.find((one) => one.key === key);
+    if (found) return found;
+    const known = this.look.parameters.map((one) => one.key).join(", ");
+    throw new Error(`there is no parameter ${key}; there are: ${known || "none"}`);
+  }
+
+  /** True for the value that a parameter has in the look. */
+  isSame({ type, default: own }, value) {
+    if (type === "color") {
+      return this.hexOf(value) === this.hexOf(own) && this.isAsOpaque(value, own);
+    }
+    return String(value) === String(own);
+  }
+
+  /** True for colors of the same alpha. */
+  isAsOpaque(...colors) {
+    const alphaOf = (color) =>
+      typeof color === "string" ? colorFromHex(color)[3] : (color[3] ?? 1);
+    const [first, second] = colors.map(alphaOf);
+    return Math.abs(first - second) < 1 / 512;
   }
 
   /** Sets fields of a light, in its own frame: `direction`, `position`, `color`, `intensity`... */
   light(id, fields) {
-    if (!this.look.lights.some((one) => one.id === id)) {
+    const light = this.look.lights.find((one) => one.id === id);
+    if (!light) {
       const known = this.look.lights.map((one) => one.id).join(", ");
       throw new Error(`there is no light ${id}; there are: ${known || "none"}`);
     }
-    this.lights[id] = { ...this.lights[id], ...fields };
+    const checked = checkedFields(light, fields, (hex) => this.numbersOfHex(hex));
+    this.lights[id] = { ...this.lights[id], ...checked };
     this.invalidate();
     this.tell("light", id);
   }
@@ -110,16 +173,16 @@ class Player extends EventTarget {
     return { ...light, ...this.lights[id] };
   }
 
-  /** Gives everything, or one parameter, the value that it has in the look. */
+  /** Gives everything, or one parameter, the value that it has in the look. The view stays. */
   reset(key) {
     if (key !== undefined) {
+      this.get(key);
       delete this.values[key];
       this.tell("value", key);
     } else {
       this.values = {};
       this.lights = {};
       this.illumination = [...this.scene.illumination];
-      this.camera = { ...this.scene.camera };
       this.time = 0;
       this.tell("reset");
     }
@@ -131,6 +194,13 @@ class Player extends EventTarget {
     delete this.lights[id];
     this.invalidate();
     this.tell("light", id);
+  }
+
+  /** Turns all lights back, which were turned together. */
+  resetIllumination() {
+    this.illumination = [...this.scene.illumination];
+    this.invalidate();
+    this.tell("view");
   }
 
   /** True while everything is as the look has it, but for the view. */
@@ -266,9 +336,14 @@ class Player extends EventTarget {
       : Number(state.parameters[key]) > 0;
   }
 
-  /** Has the page drawn again before it is shown next. */
+  /** Has the page drawn again before it is shown next, or once the frame before is done. */
   invalidate() {
+    this.changed = performance.now();
     if (!this.executor || this.awaited) return;
+    if (this.isDrawing) {
+      this.isBehind = true;
+      return;
+    }
     this.awaited = requestAnimationFrame((now) => {
       this.awaited = 0;
       if (this.isPlaying) {
@@ -292,16 +367,43 @@ class Player extends EventTarget {
   }
 
   draw() {
-    const { width, height } = this.canvas;
-    if (!width || !height) return;
+    if (!this.executor) return;
+    if (this.isDrawing) {
+      this.isBehind = true;
+      return;
+    }
+    // What is slow is drawn with half the width and height while it moves.
+    const isMoving = this.isPlaying || performance.now() - this.changed < REST;
+    const isCoarse = this.slowness > SLOW && isMoving;
+    const size = this.pageSize.map((side) => (isCoarse ? Math.ceil(side / 2) : side));
+    if (!size[0] || !size[1]) return;
+    if (size[0] !== this.canvas.width || size[1] !== this.canvas.height) {
+      [this.canvas.width, this.canvas.height] = size;
+    }
     try {
-      this.executor.show(this.frame([width, height], this.samples, this.pageCamera));
+      this.executor.show(this.frame(size, this.samples, this.pageCamera));
       this.drawn = (this.drawn ?? 0) + 1;
       this.tell("drawn");
     } catch (failure) {
       this.isPlaying = false;
       this.tell("lost", failure.message);
+      return;
     }
+    this.isDrawing = true;
+    const begun = performance.now();
+    const { executor } = this;
+    executor.finished().then(() => {
+      if (executor !== this.executor) return;
+      this.isDrawing = false;
+      // The first frame counts little: drivers finish shaders during it.
+      if (!isCoarse && this.drawn > 1) this.slowness = performance.now() - begun;
+      if (this.isBehind) {
+        this.isBehind = false;
+        this.invalidate();
+      }
+      clearTimeout(this.resting);
+      if (isCoarse) this.resting = setTimeout(() => this.draw(), REST);
+    }, () => (this.isDrawing = false));
   }
 
   /**
@@ -327,21 +429,50 @@ class Player extends EventTarget {
     return new ImageData(pixels, width, height);
   }
 
+  /** Width and height of the picture on the page, in device pixels. */
+  get pageSize() {
+    const pixels = Math.min(devicePixelRatio || 1, MOST_PIXELS);
+    const { clientWidth, clientHeight } = this.canvas;
+    const sideOf = (side) => Math.min(Math.round(side * pixels), MOST_SIDE);
+    return [clientWidth, clientHeight].map(sideOf);
+  }
+
+  /** The numbers of the picture with other values of parameters: a few pixels, to compare. */
+  trial(values, side) {
+    const own = this.values;
+    this.values = { ...own, ...values };
+    try {
+      // Everything is asked for before the first wait.
+      return this.executor.read(this.frame([side, side], 1, this.pageCamera));
+    } finally {
+      this.values = own;
+    }
+  }
+
   /** Draws again, at the right size, when the canvas has another one. */
   watchSize() {
     this.sizes = new ResizeObserver(() => {
-      const pixels = Math.min(devicePixelRatio || 1, MOST_PIXELS);
-      const { clientWidth, clientHeight } = this.canvas;
-      const sideOf = (side) => Math.min(Math.round(side * pixels), MOST_SIDE);
-      const size = [clientWidth, clientHeight].map(sideOf);
-      if (size[0] === this.canvas.width && size[1] === this.canvas.height) return;
-      [this.canvas.width, this.canvas.height] = size;
-      this.draw();
+      const [width, height] = this.pageSize;
+      if (width !== this.canvas.width || height !== this.canvas.height) this.draw();
     });
     this.sizes.observe(this.canvas);
   }
 
-  /** Tells listeners of `value`, `light`, `view`, `reset`, `drawn` or `lost`. */
+  /**
+   * Shows the look on a mesh of the page's own, brought to the size and the place of the first
+   * one: `positions`, `indices`, `normals`, `uvs`, as arrays of numbers.
+   */
+  wear(given) {
+    const wanted = Object.keys(this.mesh.attributes);
+    const mesh = { ...meshOf(given, wanted, this.mesh.sphere), isMirrored: false };
+    this.mesh = mesh;
+    this.content.mesh = mesh;
+    this.executor?.replaceMesh(mesh);
+    this.invalidate();
+    this.tell("mesh");
+  }
+
+  /** Tells listeners of `value`, `light`, `view`, `reset`, `mesh`, `drawn`, `api` or `lost`. */
   tell(type, detail) {
     this.dispatchEvent(new CustomEvent(type, { detail }));
   }
@@ -349,8 +480,10 @@ class Player extends EventTarget {
   /** Frees the graphics card. */
   close() {
     cancelAnimationFrame(this.awaited);
+    clearTimeout(this.resting);
     this.sizes?.disconnect();
-    this.executor.destroy();
+    this.gestures?.close();
+    this.executor?.destroy();
     this.executor = null;
   }
 }

@@ -23,7 +23,8 @@ pub(super) fn script(request: &PackageRequest<'_>, made: &str) -> String {
         "illumination": glam::DMat3::IDENTITY.to_cols_array(),
         "mesh": mesh(scene, attributes),
     });
-    format!("// {made}\nconst scene = {};\n", pretty(&described).trim_end())
+    let place = super::place(request);
+    format!("// {made}\n{place}scene = {};\n", pretty(&described).trim_end())
 }
 
 fn camera(camera: &Camera) -> Value {

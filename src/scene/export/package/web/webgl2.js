@@ -102,8 +102,10 @@ class WebGl2Executor {
 
   uploadMesh() {
     const { gl, mesh } = this;
+    this.meshBuffers = [];
     const upload = (target, array) => {
       const buffer = gl.createBuffer();
+      this.meshBuffers.push(buffer);
       gl.bindBuffer(target, buffer);
       gl.bufferData(target, array, gl.STATIC_DRAW);
       return buffer;
@@ -436,11 +438,36 @@ class WebGl2Executor {
 
   /** Calls `then` with the reason when the graphics card is lost, once. */
   onLost(then) {
-    const lost = () => then("the browser took the graphics card away");
+    const lost = () => this.isClosed || then("the browser took the graphics card away");
     this.canvas.addEventListener("webglcontextlost", lost, { once: true });
   }
 
+  /** Resolves when everything is drawn that was asked for. */
+  async finished() {
+    const { gl } = this;
+    const drawn = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    while (!this.isClosed && gl.clientWaitSync(drawn, 0, 0) === gl.TIMEOUT_EXPIRED) {
+      await new Promise((resolve) => setTimeout(resolve, 2));
+    }
+    gl.deleteSync(drawn);
+  }
+
+  /** Draws another mesh with the same attributes from now on. */
+  replaceMesh(mesh) {
+    for (const module of Object.values(this.modules)) {
+      if (module.vertices) this.gl.deleteVertexArray(module.vertices);
+      module.vertices = null;
+    }
+    this.meshBuffers.forEach((buffer) => this.gl.deleteBuffer(buffer));
+    this.mesh = mesh;
+    this.uploadMesh();
+    this.shadows?.destroy();
+    this.shadows = null;
+  }
+
   destroy() {
+    this.isClosed = true;
     this.targets?.destroy();
     this.gl.getExtension("WEBGL_lose_context")?.loseContext();
   }

@@ -400,10 +400,28 @@ class WebGpuExecutor {
 
   /** Calls `then` with the reason when the graphics card is lost, once. */
   onLost(then) {
-    this.device.lost.then(({ reason, message }) => reason !== "destroyed" && then(message));
+    this.device.lost.then(({ message }) => this.isClosed || then(message));
+  }
+
+  /** Resolves when everything is drawn that was asked for. */
+  finished() {
+    return this.device.queue.onSubmittedWorkDone();
+  }
+
+  /** Draws another mesh with the same attributes from now on. */
+  replaceMesh(mesh) {
+    const before = [this.indices, ...Object.values(this.vertices)];
+    this.mesh = mesh;
+    this.uploadMesh();
+    before.forEach((buffer) => buffer.destroy());
+    // Which side is the front is part of a pipeline, and shadow maps show the mesh before.
+    this.pipelines.clear();
+    this.shadows?.destroy();
+    this.shadows = null;
   }
 
   destroy() {
+    this.isClosed = true;
     this.targets?.destroy();
     this.shadows?.destroy();
     this.device.destroy();
