@@ -247,7 +247,10 @@ function illuminationRow(player) {
     const trace = player.illumination.reduce((sum, x, i) => sum + x * own[i], 0);
     return Math.acos(clampNumber((trace - 1) / 2, -1, 1));
   };
-  const show = (value) => (input.textContent = `turned by ${Math.round(value * 180 / Math.PI)}°`);
+  const show = (value) => {
+    const degrees = Math.round(value * 180 / Math.PI);
+    input.textContent = degrees ? `turned by ${degrees}°` : "as they were";
+  };
   const found = row({
     label: "All lights",
     help: "Drag with Shift to turn all lights together.",

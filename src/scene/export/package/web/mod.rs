@@ -19,6 +19,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
 use super::super::ExportFile;
+use super::super::description::{Description, ExposedParameter};
 use super::{Package, PackageRequest};
 use crate::diag::Diagnostic;
 
@@ -111,27 +112,32 @@ fn joined(parts: &[&str], made: &str) -> String {
 
 /// A template with its places filled.
 fn filled(template: &str, request: &PackageRequest<'_>) -> String {
-    let parameters = &request.description.parameters;
-    let names: Vec<String> =
-        parameters.iter().filter_map(|one| Some(one.name.as_ref()?.to_string())).collect();
-    let listed: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-    let parameters = if names.is_empty() {
-        "The look exposes none: expose some in Chiaro, or export with `--live`.".to_owned()
-    } else {
-        format!("The look has these: {}.", listed.join(", "))
-    };
-    let light = request.description.lights.first();
-    let example = match (names.first(), light) {
-        (Some(name), _) => format!("player.set(\"{name}\", player.get(\"{name}\"));"),
-        (None, Some(light)) => format!("player.light(\"{}\", {{ intensity: 2 }});", light.id),
-        (None, None) => "player.gestures.turn(0.5, 0, \"view\");".to_owned(),
-    };
+    let lights: Vec<String> =
+        request.description.lights.iter().map(|light| format!("`{}`", light.id)).collect();
+    let lights = if lights.is_empty() { "none here".to_owned() } else { lights.join(", ") };
     template
         .replace("{{title}}", &escaped(request.title))
         .replace("{{stem}}", &look_name(request.stem))
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
-        .replace("{{parameters}}", &parameters)
-        .replace("{{example}}", &example)
+        .replace("{{lights}}", &lights)
+        .replace("{{example}}", &example(request.description))
+        .replace("{{table}}\n", &request.parameter_table())
+}
+
+/// A call that is seen in the picture.
+fn example(description: &Description) -> String {
+    if let Some(light) = description.lights.first() {
+        return format!(
+            "player.light(\"{}\", {{ color: \"#ff9a5c\", intensity: 1.5 }});",
+            light.id
+        );
+    }
+    let is_color = |parameter: &&ExposedParameter| parameter.live && parameter.ty == "color";
+    let mut colors = description.parameters.iter().filter(is_color);
+    match colors.find_map(|parameter| parameter.name.as_ref()) {
+        Some(name) => format!("player.set(\"{name}\", \"#ff9a5c\");"),
+        None => "player.gestures.turn(0.5, 0, \"view\");".to_owned(),
+    }
 }
 
 /// A text as HTML and Markdown write it.
