@@ -1,6 +1,6 @@
 //! The package `web` in Chromium, by WebGPU and by WebGL 2.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use crate::support::chromium::{Chromium, from_base64};
@@ -129,9 +129,17 @@ fn the_page_is_worked_by_hand_and_keys() {
     for wanted in ["Body", "Move right", "Split upright", "key"] {
         assert!(labels.as_array().is_some_and(|all| all.contains(&json!(wanted))), "{labels}");
     }
+    // Each control has a name of its own.
+    let names = "[...document.querySelectorAll('.panel [aria-label]')]
+        .map((one) => one.getAttribute('aria-label'))";
+    let names = browser.evaluate(names).expect("names");
+    let names: Vec<&str> =
+        names.as_array().into_iter().flatten().filter_map(|name| name.as_str()).collect();
+    let once: BTreeSet<&str> = names.iter().copied().collect();
+    assert_eq!(names.len(), once.len(), "{names:?}");
     // A slider moves the value, and its button gives it back.
     let slid = "(() => {
-        const slider = document.querySelector('.panel input[type=range]');
+        const slider = document.querySelector('[data-parameter] input[type=range]');
         slider.value = slider.max;
         slider.dispatchEvent(new Event('input'));
         const set = Object.keys(chiaro.player.values).length;
@@ -166,6 +174,84 @@ fn the_page_is_worked_by_hand_and_keys() {
         return false;
     })()";
     assert_eq!(browser.evaluate(rest), Ok(json!(true)), "nothing is drawn at rest");
+}
+
+/// A value of the wrong form is refused in words, and changes nothing; one that is as in the look
+/// counts as none.
+#[test]
+fn wrong_values_are_refused() {
+    let Some(mut browser) = Chromium::start().expect("Chromium") else { return };
+    let trial = Trial::of("looks/highlight-moves");
+    open(&mut browser, &trial.package("web"), APIS[1]);
+    let wrong = [
+        ("chiaro.set('move_x', NaN)", "move_x is a number"),
+        ("chiaro.set('move_x', '0.5')", "move_x is a number"),
+        ("chiaro.set('move_x', null)", "move_x is a number"),
+        ("chiaro.set('color', 'red')", "#rrggbb"),
+        ("chiaro.set('color', [1, 0])", "three or four numbers"),
+        ("chiaro.light('key', { colour: [1, 0, 0] })", "it has: direction"),
+        ("chiaro.light('key', { direction: [0, 0, 0] })", "not all 0"),
+        ("chiaro.light('key', { intensity: Infinity })", "a number from 0"),
+        ("chiaro.wear({ positions: [1, 2] })", "three for every vertex"),
+        ("chiaro.open(document.createElement('canvas'), { look: 1 })", "not that of an export"),
+    ];
+    for (script, words) in wrong {
+        let refused = browser.evaluate(script).expect_err(script);
+        assert!(refused.contains(words), "{script}: {refused}");
+    }
+    assert_eq!(browser.evaluate("chiaro.player.isUntouched"), Ok(json!(true)));
+    let short = "chiaro.set('color', '#F00'); chiaro.get('color')";
+    assert_eq!(browser.evaluate(short), Ok(json!("#ff0000")));
+    let same = "chiaro.set('color', chiaro.player.parameter('color').default);
+        chiaro.player.isUntouched";
+    assert_eq!(browser.evaluate(same), Ok(json!(true)));
+}
+
+/// A canvas by `chiaro.open` alone is reached by keys and not scrolled by a drag; the page's link
+/// has what was changed; a device that is lost at once is replaced by WebGL 2.
+#[test]
+fn a_canvas_of_ones_own_a_link_and_a_lost_device() {
+    let Some(mut browser) = Chromium::start().expect("Chromium") else { return };
+    let trial = Trial::of("looks/highlight-moves");
+    let package = trial.package("web");
+    open(&mut browser, &package, APIS[1]);
+    let own = "(async () => {
+        const canvas = document.createElement('canvas');
+        canvas.style.cssText = 'width: 64px; height: 64px';
+        document.body.append(canvas);
+        const content = Object.values(chiaroExports)[0];
+        const player = await chiaro.open(canvas, content, { api: 'WebGL2', wheel: 'ctrl' });
+        const found = [canvas.style.touchAction, canvas.tabIndex, canvas.getAttribute('role')];
+        const wheel = new WheelEvent('wheel', { deltaY: 100, cancelable: true });
+        canvas.dispatchEvent(wheel);
+        player.close();
+        canvas.remove();
+        return [...found, wheel.defaultPrevented];
+    })()";
+    assert_eq!(browser.evaluate(own), Ok(json!(["none", 0, "application", false])));
+    let link = "chiaro.set('move_x', 0.25);
+        chiaro.light('key', { intensity: 0.5 });
+        document.querySelector('.link').click();
+        location.hash";
+    let link = browser.evaluate(link).expect("a link");
+    let ending = format!("?api=webgl2{}", link.as_str().expect("a link"));
+    browser.open_file_with(&package.join("index.html"), &ending).expect("the page opens");
+    let set = "chiaro.ready.then((player) =>
+        [player.get('move_x'), player.lightNow('key').intensity])";
+    assert_eq!(browser.evaluate(set), Ok(json!([0.25, 0.5])));
+    // No API is asked for here, so that another may follow.
+    browser.open_file_with(&package.join("index.html"), "?panel=0").expect("the page opens");
+    let lost = "chiaro.ready.then(async (player) => {
+        if (player.api !== 'WebGPU') return player.failures;
+        const turned = new Promise((then) => player.addEventListener('api', then));
+        player.executor.device.destroy();
+        await turned;
+        return [player.api, player.canvas === document.getElementById('picture')];
+    })";
+    assert_eq!(browser.evaluate(lost), Ok(json!(["WebGL 2", true])));
+    let told = "document.getElementById('problem').hidden
+        && document.getElementById('api').textContent";
+    assert_eq!(browser.evaluate(told), Ok(json!("WebGL 2")));
 }
 
 /// All example looks, images and painted surfaces that are exported.

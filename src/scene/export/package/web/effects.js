@@ -15,7 +15,10 @@ const TRIED = [0.02, 0.3, 0.7, 1];
 const QUIET = 600;
 
 /** The longest time of a trial, in milliseconds, on a graphics card that is asked again. */
-const PATIENCE = 120;
+const PATIENCE = 150;
+
+/** Trials in that time or longer, after which none is made any more. */
+const SLOW_TRIALS = 4;
 
 /** Values that a parameter is tried with. */
 function triedValues(player, parameter) {
@@ -71,12 +74,16 @@ class Effects {
   async run(turn) {
     const { player } = this;
     // A picture that moves by itself would tell nothing, and a slow card has better things to do.
-    if (player.isPlaying || !player.executor || this.isSlow) return;
-    const begun = performance.now();
+    if (player.isPlaying || !player.executor || this.slowTrials >= SLOW_TRIALS) return;
+    if (player.isDrawing) return this.again();
     const now = await player.trial({}, TRIAL_SIDE);
+    const begun = performance.now();
     await player.trial({}, TRIAL_SIDE);
-    if (performance.now() - begun > 2 * PATIENCE) {
-      this.isSlow = true;
+    if (turn !== this.turn) return;
+    if (performance.now() - begun > PATIENCE) {
+      // A machine that is busy for a moment is asked again.
+      this.slowTrials = (this.slowTrials ?? 0) + 1;
+      if (this.slowTrials < SLOW_TRIALS) this.again();
       return;
     }
     for (const key of this.listed()) {
