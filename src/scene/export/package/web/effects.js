@@ -75,6 +75,8 @@ class Effects {
     const { player } = this;
     // A picture that moves by itself would tell nothing, and a slow card has better things to do.
     if (player.isPlaying || !player.executor || this.slowTrials >= SLOW_TRIALS) return;
+    const keys = this.listed();
+    if (!keys.length) return;
     if (player.isDrawing) return this.again();
     const now = await player.trial({}, TRIAL_SIDE);
     const begun = performance.now();
@@ -86,7 +88,7 @@ class Effects {
       if (this.slowTrials < SLOW_TRIALS) this.again();
       return;
     }
-    for (const key of this.listed()) {
+    for (const key of keys) {
       const parameter = player.look.parameters.find((one) => one.key === key);
       if (!parameter?.live) continue;
       let hasEffect = false;

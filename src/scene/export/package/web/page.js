@@ -172,7 +172,11 @@ async function start() {
   const byte = (x) => Math.round(255 * x);
   document.body.style.setProperty("--backdrop", `rgb(${byte(r)} ${byte(g)} ${byte(b)})`);
   try {
-    const player = await chiaro.open(canvas, exported, { api: wantedApi() });
+    // A bare picture lies in another page, which scrolls.
+    const isBare = !isWanted("tools");
+    document.body.classList.toggle("is-bare", isBare);
+    const wheel = isBare ? "focus" : true;
+    const player = await chiaro.open(canvas, exported, { api: wantedApi(), wheel });
     byId("waiting").hidden = true;
     tellApi(player);
     player.addEventListener("api", () => tellApi(player));

@@ -339,6 +339,11 @@ class Player extends EventTarget {
   /** Has the page drawn again before it is shown next, or once the frame before is done. */
   invalidate() {
     this.changed = performance.now();
+    this.schedule();
+  }
+
+  /** Asks for the next frame. */
+  schedule() {
     if (!this.executor || this.awaited) return;
     if (this.isDrawing) {
       this.isBehind = true;
@@ -372,6 +377,7 @@ class Player extends EventTarget {
       this.isBehind = true;
       return;
     }
+    clearTimeout(this.resting);
     // What is slow is drawn with half the width and height while it moves.
     const isMoving = this.isPlaying || performance.now() - this.changed < REST;
     const isCoarse = this.slowness > SLOW && isMoving;
@@ -399,10 +405,10 @@ class Player extends EventTarget {
       if (!isCoarse && this.drawn > 1) this.slowness = performance.now() - begun;
       if (this.isBehind) {
         this.isBehind = false;
-        this.invalidate();
+        this.schedule();
+      } else if (isCoarse) {
+        this.resting = setTimeout(() => this.draw(), REST);
       }
-      clearTimeout(this.resting);
-      if (isCoarse) this.resting = setTimeout(() => this.draw(), REST);
     }, () => (this.isDrawing = false));
   }
 
