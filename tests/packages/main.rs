@@ -9,6 +9,7 @@ use chiaro_test_drawing as support;
 mod babylon;
 mod blender;
 mod library;
+mod matrix;
 mod pictures;
 mod table;
 mod three;

@@ -1,10 +1,12 @@
 //! Packages as the program exports them, and the pictures that they should show.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-use crate::support::root;
+use crate::support::{files, root};
+use crate::table::{self, Row};
 use image::RgbaImage;
 
 /// Size of the pictures, in pixels.
@@ -51,6 +53,24 @@ impl Trial {
         out
     }
 
+    /// The folder of the package, exported now, or the reason why this package refuses the look.
+    pub(crate) fn try_package(&self, slug: &str) -> Result<PathBuf, String> {
+        let out = self.folder.path().join(slug);
+        let mut command = chiaro();
+        command.arg("export").arg(&self.document).args(["--to", slug, "-o"]).arg(&out);
+        command.args(self.arguments);
+        let output = command.output().expect("the program starts");
+        if output.status.success() {
+            return Ok(out);
+        }
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        let reason = said.lines().find_map(|line| line.split_once("error[not-in-package]: "));
+        match reason {
+            Some((_, reason)) => Err(reason.trim().to_owned()),
+            None => panic!("{command:?}: {said}"),
+        }
+    }
+
     /// Our own picture of the look: one sample a pixel, without a backdrop, every value a uniform
     /// as in a package.
     pub(crate) fn ours(&self) -> RgbaImage {
@@ -90,6 +110,59 @@ impl Trial {
         run(&mut command);
         image::open(&picture).expect("a picture").to_rgba8()
     }
+}
+
+/// An example look.
+pub(crate) struct ExampleLook {
+    /// Name of its file without ending.
+    pub(crate) name: String,
+    /// Its place among the examples, such as `looks/clay`.
+    pub(crate) place: String,
+}
+
+impl ExampleLook {
+    /// A trial of the look, in the cheapest tiers that a package carries where it casts shadows.
+    pub(crate) fn trial(&self) -> Trial {
+        let trial = Trial::of(&self.place);
+        if self.place.starts_with("shadows") {
+            trial.with(&["--tier", "balanced"])
+        } else {
+            trial
+        }
+    }
+}
+
+/// All example looks, folder after folder.
+pub(crate) fn example_looks() -> Vec<ExampleLook> {
+    let examples = root().join("examples");
+    let folders = ["looks", "images", "hcbtf", "shadows"].map(|name| examples.join(name));
+    let documents = folders.iter().flat_map(|folder| files::below(folder));
+    let documents = documents.filter(|path| path.extension().is_some_and(|it| it == "json"));
+    let look = |path: PathBuf| {
+        let place = path.strip_prefix(&examples).expect("an example").with_extension("");
+        let place = place.to_string_lossy().into_owned();
+        let name = place.rsplit('/').next().unwrap_or_default().to_owned();
+        ExampleLook { name, place }
+    };
+    documents.map(look).collect()
+}
+
+/// Trials of all example looks that a package takes; the reasons of those that it refuses are
+/// compared with the table, or written there.
+pub(crate) fn soak_trials(slug: &str) -> Vec<(String, Trial)> {
+    let mut refused = BTreeMap::new();
+    let mut taken = Vec::new();
+    for look in example_looks() {
+        let trial = look.trial();
+        match trial.try_package(slug) {
+            Ok(_) => taken.push((look.name, trial)),
+            Err(reason) => {
+                refused.insert(format!("{slug} - {}", look.name), Row::Refused(reason));
+            }
+        }
+    }
+    table::check_rows(&refused);
+    taken
 }
 
 /// The folder of what is kept between runs of the program, such as the mesh.

@@ -41,12 +41,15 @@ pub struct Package {
     pub help: &'static str,
     /// File to open after an export, where there is one.
     pub opens: Option<&'static str>,
+    /// Program and version that tests run the package with; `None` where the program itself was
+    /// never run.
+    pub run_with: Option<&'static str>,
     write: fn(&PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>>,
 }
 
 /// All packages, in the order in which the window lists them.
-pub const PACKAGES: [&Package; 4] =
-    [&web::PACKAGE, &three::PACKAGE, &babylon::PACKAGE, &blender::PACKAGE];
+pub const PACKAGES: &[&Package] =
+    &[&web::PACKAGE, &three::PACKAGE, &babylon::PACKAGE, &blender::PACKAGE];
 
 /// The scene that a package shows the look in.
 #[derive(Clone, Debug)]
@@ -107,7 +110,7 @@ impl PackageRequest<'_> {
 
 /// The package that `chiaro export --to` calls `slug`.
 pub fn package(slug: &str) -> Option<&'static Package> {
-    PACKAGES.into_iter().find(|package| package.slug == slug)
+    PACKAGES.iter().copied().find(|package| package.slug == slug)
 }
 
 /// Exports `look` as a package whose files' names begin with `stem`. Images and HCBTFs that the

@@ -16,6 +16,7 @@ pub(super) const PACKAGE: Package = Package {
     label: "Babylon.js",
     help: "An ES module with a material for Babylon.js, by WebGL and WebGPU.",
     opens: None,
+    run_with: Some("Babylon.js 9.35.0 in Chromium, both engines"),
     write,
 };
 

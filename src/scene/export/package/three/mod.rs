@@ -25,6 +25,7 @@ pub(super) const PACKAGE: Package = Package {
     label: "three.js",
     help: "ES modules with a material for each of three.js's renderers, and a page that shows it.",
     opens: None,
+    run_with: Some("three.js 0.187.0 in Chromium, both renderers"),
     write,
 };
 

@@ -7,7 +7,7 @@
 //! several files each, which lie in this folder, and are joined into one script here. They fetch
 //! nothing.
 //!
-//! The player draws as `docs/exports.md` says, by either of two executors with the same methods,
+//! The player draws as `docs/hosts.md` says, by either of two executors with the same methods,
 //! `webgpu.js` and `webgl2.js`. In WebGL it draws with y turned over and shows the picture upside
 //! down, so that derivatives are those of WebGPU.
 
@@ -28,6 +28,7 @@ pub(super) const PACKAGE: Package = Package {
     label: "Web page",
     help: "A page that opens from a file, by WebGPU or WebGL 2, with sliders for what is exposed.",
     opens: Some("index.html"),
+    run_with: Some("Chromium, by WebGPU and WebGL 2"),
     write,
 };
 

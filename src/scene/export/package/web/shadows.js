@@ -1,5 +1,5 @@
 // Shadow maps: what lights see of the mesh, a layer for a directional light and six for a lamp, as
-// docs/exports.md says. The mesh casts shadows onto itself.
+// docs/hosts.md says. The mesh casts shadows onto itself.
 
 /** Least and greatest side of a layer, in texels. */
 const SIDES = [256, 2048];
