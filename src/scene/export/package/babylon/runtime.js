@@ -23,7 +23,8 @@ export class LookMaterial extends ShaderMaterial {
     this.values = new LookValues(look);
     this.parameters = this.values.parameters;
     this.lights = this.values.lights;
-    this.backFaceCulling = pass.sides !== "both";
+    // Where a parameter decides, it does so from here on.
+    this.backFaceCulling = pass.sides !== "both" || pass.sides_parameter !== undefined;
     // Looks write depth where they are transparent, too.
     this.forceDepthWrite = true;
     this.passes = passesFor(scene, look);
@@ -51,6 +52,16 @@ export class LookMaterial extends ShaderMaterial {
 
   set time(seconds) {
     this.values.time = seconds;
+  }
+
+  /** Both sides are shown while a parameter of the look cuts parts away. */
+  get backFaceCulling() {
+    const pass = this.look?.passes.at(-1);
+    return super.backFaceCulling && !(this.parameters?.[pass?.sides_parameter] > 0);
+  }
+
+  set backFaceCulling(isCulled) {
+    super.backFaceCulling = isCulled;
   }
 
   bind(world, mesh, effectOverride, subMesh) {

@@ -103,7 +103,7 @@ export function checkAttributes(look, object) {
 
 /** Lets lights of three.js drive lights of the look; see `follow` of the materials. */
 export function followLights(followed, values, state, look) {
-  for (const [id, source] of followed) {
+  for (const [id, { light: source, color, intensity }] of followed) {
     const { space } = look.lights.find((light) => light.id === id);
     const { rotation, origin } = lightFrame(space, state);
     const own = (vector) => turn(transpose3(rotation), vector);
@@ -115,9 +115,9 @@ export function followLights(followed, values, state, look) {
       direction: own(normalize(toward, [0, 1, 0])),
       position: own(subtract(at, origin)),
       aim: own(normalize(toward.map((x) => -x), [0, -1, 0])),
-      color: source.color,
-      intensity: source.visible ? source.intensity : 0,
     };
+    if (color) fields.color = source.color;
+    if (intensity) fields.intensity = source.visible ? source.intensity : 0;
     if (source.isSpotLight) {
       fields.outer = source.angle;
       fields.inner = source.angle * (1 - source.penumbra);
@@ -126,7 +126,11 @@ export function followLights(followed, values, state, look) {
   }
 }
 
-const positionOf = ({ matrixWorld: { elements: m } }) => [m[12], m[13], m[14]];
+/** Place of an object in the world; lights need not be in the scene. */
+function positionOf(object) {
+  object.updateWorldMatrix(true, false);
+  return object.matrixWorld.elements.slice(12, 15);
+}
 
 /** Whether the passes of a look can draw an object: meshes that nothing but their matrix moves. */
 const isDrawable = (object) =>
