@@ -42,12 +42,17 @@ const README: &str = include_str!("README.md");
 const STYLE: &str = include_str!("style.css");
 
 /// Parts of the player, in the order in which they are joined.
-const PLAYER: [&str; 10] = [
+const PLAYER: [&str; 15] = [
+    include_str!("../shared/math.js"),
+    include_str!("../shared/frames.js"),
+    include_str!("../shared/shadows.js"),
+    include_str!("../shared/passes.js"),
+    include_str!("../shared/uniforms.js"),
+    include_str!("../shared/ktx2.js"),
     include_str!("math.js"),
     include_str!("camera.js"),
     include_str!("assets.js"),
     include_str!("uniforms.js"),
-    include_str!("shadows.js"),
     include_str!("webgpu.js"),
     include_str!("webgl2.js"),
     include_str!("player.js"),
@@ -89,9 +94,30 @@ fn made(title: &str, what: &str) -> String {
     format!("{title}: made by Chiaro {}. This is {what}.", env!("CARGO_PKG_VERSION"))
 }
 
-/// Scripts joined into one that keeps its names to itself.
+/// Scripts joined into one that keeps its names to itself. What other packages have as modules
+/// loses its imports and exports.
 fn joined(parts: &[&str], made: &str) -> String {
-    format!("// {made}\n(() => {{\n\"use strict\";\n\n{}}})();\n", parts.join("\n"))
+    let plain: Vec<String> = parts.iter().map(|part| without_modules(part)).collect();
+    format!("// {made}\n(() => {{\n\"use strict\";\n\n{}}})();\n", plain.join("\n"))
+}
+
+/// A module's text as a part of a script.
+fn without_modules(module: &str) -> String {
+    let mut text = String::new();
+    let mut is_import = false;
+    for line in module.lines() {
+        is_import |= line.starts_with("import ");
+        if is_import {
+            is_import = !line.ends_with(';');
+            continue;
+        }
+        // The line after the imports is blank, as is the one before them.
+        if !(line.is_empty() && text.ends_with("\n\n")) {
+            text += line.strip_prefix("export ").unwrap_or(line);
+            text.push('\n');
+        }
+    }
+    text
 }
 
 /// A template with its places filled.
@@ -145,6 +171,12 @@ mod tests {
             assert_ne!(look_name(&own.to_uppercase()).to_lowercase(), own);
         }
         assert_eq!(look_name("clay"), "clay");
+    }
+
+    #[test]
+    fn modules_become_parts_of_a_script() {
+        let module = "// Title.\n\nimport {\n  a,\n} from \"./a.js\";\n\nexport const b = a;\n";
+        assert_eq!(without_modules(module), "// Title.\n\nconst b = a;\n");
     }
 
     #[test]
