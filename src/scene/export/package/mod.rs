@@ -7,6 +7,7 @@
 
 mod babylon;
 mod blender;
+mod godot;
 mod javascript;
 mod materials;
 mod python;
@@ -45,8 +46,8 @@ pub struct Package {
 }
 
 /// All packages, in the order in which the window lists them.
-pub const PACKAGES: [&Package; 4] =
-    [&web::PACKAGE, &three::PACKAGE, &babylon::PACKAGE, &blender::PACKAGE];
+pub const PACKAGES: [&Package; 5] =
+    [&web::PACKAGE, &three::PACKAGE, &babylon::PACKAGE, &blender::PACKAGE, &godot::PACKAGE];
 
 /// The scene that a package shows the look in.
 #[derive(Clone, Debug)]

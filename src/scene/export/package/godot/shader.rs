@@ -1,0 +1,300 @@
+//! The look's shader in Godot's language, from its GLSL ES 3.00.
+//!
+//! Godot's language is a part of that GLSL: functions, structs and constants stay as they are. What
+//! it has in other ways is rewritten, each by a row of a table: words, inputs of the vertex, what
+//! the picture's camera and object are asked for. Uniform blocks become uniforms (`uniforms`).
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+use super::uniforms::Uniforms;
+use crate::wgsl::{identifiers, rename_identifiers};
+
+/// Words of GLSL that Godot has by other names.
+const WORDS: [(&str, &str); 4] = [
+    ("mat2x2", "mat2"),
+    ("mat3x3", "mat3"),
+    ("mat4x4", "mat4"),
+    ("gl_FrontFacing", "FRONT_FACING"),
+];
+
+/// Words that Godot's language has for itself, and functions that it calls: names of the look get
+/// an end.
+const TAKEN: [&str; 24] = [
+    "E",
+    "INF",
+    "NAN",
+    "PI",
+    "TAU",
+    "blend_mix",
+    "fog",
+    "fragment",
+    "global",
+    "group_uniforms",
+    "instance",
+    "light",
+    "process",
+    "render_mode",
+    "repeat_enable",
+    "shader_type",
+    "sky",
+    "source_color",
+    "start",
+    "stencil_mode",
+    "varying",
+    "vertex",
+    "unshaded",
+    "world_vertex_coords",
+];
+
+/// Numbers that a vertex passes on: name, type, and what Godot has for it.
+const VARYINGS: [(&str, &str, &str); 5] = [
+    ("v_position", "vec3", "(MODEL_MATRIX * vec4(VERTEX, 1.0)).xyz"),
+    ("v_position_object", "vec3", "VERTEX"),
+    ("v_normal", "vec3", "MODEL_NORMAL_MATRIX * NORMAL"),
+    (
+        "v_tangent",
+        "vec4",
+        "vec4(\n        (MODEL_MATRIX * vec4(TANGENT, 0.0)).xyz,\n        \
+         dot(cross(NORMAL, TANGENT), BINORMAL) * determinant(MODEL_NORMAL_MATRIX) < 0.0 ? -1.0 : 1.0\
+         \n    )",
+    ),
+    // Rows of textures run down in Godot, up in Chiaro.
+    ("v_uv", "vec2", "vec2(UV.x, 1.0 - UV.y)"),
+];
+
+/// What a fragment asks of its camera and object: the member, a name for its value, the value's
+/// type, and what Godot has for it.
+const SURROUNDINGS: [(&str, &str, &str, &str); 6] = [
+    (
+        "u_view.eye",
+        "eye",
+        "vec4",
+        // A parallel projection has 1 there.
+        "PROJECTION_MATRIX[3][3] == 0.0\n        \
+         ? vec4(CAMERA_POSITION_WORLD, 1.0) : vec4(INV_VIEW_MATRIX[2].xyz, 0.0)",
+    ),
+    ("u_view.clip_from_world", "clip_from_world", "mat4", "PROJECTION_MATRIX * VIEW_MATRIX"),
+    ("u_view.camera_from_world", "VIEW_MATRIX", "", ""),
+    // Pixels are counted from the top, as in Chiaro.
+    ("u_view.screen", "screen", "vec4", "vec4(1.0, 1.0, 0.0, 0.0)"),
+    ("u_object.world_from_object", "MODEL_MATRIX", "", ""),
+    ("u_object.world_from_normal", "MODEL_NORMAL_MATRIX", "", ""),
+];
+
+/// The beginning of the shader's modes.
+pub(super) struct ShaderOptions<'a> {
+    /// Name of the look.
+    pub(super) title: &'a str,
+    /// Name of the look's script.
+    pub(super) script: &'a str,
+    /// True if both sides of triangles are drawn.
+    pub(super) has_both_sides: bool,
+    /// True if no pixel is transparent.
+    pub(super) is_opaque: bool,
+    /// True if the look's numbers are linear light, false if they are as shown.
+    pub(super) is_linear: bool,
+    /// Structs of uniform blocks.
+    pub(super) blocks: &'a BTreeSet<String>,
+}
+
+/// A declaration of GLSL with the comment before it.
+#[derive(Debug)]
+struct Declaration {
+    comment: String,
+    text: String,
+}
+
+impl Declaration {
+    /// The first words, of which declarations are told apart.
+    fn begins_with(&self, word: &str) -> bool {
+        self.text.starts_with(word)
+    }
+
+    /// The name of a struct.
+    fn structure(&self) -> Option<&str> {
+        self.text.strip_prefix("struct ")?.split([' ', '{']).next()
+    }
+}
+
+/// Writes the shader.
+///
+/// # Errors
+/// What the shader reads that Godot has nothing for, in words.
+pub(super) fn write(
+    fragment: &str,
+    uniforms: &mut Uniforms,
+    options: &ShaderOptions<'_>,
+) -> Result<String, String> {
+    let words: BTreeSet<String> = identifiers(fragment).into_iter().collect();
+    let renamed = rename_identifiers(fragment, |word| {
+        let known = WORDS.iter().find(|(old, _)| *old == word).map(|(_, new)| (*new).to_owned());
+        known.or_else(|| {
+            TAKEN.contains(&word).then(|| {
+                let mut name = format!("{word}_of_look");
+                while words.contains(&name) {
+                    name.push('_');
+                }
+                name
+            })
+        })
+    });
+    let parts = declarations(&renamed);
+    let is_block = |part: &Declaration| {
+        let name = part.structure();
+        name.is_some_and(|name| name == "Varyings" || options.blocks.contains(name))
+    };
+    let (mut structs, mut constants, mut functions) = (String::new(), String::new(), String::new());
+    let (mut varyings, mut main) = (String::new(), None);
+    let mut passed_on = Vec::new();
+    for part in &parts {
+        let Declaration { comment, text } = part;
+        if is_block(part)
+            || ["#version", "precision", "layout", "uniform"].iter().any(|it| part.begins_with(it))
+        {
+            continue;
+        }
+        if part.begins_with("smooth in") || part.begins_with("flat in") {
+            let name = text.trim_end_matches(';').rsplit(' ').next().unwrap_or_default();
+            let known = VARYINGS.iter().find(|(known, ..)| *known == name);
+            let (name, ty, value) = known.ok_or_else(|| format!("`{name}` of its vertices"))?;
+            let _infallible = writeln!(varyings, "varying {ty} {name};");
+            passed_on.push(format!("    {name} = {value};\n"));
+        } else if part.begins_with("struct") {
+            let _infallible = write!(structs, "{comment}{text}\n\n");
+        } else if part.begins_with("const") {
+            let _infallible = write!(constants, "{comment}{text}\n");
+        } else if part.begins_with("void main()") {
+            main = Some(text);
+        } else {
+            let _infallible = write!(functions, "{comment}{text}\n\n");
+        }
+    }
+    let main = fragment_function(main.ok_or("no entry point")?, options, &words)?;
+    let body = uniforms.rewrite(&format!("{functions}{main}"));
+    if let Some(word) = identifiers(&body).iter().find(|word| word.starts_with("u_")) {
+        return Err(format!("`{}`", &word[2..]));
+    }
+    let values = uniforms.values_text(&body);
+    let read = format!("{values}{body}");
+    let mut modes = vec!["unshaded"];
+    if options.has_both_sides {
+        modes.push("cull_disabled");
+    }
+    if !options.is_opaque {
+        modes.push("depth_draw_always");
+    }
+    let mut text = format!(
+        "// {}: made by Chiaro {}, Godot 4.\n\
+         // Colors and lights are the look's own: {} keeps the uniforms up to date.\n\
+         shader_type spatial;\nrender_mode {};\n\n",
+        options.title,
+        env!("CARGO_PKG_VERSION"),
+        options.script,
+        modes.join(", ")
+    );
+    text += &uniforms.declarations(&read);
+    let _infallible = write!(text, "{varyings}\n{structs}{constants}");
+    if !constants.is_empty() {
+        text.push('\n');
+    }
+    text += &uniforms.encoding(&read);
+    text += &values;
+    if !passed_on.is_empty() {
+        let _infallible = write!(functions, "");
+    }
+    let (functions, main) = split_main(&body);
+    text += functions;
+    text += if options.is_linear { ALBEDO_OF_LIGHT } else { ALBEDO_OF_SHOWN };
+    let _infallible = write!(text, "\nvoid vertex() {{\n{}}}\n\n{main}", passed_on.concat());
+    Ok(text)
+}
+
+/// The functions of a text, and its last one: `fragment`.
+fn split_main(body: &str) -> (&str, &str) {
+    body.split_at(body.find("void fragment() {").unwrap_or(body.len()))
+}
+
+/// The entry point as Godot has it.
+fn fragment_function(
+    main: &str,
+    options: &ShaderOptions<'_>,
+    words: &BTreeSet<String>,
+) -> Result<String, String> {
+    let (_, body) = main.split_once("{\n").ok_or("no entry point")?;
+    let body = body.strip_suffix('}').unwrap_or(body);
+    let mut body = body.to_owned();
+    // What a vertex passes on is read as it is, not by a struct.
+    if let Some(start) = body.find("Varyings ")
+        && let Some(end) = body[start..].find(";\n")
+    {
+        let name = body[start..].split(' ').nth(1).unwrap_or_default().to_owned();
+        let from = body[..start].rfind('\n').map_or(0, |it| it + 1);
+        body.replace_range(from..start + end + 2, "");
+        body = body.replace(&format!("{name}.clip"), "FRAGCOORD");
+        body = body.replace(&format!("{name}."), "v_");
+    }
+    let mut opening = String::new();
+    for (member, name, ty, value) in SURROUNDINGS {
+        if !body.contains(member) {
+            continue;
+        }
+        let mut name = name.to_owned();
+        if !ty.is_empty() {
+            while words.contains(&name) {
+                name.push('_');
+            }
+            let _infallible = writeln!(opening, "    {ty} {name} = {value};");
+        }
+        body = body.replace(member, &name);
+    }
+    let mut shown = "shown".to_owned();
+    while words.contains(&shown) {
+        shown.push('_');
+    }
+    let body = body.replace("out_color = ", &format!("vec4 {shown} = "));
+    let alpha = if options.is_opaque { String::new() } else { format!("    ALPHA = {shown}.a;\n") };
+    Ok(format!(
+        "void fragment() {{\n{opening}{body}    ALBEDO = albedo_of({shown}.rgb);\n{alpha}}}\n"
+    ))
+}
+
+/// The declarations of a text, each with its comment. A declaration ends at the end of a line where
+/// no brace is open.
+fn declarations(text: &str) -> Vec<Declaration> {
+    let mut found = Vec::new();
+    let (mut comment, mut current) = (String::new(), String::new());
+    let mut depth = 0_usize;
+    for line in text.lines() {
+        if current.is_empty() && line.is_empty() {
+            comment.clear();
+            continue;
+        }
+        if current.is_empty() && line.starts_with("//") {
+            comment += line;
+            comment.push('\n');
+            continue;
+        }
+        if !current.is_empty() {
+            current.push('\n');
+        }
+        current += line;
+        let code = line.split("//").next().unwrap_or_default();
+        depth += code.matches('{').count();
+        depth = depth.saturating_sub(code.matches('}').count());
+        let is_over = line.starts_with('#') || code.trim_end().ends_with([';', '}']);
+        if depth == 0 && is_over {
+            found.push(Declaration {
+                comment: std::mem::take(&mut comment),
+                text: std::mem::take(&mut current),
+            });
+        }
+    }
+    found
+}
+
+/// The way from a color as shown to Godot's albedo.
+const ALBEDO_OF_SHOWN: &str = include_str!("shown.gdshaderinc");
+
+/// The way from light to Godot's albedo.
+const ALBEDO_OF_LIGHT: &str = include_str!("light.gdshaderinc");
