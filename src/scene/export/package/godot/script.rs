@@ -150,7 +150,7 @@ pub(super) fn own_light(light: &Light) -> Map<String, Value> {
         Value::Object(members) => members,
         _ => Map::new(),
     };
-    own.remove("type");
+    own.shift_remove("type");
     own
 }
 

@@ -126,8 +126,9 @@ pub(super) fn write(
     uniforms: &mut Uniforms,
     options: &ShaderOptions<'_>,
 ) -> Result<String, String> {
-    let words: BTreeSet<String> = identifiers(fragment).into_iter().collect();
-    let renamed = rename_identifiers(fragment, |word| {
+    let words = free_words(fragment);
+    let fragment = without_clashes(fragment, uniforms, &words);
+    let renamed = rename_identifiers(&fragment, |word| {
         let known = WORDS.iter().find(|(old, _)| *old == word).map(|(_, new)| (*new).to_owned());
         known.or_else(|| {
             TAKEN.contains(&word).then(|| {
@@ -139,7 +140,7 @@ pub(super) fn write(
             })
         })
     });
-    let parts = declarations(&renamed);
+    let parts = declarations(&with_signed_shifts(&renamed));
     let is_block = |part: &Declaration| {
         let name = part.structure();
         name.is_some_and(|name| name == "Varyings" || options.blocks.contains(name))
@@ -170,7 +171,8 @@ pub(super) fn write(
             let _infallible = write!(functions, "{comment}{text}\n\n");
         }
     }
-    let main = fragment_function(main.ok_or("no entry point")?, options, &words)?;
+    let taken = free_words(&format!("{structs}{constants}{functions}{}", main.map_or("", |it| it)));
+    let main = fragment_function(main.ok_or("no entry point")?, options, &taken)?;
     let body = uniforms.rewrite(&format!("{functions}{main}"));
     if let Some(word) = identifiers(&body).iter().find(|word| word.starts_with("u_")) {
         return Err(format!("`{}`", &word[2..]));
@@ -200,14 +202,101 @@ pub(super) fn write(
     }
     text += &uniforms.encoding(&read);
     text += &values;
-    if !passed_on.is_empty() {
-        let _infallible = write!(functions, "");
-    }
     let (functions, main) = split_main(&body);
     text += functions;
     text += if options.is_linear { ALBEDO_OF_LIGHT } else { ALBEDO_OF_SHOWN };
     let _infallible = write!(text, "\nvoid vertex() {{\n{}}}\n\n{main}", passed_on.concat());
     Ok(text)
+}
+
+/// Words of a text, but for members after a point.
+fn free_words(text: &str) -> BTreeSet<String> {
+    let words = std::cell::RefCell::new(BTreeSet::new());
+    rename_identifiers(text, |word| {
+        words.borrow_mut().insert(word.to_owned());
+        None
+    });
+    words.into_inner()
+}
+
+/// The text without values that are called as a uniform is, which Godot takes for the same: the
+/// values get an end, or the uniform where a struct has a member of that name.
+fn without_clashes(text: &str, uniforms: &mut Uniforms<'_>, words: &BTreeSet<String>) -> String {
+    let apart = text.replace("u_look.", "u_look ");
+    let free = |name: &str, end: &str| {
+        let mut name = format!("{name}{end}");
+        while words.contains(&name) {
+            name.push('_');
+        }
+        name
+    };
+    let mut values = std::collections::BTreeMap::new();
+    for name in uniforms.names() {
+        if !words.contains(&name) {
+            continue;
+        }
+        let member = format!(".{name}");
+        let is_member = apart.match_indices(&member).any(|(at, _)| {
+            !apart[at + member.len()..].starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_')
+        });
+        if is_member {
+            uniforms.rename(&name, &free(&name, "_of_look"));
+        } else {
+            values.insert(name.clone(), free(&name, "_"));
+        }
+    }
+    // Members of the look's own struct are read by their names.
+    let (before, after) = match text.find("struct Look {") {
+        Some(at) => {
+            let end = text[at..].find("};").map_or(text.len(), |end| at + end);
+            (&text[..end], &text[end..])
+        }
+        None => ("", text),
+    };
+    before.to_owned() + &rename_identifiers(after, |word| values.get(word).cloned())
+}
+
+/// The text with shifts of signed numbers by signed ones, as Godot wants them.
+fn with_signed_shifts(text: &str) -> String {
+    let mut result = String::with_capacity(text.len());
+    let mut rest = text;
+    loop {
+        let found = [" >> ", " << "].iter().filter_map(|shift| rest.find(shift)).min();
+        let Some(at) = found else { break };
+        result.push_str(&rest[..at + 4]);
+        rest = &rest[at + 4..];
+        let digits = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(0);
+        if digits > 0 && rest[digits..].starts_with('u') && is_signed(&result[..result.len() - 4]) {
+            result.push_str(&rest[..digits]);
+            rest = &rest[digits + 1..];
+        }
+    }
+    result + rest
+}
+
+/// True if the operand at the end of a text is a signed number.
+fn is_signed(before: &str) -> bool {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let last_word = |text: &str| {
+        let start = text.rfind(|c: char| !is_word(c)).map_or(0, |at| at + 1);
+        text[start..].to_owned()
+    };
+    if before.ends_with(')') {
+        let mut depth = 0_i32;
+        for (at, c) in before.char_indices().rev() {
+            depth += i32::from(c == ')') - i32::from(c == '(');
+            if depth == 0 {
+                return last_word(&before[..at]) == "int";
+            }
+        }
+        return false;
+    }
+    let name = last_word(before);
+    // The nearest declaration of that name.
+    let declared = before
+        .rmatch_indices(&format!("int {name}"))
+        .find(|(at, word)| !before[at + word.len()..].starts_with(is_word) && !name.is_empty());
+    declared.is_some_and(|(at, _)| !before[..at].ends_with(is_word))
 }
 
 /// The functions of a text, and its last one: `fragment`.

@@ -79,6 +79,8 @@ pub(super) struct Uniforms<'a> {
     parameters: BTreeMap<String, ParameterUniform<'a>>,
     /// The block's numbers while parameters have their defaults.
     pub(super) numbers: Vec<f64>,
+    /// New names of uniforms whose own the text has for others.
+    renamed: BTreeMap<String, String>,
     /// Structs that the text takes whole: the name of a function for each, and its source.
     values: BTreeMap<String, String>,
 }
@@ -105,7 +107,31 @@ impl<'a> Uniforms<'a> {
             let place = Place { name, word: member.offset / 4, array: None, parameter };
             flatten(member, &place, &group, &mut list)?;
         }
-        Ok(Self { members, list, images, parameters, numbers, values: BTreeMap::new() })
+        Ok(Self {
+            members,
+            list,
+            images,
+            parameters,
+            numbers,
+            renamed: BTreeMap::new(),
+            values: BTreeMap::new(),
+        })
+    }
+
+    /// Names of all uniforms.
+    pub(super) fn names(&self) -> Vec<String> {
+        self.list.iter().map(|uniform| uniform.name.clone()).collect()
+    }
+
+    /// Gives a uniform another name.
+    pub(super) fn rename(&mut self, old: &str, new: &str) {
+        for uniform in self.list.iter_mut().filter(|uniform| uniform.name == old) {
+            new.clone_into(&mut uniform.name);
+        }
+        for parameter in self.parameters.values_mut().filter(|parameter| parameter.name == old) {
+            new.clone_into(&mut parameter.name);
+        }
+        self.renamed.insert(old.to_owned(), new.to_owned());
     }
 
     /// The text with members of the block as uniforms.
@@ -150,6 +176,7 @@ impl<'a> Uniforms<'a> {
         let parameter = self.parameters.get(word).filter(|_| prefix.is_empty());
         let own = parameter.map_or(word, |it| &it.name);
         let name = if prefix.is_empty() { own.to_owned() } else { format!("{prefix}_{own}") };
+        let name = self.renamed.get(&name).cloned().unwrap_or(name);
         if parameter.is_some_and(|it| it.is_color) {
             return (format!("as_shown({name})"), used);
         }
