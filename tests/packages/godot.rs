@@ -1,8 +1,8 @@
 //! The package `godot` in Godot 4.6: its official web build, in Chromium.
 //!
 //! Packages lie in folders of a project, as users put them there. What the editor does with images
-//! when it imports them is done here: an image of four bytes a pixel, and its place in the `.import`
-//! file.
+//! when it imports them is done here: an image of four bytes a pixel, and its place in the
+//! `.import` file.
 
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -69,7 +69,11 @@ impl Godot {
         let mut answer: Value = serde_json::from_str(answer.as_str().unwrap_or_default())
             .map_err(|error| format!("{error}: {answer}"))?;
         let is_fine = said.is_empty() && answer["problem"].is_null();
-        if is_fine { Ok(answer["answer"].take()) } else { Err(format!("{answer}\n{said}")) }
+        if is_fine {
+            return Ok(answer["answer"].take());
+        }
+        let answer: String = answer.to_string().chars().take(500).collect();
+        Err(format!("{said}\n{answer}"))
     }
 }
 

@@ -119,7 +119,9 @@ const KEYWORDS: &[&str] = &[
     "count_one_bits",
     "divide_whole",
     "float_of_bits",
+    "greater",
     "inverse_sqrt",
+    "lesser",
     "logarithm_of_2",
     "nearest",
     "power_of",
@@ -397,19 +399,18 @@ fn function(operation: &str, kind: Kind, operands: &[Term], helpers: &mut Helper
     Some(match operation {
         "exp2" => Term::call("pow", &[Term::primary("2.0"), x.clone()]),
         "saturate" => {
-            let ends = [Term::primary("0.0"), Term::primary("1.0")];
-            Term::call("clampf", &[x.clone(), ends[0].clone(), ends[1].clone()])
+            let least = Term::call("maxf", &[x.clone(), Term::primary("0.0")]);
+            Term::call("minf", &[least, Term::primary("1.0")])
         }
-        // Godot's own function takes ends that are in order.
+        "min" | "max" => {
+            let [_, y] = operands else { return None };
+            extreme(operation, is_float, x, y, helpers)
+        }
+        // Godot's own function takes ends that are in order, and leaves what is no number.
         "clamp" => {
             let [x, low, high] = operands else { return None };
-            let is_number = |term: &Term| term.text.parse::<f64>().is_ok();
-            let (within, most, least) =
-                if is_float { ("clampf", "minf", "maxf") } else { ("clampi", "mini", "maxi") };
-            if is_number(low) && is_number(high) {
-                return Some(Term::call(within, operands));
-            }
-            Term::call(most, &[Term::call(least, &[x.clone(), low.clone()]), high.clone()])
+            let least = extreme("max", is_float, x, low, helpers);
+            extreme("min", is_float, &least, high, helpers)
         }
         "select" => {
             let [condition, yes, no] = operands else { return None };
@@ -422,6 +423,21 @@ fn function(operation: &str, kind: Kind, operands: &[Term], helpers: &mut Helper
             helpers.call(name, operands)
         }
     })
+}
+
+/// The lesser or the greater of two numbers. Godot's functions pass over a first number that is
+/// none, as WGSL's do, but not over a second one.
+fn extreme(operation: &str, is_float: bool, x: &Term, y: &Term, helpers: &mut Helpers) -> Term {
+    let is_number = y.text.trim_start_matches('-').parse::<f64>().is_ok();
+    let operands = [x.clone(), y.clone()];
+    match (operation, is_float) {
+        ("min", false) => Term::call("mini", &operands),
+        (_, false) => Term::call("maxi", &operands),
+        ("min", true) if is_number => Term::call("minf", &operands),
+        (_, true) if is_number => Term::call("maxf", &operands),
+        ("min", true) => helpers.call("lesser", &operands),
+        (_, true) => helpers.call("greater", &operands),
+    }
 }
 
 /// Functions of WGSL that GDScript has: of floats, and of integers where those have one.
@@ -437,8 +453,6 @@ const MATH: &[(&str, &str, &str)] = &[
     ("exp", "exp", ""),
     ("floor", "floorf", ""),
     ("log", "log", ""),
-    ("max", "maxf", "maxi"),
-    ("min", "minf", "mini"),
     ("radians", "deg_to_rad", ""),
     ("sign", "signf", "signi"),
     ("sin", "sin", ""),
@@ -485,6 +499,20 @@ const HELPERS: &[(&str, &str, &[&str])] = &[
         "area_tangent",
         "static func area_tangent(x: float) -> float:\n\
          \treturn NAN if absf(x) > 1.0 else 0.5 * log((1.0 + x) / (1.0 - x))\n\n",
+        &[],
+    ),
+    (
+        "lesser",
+        "## The lesser of two numbers, passing over what is none.\n\
+         static func lesser(a: float, b: float) -> float:\n\
+         \treturn b if b < a or is_nan(a) else a\n\n",
+        &[],
+    ),
+    (
+        "greater",
+        "## The greater of two numbers, passing over what is none.\n\
+         static func greater(a: float, b: float) -> float:\n\
+         \treturn b if a < b or is_nan(a) else a\n\n",
         &[],
     ),
     (
@@ -570,7 +598,7 @@ const HELPERS: &[(&str, &str, &[&str])] = &[
     (
         "smoothstep",
         "static func smoothstep(low: float, high: float, x: float) -> float:\n\
-         \tvar t := clampf((x - low) / (high - low), 0.0, 1.0)\n\
+         \tvar t := minf(maxf((x - low) / (high - low), 0.0), 1.0)\n\
          \treturn t * t * (3.0 - 2.0 * t)\n\n",
         &[],
     ),
@@ -607,7 +635,8 @@ const HELPERS: &[(&str, &str, &[&str])] = &[
     (
         "bits_of_float",
         "static func bits_of_float(x: float) -> int:\n\
-         \treturn PackedFloat32Array([x]).to_byte_array().decode_u32(0)\n\n",
+         \tvar most := 3.4028234663852886e38\n\
+         \treturn PackedFloat32Array([clampf(x, -most, most)]).to_byte_array().decode_u32(0)\n\n",
         &[],
     ),
     (

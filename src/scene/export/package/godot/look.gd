@@ -92,8 +92,8 @@ func _surroundings() -> Dictionary:
 	}
 
 
-## A light of the look: `own` are the look's values, `given` those of parameters, and `followed` is a
-## light of the scene that takes the light's place.
+## A light of the look: `own` are the look's values, `given` those of parameters, and `followed` is
+## a light of the scene that takes the light's place.
 static func light_of(
 	own: Dictionary, given: Dictionary, followed: Light3D, around: Dictionary
 ) -> Dictionary:
@@ -149,3 +149,25 @@ static func columns_of(basis_: Basis) -> Array:
 static func basis_of(columns: Array) -> Basis:
 	var axis := func(i: int) -> Vector3: return Vector3(columns[i][0], columns[i][1], columns[i][2])
 	return Basis(axis.call(0), axis.call(1), axis.call(2))
+
+
+## Uniforms of the numbers of the look, from one of them on.
+static func vector2_at(n: Array, at: int) -> Vector2:
+	return Vector2(n[at], n[at + 1])
+
+
+static func vector3_at(n: Array, at: int) -> Vector3:
+	return Vector3(n[at], n[at + 1], n[at + 2])
+
+
+static func vector4_at(n: Array, at: int) -> Vector4:
+	return Vector4(n[at], n[at + 1], n[at + 2], n[at + 3])
+
+
+static func color_at(n: Array, at: int) -> Color:
+	return Color(n[at], n[at + 1], n[at + 2], n[at + 3])
+
+
+## Columns lie four numbers apart.
+static func basis_at(n: Array, at: int) -> Basis:
+	return Basis(vector3_at(n, at), vector3_at(n, at + 4), vector3_at(n, at + 8))

@@ -22,7 +22,7 @@ use super::super::host_code::{GDSCRIPT, translate};
 use super::{Package, PackageRequest, javascript};
 use crate::diag::Diagnostic;
 use crate::document::ColorSpace;
-use uniforms::{ImageUniform, ParameterUniform, Uniforms};
+use uniforms::{ImageUniform, ParameterUniform, Uniform, Uniforms};
 
 /// The package.
 pub(super) const PACKAGE: Package = Package {
@@ -69,7 +69,7 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     let script = script::write(request, &uniforms, &read, &properties);
     let mut files = vec![
         ExportFile::text(format!("{stem}.gdshader"), shader),
-        ExportFile::text(format!("{stem}.tres"), material(stem, &uniforms)),
+        ExportFile::text(format!("{stem}.tres"), material(stem, &uniforms, &read)),
         ExportFile::text(format!("{stem}.gd"), script),
         ExportFile::text(format!("{stem}.host.gd"), host(request).map_err(one)?),
         ExportFile::text("chiaro.look.gd".to_owned(), LOOK.to_owned()),
@@ -101,8 +101,8 @@ fn host(request: &PackageRequest<'_>) -> Result<String, Diagnostic> {
     let mut text = format!(
         "extends RefCounted\n\
          ## {}: made by Chiaro {}, Godot 4.\n##\n\
-         ## What is computed before the look is drawn: lights in their frames, keys, and the numbers\n\
-         ## of its uniforms. Numbers have 64 bits, so vectors are arrays.\n\n\n",
+         ## What is computed before the look is drawn: lights in their frames, keys, and the\n\
+         ## numbers of its uniforms. Numbers have 64 bits, so vectors are arrays.\n\n\n",
         request.title,
         env!("CARGO_PKG_VERSION")
     );
@@ -146,8 +146,8 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
                 "the look is drawn in several passes ({}), and a material of Godot has one",
                 before.join(", ")
             ),
-            "export it with `--tier fast`, whose curvature and normals need no passes; take outlines \
-             and shadows that are cast out of the look, or export it `--to web`",
+            "export it with `--tier fast`, whose curvature and normals need no passes; take \
+             outlines, shadows and smooth normals out of the look, or export it `--to web`",
         );
     }
     let is_linear = description.color_space == ColorSpace::Linear;
@@ -232,7 +232,7 @@ fn uniforms_of<'a>(
 }
 
 /// A material with the shader's own numbers, for meshes without the script.
-fn material(stem: &str, uniforms: &Uniforms<'_>) -> String {
+fn material(stem: &str, uniforms: &Uniforms<'_>, read: &[&Uniform]) -> String {
     let mut text = format!(
         "[gd_resource type=\"ShaderMaterial\" load_steps={} format=3]\n\n\
          [ext_resource type=\"Shader\" path=\"{stem}.gdshader\" id=\"shader\"]\n",
@@ -249,6 +249,11 @@ fn material(stem: &str, uniforms: &Uniforms<'_>) -> String {
     for image in &uniforms.images {
         let name = &image.name;
         let _infallible = writeln!(text, "shader_parameter/{name} = ExtResource(\"{name}\")");
+    }
+    // Godot's shaders have no defaults of arrays.
+    for uniform in read.iter().filter(|uniform| uniform.count.is_some()) {
+        let (name, list) = (&uniform.name, uniforms.list_of(uniform));
+        let _infallible = writeln!(text, "shader_parameter/{name} = {list}");
     }
     text
 }

@@ -12,9 +12,9 @@ use crate::document::{ColorSpace, Light, Target};
 use crate::library::Type;
 
 /// Properties, methods and signals of what scripts are put on, and words of the language.
-const TAKEN: &str = " add_child and array as atr await basis bool break call case cast_shadow class \
-    color connect const continue custom_aabb disconnect duplicate elif else enum extends false \
-    float for free func get hide if illumination in int is layers light lod_bias look_at \
+const TAKEN: &str = " add_child and array as atr await basis bool break call case cast_shadow \
+    class color connect const continue custom_aabb disconnect duplicate elif else enum extends \
+    false float for free func get hide if illumination in int is layers light lod_bias look_at \
     match material material_overlay material_override mesh move_child multiplayer name not null \
     object_id or owner pass pi position print preload process_mode quaternion range ready return \
     rotate rotation scale self set show signal skeleton skin static super switch tau time tr \
@@ -195,7 +195,7 @@ pub(super) fn write(
     for light in &work.lights {
         let _infallible = writeln!(
             text,
-            "## Light of the scene that the light `{}` of the look follows; the look's own without.\n\
+            "## Light of the scene that the look's light `{}` follows; its own values without.\n\
              @export var {}: Light3D",
             light.id, light.member
         );
@@ -226,14 +226,16 @@ pub(super) fn write(
         for (_, member) in &work.near {
             let _infallible = writeln!(
                 text,
-                "\taround.{member} = middle.distance_to({member}.global_position) if {member} else 1e6"
+                "\tif {member}:\n\
+                 \t\taround.{member} = middle.distance_to({member}.global_position)\n\
+                 \telse:\n\t\taround.{member} = 1e6"
             );
         }
         text += "\treturn around\n";
     }
     if !read.is_empty() {
         text += &settings(request, properties, is_linear);
-        text += &uniform_values(request, uniforms, read, properties);
+        text += &uniform_values(request, uniforms, read);
     }
     text
 }
@@ -297,7 +299,6 @@ fn uniform_values(
     request: &PackageRequest<'_>,
     uniforms: &Uniforms<'_>,
     read: &[&Uniform],
-    properties: &[Property<'_>],
 ) -> String {
     let work = request.work;
     let function = work.modules.iter().find(|it| it.module == "draw");
@@ -312,41 +313,30 @@ fn uniform_values(
         let is_color = uniforms.parameter(uniform).is_some_and(|it| it.is_color);
         let _infallible = writeln!(text, "\t\t{} = {},", uniform.name, packed(uniform, is_color));
     }
-    let _unused = properties;
     text + "\t}\n"
 }
 
 /// The expression that makes a uniform of the block's numbers `n`.
 fn packed(uniform: &Uniform, is_color: bool) -> String {
-    let element = |at: usize| {
-        let numbers: Vec<String> =
-            uniform.words(at).iter().map(|word| format!("n[{word}]")).collect();
-        let joined = numbers.join(", ");
-        match uniform.ty {
-            "float" | "int" | "uint" => joined,
-            "vec2" => format!("Vector2({joined})"),
-            "vec3" => format!("Vector3({joined})"),
-            "vec4" if is_color => format!("Color({joined})"),
-            "vec4" => format!("Vector4({joined})"),
-            "mat3" => {
-                let columns: Vec<String> = numbers
-                    .chunks(3)
-                    .map(|column| format!("Vector3({})", column.join(", ")))
-                    .collect();
-                format!("Basis({})", columns.join(", "))
-            }
-            ty => format!(
-                "{}({joined})",
-                ty.replace("ivec", "Vector").replace("uvec", "Vector") + "i"
-            ),
-        }
+    let (ty, function) = match uniform.ty {
+        "vec2" => ("Vector2", "vector2_at"),
+        "vec3" => ("Vector3", "vector3_at"),
+        "vec4" if is_color => ("Color", "color_at"),
+        "vec4" => ("Vector4", "vector4_at"),
+        "mat3" => ("Basis", "basis_at"),
+        "float" => ("float", ""),
+        _ => ("int", ""),
     };
+    let value = |at: &str| match function.is_empty() {
+        true => format!("n[{at}]"),
+        false => format!("{function}(n, {at})"),
+    };
+    let (word, step) = (uniform.word, uniform.step);
     match uniform.count {
-        None => element(0),
+        None => value(&word.to_string()),
         Some(count) => {
-            let elements: Vec<String> =
-                (0..count).map(|at| format!("\t\t\t{},\n", element(at))).collect();
-            format!("[\n{}\t\t]", elements.concat())
+            let value = value(&format!("{word} + {step} * i"));
+            format!("range({count}).map(func(i: int) -> {ty}: return {value})")
         }
     }
 }

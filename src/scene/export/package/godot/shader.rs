@@ -55,9 +55,9 @@ const VARYINGS: [(&str, &str, &str); 5] = [
     (
         "v_tangent",
         "vec4",
-        "vec4(\n        (MODEL_MATRIX * vec4(TANGENT, 0.0)).xyz,\n        \
-         dot(cross(NORMAL, TANGENT), BINORMAL) * determinant(MODEL_NORMAL_MATRIX) < 0.0 ? -1.0 : 1.0\
-         \n    )",
+        "vec4((MODEL_MATRIX * vec4(TANGENT, 0.0)).xyz,\n        \
+         dot(cross(NORMAL, TANGENT), BINORMAL) * determinant(MODEL_NORMAL_MATRIX) < 0.0\n        \
+         ? -1.0 : 1.0)",
     ),
     // Rows of textures run down in Godot, up in Chiaro.
     ("v_uv", "vec2", "vec2(UV.x, 1.0 - UV.y)"),
@@ -177,7 +177,7 @@ pub(super) fn write(
     if let Some(word) = identifiers(&body).iter().find(|word| word.starts_with("u_")) {
         return Err(format!("`{}`", &word[2..]));
     }
-    let values = uniforms.values_text(&body);
+    let values = uniforms.values_text();
     let read = format!("{values}{body}");
     let mut modes = vec!["unshaded"];
     if options.has_both_sides {
@@ -387,3 +387,34 @@ const ALBEDO_OF_SHOWN: &str = include_str!("shown.gdshaderinc");
 
 /// The way from light to Godot's albedo.
 const ALBEDO_OF_LIGHT: &str = include_str!("light.gdshaderinc");
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn declarations_end_where_their_braces_do() {
+        let text = "#version 300 es\n// A head.\n\n/// Doc.\nstruct Angle {\n    float x;\n};\n\n\
+                    const float A = 1.0,\n    B = 2.0;\nvoid main() {\n    if (x) {\n    }\n}\n";
+        let parts = declarations(text);
+        let texts: Vec<&str> = parts.iter().map(|part| part.text.as_str()).collect();
+        assert_eq!(texts.len(), 4, "{texts:?}");
+        assert_eq!(parts[1].comment, "/// Doc.\n");
+        assert_eq!(parts[1].structure(), Some("Angle"));
+        assert!(texts[2].ends_with("B = 2.0;"), "{texts:?}");
+        assert!(texts[3].starts_with("void main()") && texts[3].ends_with("    }\n}"), "{texts:?}");
+    }
+
+    #[test]
+    fn signed_numbers_are_shifted_by_signed_ones() {
+        for (from, to) in [
+            ("int e = int(b - 1u) >> 23u;", "int e = int(b - 1u) >> 23;"),
+            ("float(uint(x + 1) << 23u)", "float(uint(x + 1) << 23u)"),
+            ("int i = 4; a[i >> 2u] + b[i >> 2u]", "int i = 4; a[i >> 2] + b[i >> 2]"),
+            ("uint point = 4u; point >> 2u", "uint point = 4u; point >> 2u"),
+            ("v >> uvec3(8u)", "v >> uvec3(8u)"),
+        ] {
+            assert_eq!(with_signed_shifts(from), to);
+        }
+    }
+}

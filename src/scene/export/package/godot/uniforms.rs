@@ -43,7 +43,8 @@ impl Uniform {
     pub(super) fn words(&self, element: usize) -> Vec<usize> {
         let first = self.word + if self.count.is_some() { element * self.step } else { 0 };
         let columns = if self.is_matrix() { self.rows() } else { 1 };
-        let stride = if self.rows() == 2 && self.is_matrix() { 2 } else { 4 };
+        // Columns of a matrix are as far apart as vectors of four numbers are long.
+        let stride = 4;
         (0..columns)
             .flat_map(|column| (0..self.rows()).map(move |row| first + column * stride + row))
             .collect()
@@ -211,7 +212,7 @@ impl<'a> Uniforms<'a> {
     }
 
     /// Functions that make structs of uniforms.
-    pub(super) fn values_text(&self, _body: &str) -> String {
+    pub(super) fn values_text(&self) -> String {
         self.values.values().map(String::as_str).collect()
     }
 
@@ -281,6 +282,38 @@ impl<'a> Uniforms<'a> {
         if text.contains("as_shown(") { include_str!("color.gdshaderinc") } else { "" }
     }
 
+    /// The elements of an array as a resource has them.
+    pub(super) fn list_of(&self, uniform: &Uniform) -> String {
+        let numbers = |element: usize| {
+            let words = uniform.words(element).into_iter();
+            let words =
+                words.map(|word| float(self.numbers.get(word).copied().unwrap_or_default()));
+            words.collect::<Vec<_>>().join(", ")
+        };
+        let elements: Vec<String> = (0..uniform.count.unwrap_or_default())
+            .map(|element| match uniform.ty {
+                // Godot writes a basis by its rows, and the words are columns.
+                "mat3" => {
+                    let words = uniform.words(element);
+                    let rows = (0..9).map(|at| words[at % 3 * 3 + at / 3]);
+                    let rows =
+                        rows.map(|word| float(self.numbers.get(word).copied().unwrap_or_default()));
+                    format!("Basis({})", rows.collect::<Vec<_>>().join(", "))
+                }
+                _ => numbers(element),
+            })
+            .collect();
+        let all = elements.join(", ");
+        match uniform.ty {
+            "float" => format!("PackedFloat32Array({all})"),
+            "vec2" => format!("PackedVector2Array({all})"),
+            "vec3" => format!("PackedVector3Array({all})"),
+            "vec4" => format!("PackedVector4Array({all})"),
+            "int" | "uint" => format!("PackedInt32Array({})", all.replace(".0", "")),
+            _ => format!("[{all}]"),
+        }
+    }
+
     /// The default of a uniform; arrays have none in Godot.
     fn default(&self, uniform: &Uniform) -> String {
         if uniform.count.is_some() {
@@ -292,6 +325,15 @@ impl<'a> Uniforms<'a> {
             "int" => format!(" = {}", number(words[0]) as i64),
             "uint" => format!(" = {}u", number(words[0]) as i64),
             "float" => format!(" = {}", float(number(words[0]))),
+            ty if uniform.is_matrix() => {
+                let rows = uniform.rows();
+                let column = |column: &[usize]| {
+                    let numbers: Vec<String> = column.iter().map(|it| float(number(*it))).collect();
+                    format!("vec{rows}({})", numbers.join(", "))
+                };
+                let columns: Vec<String> = words.chunks(rows).map(column).collect();
+                format!(" = {ty}({})", columns.join(", "))
+            }
             ty => {
                 let numbers: Vec<String> = words.into_iter().map(|it| float(number(it))).collect();
                 format!(" = {ty}({})", numbers.join(", "))
@@ -369,15 +411,7 @@ fn godot_type(ty: &str) -> Option<&'static str> {
         "vec2f" => "vec2",
         "vec3f" => "vec3",
         "vec4f" => "vec4",
-        "vec2i" => "ivec2",
-        "vec3i" => "ivec3",
-        "vec4i" => "ivec4",
-        "vec2u" => "uvec2",
-        "vec3u" => "uvec3",
-        "vec4u" => "uvec4",
-        "mat2x2f" => "mat2",
         "mat3x3f" => "mat3",
-        "mat4x4f" => "mat4",
         _ => return None,
     })
 }
