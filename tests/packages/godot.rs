@@ -169,8 +169,8 @@ fn named(examples: &[&str], trial: fn(&str) -> Trial) -> Vec<(String, Trial)> {
     examples.iter().map(|example| (name(example), trial(example))).collect()
 }
 
-/// A look of each kind is drawn as we draw it: layers, an image, many lights, keys, a pattern on the
-/// screen, and one of linear light that is transparent.
+/// A look of each kind is drawn as we draw it: layers, an image, many lights, keys, a pattern on
+/// the screen, and one of linear light that is transparent.
 #[test]
 fn godot_draws_what_we_draw() {
     let mut trials = named(

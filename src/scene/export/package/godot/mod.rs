@@ -33,7 +33,7 @@ pub(super) const PACKAGE: Package = Package {
     write,
 };
 
-/// What looks have in common in Godot.
+/// The script of what all looks have in common.
 const LOOK: &str = include_str!("look.gd");
 
 /// The text of one screen for whoever gets the folder.

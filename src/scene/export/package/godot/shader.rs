@@ -18,34 +18,27 @@ const WORDS: [(&str, &str); 4] = [
     ("gl_FrontFacing", "FRONT_FACING"),
 ];
 
-/// Words that Godot's language has for itself, and functions that it calls: names of the look get
-/// an end.
-const TAKEN: [&str; 24] = [
+/// Words that Godot's language has for itself: names of the look get an end.
+const TAKEN: [&str; 15] = [
     "E",
     "INF",
     "NAN",
     "PI",
     "TAU",
-    "blend_mix",
-    "fog",
-    "fragment",
+    "filter_linear",
+    "filter_nearest",
     "global",
     "group_uniforms",
     "instance",
-    "light",
-    "process",
     "render_mode",
-    "repeat_enable",
     "shader_type",
-    "sky",
     "source_color",
-    "start",
     "stencil_mode",
     "varying",
-    "vertex",
-    "unshaded",
-    "world_vertex_coords",
 ];
+
+/// Functions that Godot calls: a function of the look by that name gets an end.
+const CALLED: [&str; 7] = ["fog", "fragment", "light", "process", "sky", "start", "vertex"];
 
 /// Numbers that a vertex passes on: name, type, and what Godot has for it.
 const VARYINGS: [(&str, &str, &str); 5] = [
@@ -63,8 +56,8 @@ const VARYINGS: [(&str, &str, &str); 5] = [
     ("v_uv", "vec2", "vec2(UV.x, 1.0 - UV.y)"),
 ];
 
-/// What a fragment asks of its camera and object: the member, a name for its value, the value's
-/// type, and what Godot has for it.
+/// Members that a fragment asks its camera and object for: the member, a name for its value, the
+/// value's type, and what Godot has for it.
 const SURROUNDINGS: [(&str, &str, &str, &str); 6] = [
     (
         "u_view.eye",
@@ -128,18 +121,8 @@ pub(super) fn write(
 ) -> Result<String, String> {
     let words = free_words(fragment);
     let fragment = without_clashes(fragment, uniforms, &words);
-    let renamed = rename_identifiers(&fragment, |word| {
-        let known = WORDS.iter().find(|(old, _)| *old == word).map(|(_, new)| (*new).to_owned());
-        known.or_else(|| {
-            TAKEN.contains(&word).then(|| {
-                let mut name = format!("{word}_of_look");
-                while words.contains(&name) {
-                    name.push('_');
-                }
-                name
-            })
-        })
-    });
+    uniforms.take(&words);
+    let renamed = with_words_of_godot(&fragment, &words);
     let parts = declarations(&with_signed_shifts(&renamed));
     let is_block = |part: &Declaration| {
         let name = part.structure();
@@ -207,6 +190,38 @@ pub(super) fn write(
     text += if options.is_linear { ALBEDO_OF_LIGHT } else { ALBEDO_OF_SHOWN };
     let _infallible = write!(text, "\nvoid vertex() {{\n{}}}\n\n{main}", passed_on.concat());
     Ok(text)
+}
+
+/// The text with Godot's words, and without names that Godot has for others.
+fn with_words_of_godot(text: &str, words: &BTreeSet<String>) -> String {
+    let is_function = |name: &str| {
+        let head = format!(" {name}(");
+        text.lines().any(|line| !line.starts_with([' ', '/']) && line.contains(&head))
+    };
+    let clashes = TAKEN.into_iter().chain(CALLED.into_iter().filter(|name| is_function(name)));
+    let mut renamed: Vec<(&str, String)> =
+        WORDS.iter().map(|(old, new)| (*old, (*new).to_owned())).collect();
+    for word in clashes {
+        let mut name = format!("{word}_of_look");
+        while words.contains(&name) {
+            name.push('_');
+        }
+        renamed.push((word, name));
+    }
+    // Members after a point, too: structs declare them by the same word.
+    let apart = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
+    let mut result = String::with_capacity(text.len());
+    for piece in text.split_inclusive(apart) {
+        let word = piece.trim_end_matches(apart);
+        match renamed.iter().find(|(old, _)| *old == word) {
+            Some((_, new)) => {
+                result.push_str(new);
+                result.push_str(&piece[word.len()..]);
+            }
+            None => result.push_str(piece),
+        }
+    }
+    result
 }
 
 /// Words of a text, but for members after a point.
@@ -403,6 +418,20 @@ mod tests {
         assert_eq!(parts[1].structure(), Some("Angle"));
         assert!(texts[2].ends_with("B = 2.0;"), "{texts:?}");
         assert!(texts[3].starts_with("void main()") && texts[3].ends_with("    }\n}"), "{texts:?}");
+    }
+
+    #[test]
+    fn words_of_godot_are_no_names_of_the_look() {
+        let text = "const float PI = 3.0;\nmat3x3 m;\nfloat light(Light light) {\n    return \
+                    light.instance * PI;\n}\n";
+        assert_eq!(
+            with_words_of_godot(text, &free_words(text)),
+            "const float PI_of_look = 3.0;\nmat3 m;\n\
+             float light_of_look(Light light_of_look) {\n    \
+             return light_of_look.instance_of_look * PI_of_look;\n}\n"
+        );
+        let text = "float lit(Light light) {\n    return light.x;\n}\n";
+        assert_eq!(with_words_of_godot(text, &free_words(text)), text);
     }
 
     #[test]

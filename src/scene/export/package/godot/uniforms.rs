@@ -15,6 +15,8 @@ use crate::wgsl::identifiers;
 pub(super) struct Uniform {
     /// Name in the shader.
     pub(super) name: String,
+    /// Names of the members that lead to the number, joined by points.
+    path: String,
     /// Type in the shader.
     pub(super) ty: &'static str,
     /// Number of elements of an array.
@@ -80,8 +82,8 @@ pub(super) struct Uniforms<'a> {
     parameters: BTreeMap<String, ParameterUniform<'a>>,
     /// The block's numbers while parameters have their defaults.
     pub(super) numbers: Vec<f64>,
-    /// New names of uniforms whose own the text has for others.
-    renamed: BTreeMap<String, String>,
+    /// Words of the text, which no function that is added has for its name.
+    taken: BTreeSet<String>,
     /// Structs that the text takes whole: the name of a function for each, and its source.
     values: BTreeMap<String, String>,
 }
@@ -105,8 +107,16 @@ impl<'a> Uniforms<'a> {
             let parameter = parameters.get(&member.name);
             let name = parameter.map_or(&member.name, |it| &it.name);
             let parameter = parameter.map(|it| it.index);
-            let place = Place { name, word: member.offset / 4, array: None, parameter };
+            let path = member.name.clone();
+            let place = Place { name, path, word: member.offset / 4, array: None, parameter };
             flatten(member, &place, &group, &mut list)?;
+        }
+        // A member of a struct may be called as one of the block is.
+        let mut taken = BTreeSet::new();
+        for uniform in &mut list {
+            while !taken.insert(uniform.name.clone()) {
+                uniform.name.push_str("_2");
+            }
         }
         Ok(Self {
             members,
@@ -114,7 +124,7 @@ impl<'a> Uniforms<'a> {
             images,
             parameters,
             numbers,
-            renamed: BTreeMap::new(),
+            taken: BTreeSet::new(),
             values: BTreeMap::new(),
         })
     }
@@ -132,7 +142,29 @@ impl<'a> Uniforms<'a> {
         for parameter in self.parameters.values_mut().filter(|parameter| parameter.name == old) {
             new.clone_into(&mut parameter.name);
         }
-        self.renamed.insert(old.to_owned(), new.to_owned());
+    }
+
+    /// Names of the text that no function that is added may have.
+    pub(super) fn take(&mut self, words: &BTreeSet<String>) {
+        self.taken.clone_from(words);
+    }
+
+    /// The name of the uniform that members lead to.
+    fn name_of(&self, path: &str) -> String {
+        let found = self.list.iter().find(|uniform| uniform.path == path);
+        found.map_or_else(|| path.replace('.', "_"), |uniform| uniform.name.clone())
+    }
+
+    /// The name of a function that makes a struct.
+    fn function_name(&self, path: &str, end: &str) -> String {
+        let mut name = format!("{}_{end}", path.replace('.', "_"));
+        let is_taken = |name: &String| {
+            self.taken.contains(name) || self.list.iter().any(|uniform| uniform.name == *name)
+        };
+        while is_taken(&name) {
+            name.push('_');
+        }
+        name
     }
 
     /// The text with members of the block as uniforms.
@@ -174,12 +206,9 @@ impl<'a> Uniforms<'a> {
         let Some(member) = members.iter().find(|member| member.name == word) else {
             return (word.to_owned(), used);
         };
-        let parameter = self.parameters.get(word).filter(|_| prefix.is_empty());
-        let own = parameter.map_or(word, |it| &it.name);
-        let name = if prefix.is_empty() { own.to_owned() } else { format!("{prefix}_{own}") };
-        let name = self.renamed.get(&name).cloned().unwrap_or(name);
-        if parameter.is_some_and(|it| it.is_color) {
-            return (format!("as_shown({name})"), used);
+        let path = if prefix.is_empty() { word.to_owned() } else { format!("{prefix}.{word}") };
+        if self.parameters.get(&path).is_some_and(|it| it.is_color) {
+            return (format!("as_shown({})", self.name_of(&path)), used);
         }
         let mut index = index.to_owned();
         if member.ty.starts_with("array")
@@ -191,24 +220,37 @@ impl<'a> Uniforms<'a> {
             used += close + 1;
         }
         if member.members.is_empty() {
-            return (format!("{name}{index}"), used);
+            return (format!("{}{index}", self.name_of(&path)), used);
         }
         if text[used..].starts_with('.') {
-            let (inner, more) = self.access(&member.members, &name, &index, &text[used + 1..]);
+            let (inner, more) = self.access(&member.members, &path, &index, &text[used + 1..]);
             return (inner, used + 1 + more);
         }
         let (call, argument) = match index.is_empty() {
-            true => (format!("{name}_value"), String::new()),
-            false => (format!("{name}_at"), index[1..index.len() - 1].to_owned()),
+            true => (self.function_name(&path, "value"), String::new()),
+            false => (self.function_name(&path, "at"), index[1..index.len() - 1].to_owned()),
         };
         let is_array = !index.is_empty();
         let place = if is_array { "[i]" } else { "" };
-        let source = whole(member, &name, place);
+        let source = self.whole(member, &path, place);
         let ty = element_type(&member.ty);
         let parameters = if is_array { "int i" } else { "" };
         let source = format!("{ty} {call}({parameters}) {{\n    return {source};\n}}\n\n");
         self.values.insert(call.clone(), source);
         (format!("{call}({argument})"), used)
+    }
+
+    /// A struct of uniforms.
+    fn whole(&self, member: &Member, path: &str, index: &str) -> String {
+        let part = |inner: &Member| {
+            let path = format!("{path}.{}", inner.name);
+            match inner.members.is_empty() {
+                true => format!("{}{index}", self.name_of(&path)),
+                false => self.whole(inner, &path, index),
+            }
+        };
+        let parts: Vec<String> = member.members.iter().map(part).collect();
+        format!("{}({})", element_type(&member.ty), parts.join(", "))
     }
 
     /// Functions that make structs of uniforms.
@@ -351,6 +393,7 @@ pub(super) fn float(x: f64) -> String {
 /// Where a member lies.
 struct Place<'n> {
     name: &'n str,
+    path: String,
     word: u32,
     /// Count and words of one element of the array around the member.
     array: Option<(usize, usize)>,
@@ -373,13 +416,15 @@ fn flatten(
     for inner in &member.members {
         let name = format!("{}_{}", place.name, inner.name);
         let word = place.word + inner.offset / 4;
-        let place = Place { name: &name, word, array, parameter: None };
+        let path = format!("{}.{}", place.path, inner.name);
+        let place = Place { name: &name, path, word, array, parameter: None };
         flatten(inner, &place, group, list)?;
     }
     if member.members.is_empty() {
         let ty = element_type(&member.ty);
         list.push(Uniform {
             name: place.name.to_owned(),
+            path: place.path.clone(),
             ty: godot_type(&ty).ok_or_else(|| format!("the type `{ty}` of `{}`", member.name))?,
             count: array.map(|it| it.0),
             word: place.word as usize,
@@ -414,16 +459,6 @@ fn godot_type(ty: &str) -> Option<&'static str> {
         "mat3x3f" => "mat3",
         _ => return None,
     })
-}
-
-/// A struct of uniforms.
-fn whole(member: &Member, name: &str, index: &str) -> String {
-    let part = |inner: &Member| {
-        let name = format!("{name}_{}", inner.name);
-        if inner.members.is_empty() { format!("{name}{index}") } else { whole(inner, &name, index) }
-    };
-    let parts: Vec<String> = member.members.iter().map(part).collect();
-    format!("{}({})", element_type(&member.ty), parts.join(", "))
 }
 
 /// The place of the bracket that closes the one at the beginning.
