@@ -338,7 +338,8 @@ func value(given: Variant, own: Variant) -> Variant:
 
 /// The scripts of the package for Godot, of every example that one pass draws in the fast tier.
 #[test]
-fn scripts_compute_the_uniforms_of_every_example() {
+#[ignore = "takes ten seconds; scripts/soak runs it"]
+fn soak_scripts_compute_the_uniforms_of_every_example() {
     let mut files = Vec::new();
     let scene = PackageScene {
         mesh: Arc::new(Mesh::default()),
