@@ -7,9 +7,10 @@ use std::process::Command;
 
 use serde_json::Value as Json;
 
+use crate::support::godot::Godot;
 use crate::support::random::Random;
 use crate::support::validators::{say, tools_are_required};
-use chiaro::export::host_code::{HostLanguage, JAVASCRIPT, PYTHON, RUST, translate};
+use chiaro::export::host_code::{GDSCRIPT, HostLanguage, JAVASCRIPT, PYTHON, RUST, translate};
 use chiaro::interp::{FunctionOptions, Precision, Program, ScalarKind, Shape, Value};
 use chiaro::library::Library;
 
@@ -54,6 +55,7 @@ fn value(shape: &Shape, random: &mut Random) -> Value {
 /// A language with the program that runs it and the way that its values are written.
 struct Runner {
     language: &'static HostLanguage,
+    /// Program that runs the file; empty for Godot, which runs in a browser.
     command: &'static str,
     file: &'static str,
     /// Program and arguments that make a program of the file, in the same folder, to be run in its
@@ -71,7 +73,7 @@ struct Runner {
 }
 
 /// All languages that are tried.
-const RUNNERS: [Runner; 3] = [
+const RUNNERS: [Runner; 4] = [
     Runner {
         language: &JAVASCRIPT,
         command: "node",
@@ -127,6 +129,20 @@ const RUNNERS: [Runner; 3] = [
         member: |name, value| format!("{name}: {value}"),
         program: rust,
     },
+    Runner {
+        language: &GDSCRIPT,
+        command: "",
+        file: "",
+        compiler: None,
+        structure: |_| String::new(),
+        scalar: |kind, x| match kind {
+            ScalarKind::Bool => (x != 0.0).to_string(),
+            ScalarKind::I32 | ScalarKind::U32 => format!("{x}"),
+            ScalarKind::Float => format!("{x:?}"),
+        },
+        member: |name, value| format!("\"{name}\": {value}"),
+        program: gdscript,
+    },
 ];
 
 impl Runner {
@@ -163,6 +179,13 @@ impl Runner {
     /// Results that a program of the cases prints; `None`, said aloud, where nothing runs the
     /// language.
     fn results(&self, cases: &[Case]) -> Option<Vec<Vec<Vec<Option<f64>>>>> {
+        if self.command.is_empty() {
+            let mut godot = Godot::start(&[]).expect("Godot starts")?;
+            let numbers = godot.run(&(self.program)(cases));
+            let numbers =
+                numbers.unwrap_or_else(|said| panic!("{}", &said[..said.len().min(4000)]));
+            return Some(serde_json::from_value(numbers).expect("lists of numbers"));
+        }
         let folder = tempfile::tempdir().expect("a temporary folder");
         let file = folder.path().join(self.file);
         std::fs::write(&file, (self.program)(cases)).expect("a temporary file");
@@ -282,6 +305,34 @@ fn python(cases: &[Case]) -> String {
     text + "print(json.dumps(results))\n"
 }
 
+/// A class for each case: what is static in a script is so in its classes.
+fn gdscript(cases: &[Case]) -> String {
+    let mut text = "extends RefCounted\n\n\n".to_owned();
+    for (number, case) in cases.iter().enumerate() {
+        let indented = case.text.lines().map(|line| format!("\t{line}\n"));
+        let _ = writeln!(
+            text,
+            "class Case{number}:\n{}\tstatic func results() -> Array:\n\t\treturn [",
+            indented.collect::<String>()
+        );
+        for (arguments, _) in &case.calls {
+            let _ = writeln!(text, "\t\t\t{}({}),", case.function, arguments.join(", "));
+        }
+        text += "\t\t]\n\n\n";
+    }
+    text += "func flat(value: Variant) -> Array:\n\
+             \tif value is Dictionary:\n\t\tvalue = value.values()\n\
+             \tif not value is Array:\n\
+             \t\treturn [float(value) if is_finite(float(value)) else null]\n\
+             \tvar all := []\n\tfor part: Variant in value:\n\t\tall.append_array(flat(part))\n\
+             \treturn all\n\n\n\
+             func run(_main: Node) -> Array:\n\treturn [\n";
+    for number in 0..cases.len() {
+        let _ = writeln!(text, "\t\tCase{number}.results().map(flat),");
+    }
+    text + "\t]\n"
+}
+
 /// Expressions of the scalars of a value of Rust, each as an `f64`.
 fn rust_scalars(shape: &Shape, value: &str, into: &mut Vec<String>) {
     match shape {
@@ -358,6 +409,11 @@ fn python_computes_what_the_interpreter_does() {
 #[test]
 fn rust_computes_what_the_interpreter_does() {
     compare(&RUNNERS[2]);
+}
+
+#[test]
+fn gdscript_computes_what_the_interpreter_does() {
+    compare(&RUNNERS[3]);
 }
 
 /// Runs the functions of the library in a language, and in the interpreter.

@@ -8,6 +8,7 @@ use chiaro_test_drawing as support;
 
 mod babylon;
 mod blender;
+mod godot;
 mod library;
 mod matrix;
 mod pictures;

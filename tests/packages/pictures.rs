@@ -18,18 +18,30 @@ pub(crate) struct Trial {
     document: PathBuf,
     /// Arguments of both `chiaro export` and `chiaro render`.
     arguments: &'static [&'static str],
+    /// Tier of every node, where it is not the document's.
+    tier: Option<&'static str>,
 }
 
 impl Trial {
     /// A trial of an example, such as `looks/clay`.
     pub(crate) fn of(example: &str) -> Self {
         let document = root().join("examples").join(example).with_extension("json");
-        Self { folder: tempfile::tempdir().expect("a folder"), document, arguments: &[] }
+        Self {
+            folder: tempfile::tempdir().expect("a folder"),
+            document,
+            arguments: &[],
+            tier: None,
+        }
     }
 
     /// The trial with arguments of both `chiaro export` and `chiaro render`.
     pub(crate) fn with(self, arguments: &'static [&'static str]) -> Self {
         Self { arguments, ..self }
+    }
+
+    /// The trial with every node in a tier.
+    pub(crate) fn in_tier(self, tier: &'static str) -> Self {
+        Self { tier: Some(tier), ..self }
     }
 
     /// A trial of a changed example. The change is given the document as JSON.
@@ -45,12 +57,32 @@ impl Trial {
 
     /// The folder of the package, exported now.
     pub(crate) fn package(&self, slug: &str) -> PathBuf {
-        let out = self.folder.path().join(slug);
+        run(&mut self.export(slug));
+        self.folder.path().join(slug)
+    }
+
+    /// True if a package takes the look.
+    pub(crate) fn is_taken(&self, slug: &str) -> bool {
+        self.export(slug).output().expect("the program starts").status.success()
+    }
+
+    /// What the program says of a look that a package does not take.
+    pub(crate) fn refusal(&self, slug: &str) -> String {
+        let output = self.export(slug).output().expect("the program starts");
+        assert!(!output.status.success(), "the package {slug} is written");
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    }
+
+    fn export(&self, slug: &str) -> Command {
         let mut command = chiaro();
-        command.arg("export").arg(&self.document).args(["--to", slug, "-o"]).arg(&out);
-        command.args(self.arguments);
-        run(&mut command);
-        out
+        command.arg("export").arg(&self.document).args(["--to", slug, "-o"]);
+        command.arg(self.folder.path().join(slug)).args(self.arguments);
+        command.args(self.tier_arguments());
+        command
+    }
+
+    fn tier_arguments(&self) -> impl Iterator<Item = &'static str> {
+        self.tier.into_iter().flat_map(|tier| ["--tier", tier])
     }
 
     /// The folder of the package, exported now, or the reason why this package refuses the look.
@@ -106,6 +138,7 @@ impl Trial {
             .args(["--size", &size, "-o"])
             .arg(&picture)
             .args(self.arguments)
+            .args(self.tier_arguments())
             .args(arguments);
         run(&mut command);
         image::open(&picture).expect("a picture").to_rgba8()

@@ -8,6 +8,7 @@
 mod dialect;
 mod expressions;
 mod function;
+mod gdscript;
 mod javascript;
 mod module;
 mod names;
@@ -46,8 +47,12 @@ pub const PYTHON: HostLanguage =
 /// Rust.
 pub const RUST: HostLanguage = HostLanguage { slug: "rust", label: "Rust", dialect: &rust::Rust };
 
+/// GDScript, the language of Godot 4: static functions of a script.
+pub const GDSCRIPT: HostLanguage =
+    HostLanguage { slug: "gdscript", label: "GDScript", dialect: &gdscript::GdScript };
+
 /// All languages of host code.
-pub const HOST_LANGUAGES: [&HostLanguage; 3] = [&JAVASCRIPT, &PYTHON, &RUST];
+pub const HOST_LANGUAGES: [&HostLanguage; 4] = [&JAVASCRIPT, &PYTHON, &RUST, &GDSCRIPT];
 
 /// Functions of a WGSL source by their names, with all that they call, in a language.
 ///

@@ -7,6 +7,7 @@
 
 mod babylon;
 mod blender;
+mod godot;
 mod javascript;
 mod materials;
 mod python;
@@ -48,8 +49,15 @@ pub struct Package {
 }
 
 /// All packages, in the order in which the window lists them.
-pub const PACKAGES: &[&Package] =
-    &[&web::PACKAGE, &three::PACKAGE, &babylon::PACKAGE, &blender::PACKAGE];
+pub const PACKAGES: &[&Package] = &[
+    &web::PACKAGE,
+    &three::PACKAGE,
+    &babylon::PACKAGE,
+    &wgpu::PACKAGE,
+    &bevy::PACKAGE,
+    &godot::PACKAGE,
+    &blender::PACKAGE,
+];
 
 /// The scene that a package shows the look in.
 #[derive(Clone, Debug)]
