@@ -13,3 +13,4 @@ mod pictures;
 mod table;
 mod three;
 mod web;
+mod wgpu_crate;

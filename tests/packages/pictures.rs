@@ -16,18 +16,31 @@ pub(crate) struct Trial {
     document: PathBuf,
     /// Arguments of both `chiaro export` and `chiaro render`.
     arguments: &'static [&'static str],
+    /// True to draw our own picture by the GPU that the test's environment names, else by that of
+    /// Chromium.
+    is_here: bool,
 }
 
 impl Trial {
     /// A trial of an example, such as `looks/clay`.
     pub(crate) fn of(example: &str) -> Self {
         let document = root().join("examples").join(example).with_extension("json");
-        Self { folder: tempfile::tempdir().expect("a folder"), document, arguments: &[] }
+        Self {
+            folder: tempfile::tempdir().expect("a folder"),
+            document,
+            arguments: &[],
+            is_here: false,
+        }
     }
 
     /// The trial with arguments of both `chiaro export` and `chiaro render`.
     pub(crate) fn with(self, arguments: &'static [&'static str]) -> Self {
         Self { arguments, ..self }
+    }
+
+    /// The trial with our own pictures drawn by the GPU that the test's environment names.
+    pub(crate) fn here(self) -> Self {
+        Self { is_here: true, ..self }
     }
 
     /// A trial of a changed example. The change is given the document as JSON.
@@ -43,10 +56,15 @@ impl Trial {
 
     /// The folder of the package, exported now.
     pub(crate) fn package(&self, slug: &str) -> PathBuf {
+        self.package_with(slug, &[])
+    }
+
+    /// The folder of the package, exported now with further arguments.
+    pub(crate) fn package_with(&self, slug: &str, arguments: &[&str]) -> PathBuf {
         let out = self.folder.path().join(slug);
         let mut command = chiaro();
         command.arg("export").arg(&self.document).args(["--to", slug, "-o"]).arg(&out);
-        command.args(self.arguments);
+        command.args(self.arguments).args(arguments);
         run(&mut command);
         out
     }
@@ -78,7 +96,7 @@ impl Trial {
     fn drawn(&self, document: &Path, arguments: &[&str]) -> RgbaImage {
         let picture = self.folder.path().join("ours.png");
         let size = format!("{}x{}", SIZE[0], SIZE[1]);
-        let mut command = chiaro();
+        let mut command = if self.is_here { chiaro_here() } else { chiaro() };
         command
             .arg("render")
             .arg(document)
@@ -98,10 +116,16 @@ fn cache() -> &'static Path {
     FOLDER.get_or_init(|| tempfile::tempdir().expect("a folder")).path()
 }
 
-/// The program, drawing with the software GPU that Chromium brings along.
-fn chiaro() -> Command {
+/// The program, drawing with the GPU that the environment names.
+fn chiaro_here() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
     command.env("NODEVICE_SELECT", "1").env("CHIARO_CACHE_DIR", cache());
+    command
+}
+
+/// The program, drawing with the software GPU that Chromium brings along.
+fn chiaro() -> Command {
+    let mut command = chiaro_here();
     let driver = Path::new("/usr/lib/chromium/vk_swiftshader_icd.json");
     if driver.is_file() {
         command.env("VK_DRIVER_FILES", driver);

@@ -10,8 +10,10 @@ mod blender;
 mod javascript;
 mod materials;
 mod python;
+mod rust;
 mod three;
 mod web;
+mod wgpu_crate;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -45,8 +47,8 @@ pub struct Package {
 }
 
 /// All packages, in the order in which the window lists them.
-pub const PACKAGES: [&Package; 4] =
-    [&web::PACKAGE, &three::PACKAGE, &babylon::PACKAGE, &blender::PACKAGE];
+pub const PACKAGES: [&Package; 5] =
+    [&web::PACKAGE, &three::PACKAGE, &babylon::PACKAGE, &blender::PACKAGE, &wgpu_crate::PACKAGE];
 
 /// The scene that a package shows the look in.
 #[derive(Clone, Debug)]
