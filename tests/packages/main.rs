@@ -7,6 +7,7 @@
 use chiaro_test_drawing as support;
 
 mod babylon;
+mod bevy_crate;
 mod blender;
 mod library;
 mod pictures;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-use crate::support::root;
+use crate::support::{files, root};
 use image::RgbaImage;
 
 /// Size of the pictures, in pixels.
@@ -31,6 +31,20 @@ impl Trial {
             arguments: &[],
             is_here: false,
         }
+    }
+
+    /// Trials of all example looks, images and painted surfaces, with their names.
+    pub(crate) fn of_all_examples() -> Vec<(String, Self)> {
+        let folders = ["looks", "images", "hcbtf"].map(|name| root().join("examples").join(name));
+        let documents = folders.iter().flat_map(|folder| files::below(folder));
+        let documents = documents.filter(|path| path.extension().is_some_and(|it| it == "json"));
+        let trials = documents.map(|path| {
+            let example = path.strip_prefix(root().join("examples")).expect("an example");
+            let example = example.with_extension("").to_string_lossy().into_owned();
+            let name = example.rsplit('/').next().unwrap_or_default().to_owned();
+            (name, Self::of(&example))
+        });
+        trials.collect()
     }
 
     /// The trial with arguments of both `chiaro export` and `chiaro render`.
@@ -61,12 +75,18 @@ impl Trial {
 
     /// The folder of the package, exported now with further arguments.
     pub(crate) fn package_with(&self, slug: &str, arguments: &[&str]) -> PathBuf {
+        self.export(slug, arguments).unwrap_or_else(|problem| panic!("{problem}"))
+    }
+
+    /// The folder of the package, or what the program says where it refuses the look.
+    pub(crate) fn export(&self, slug: &str, arguments: &[&str]) -> Result<PathBuf, String> {
         let out = self.folder.path().join(slug);
         let mut command = chiaro();
         command.arg("export").arg(&self.document).args(["--to", slug, "-o"]).arg(&out);
         command.args(self.arguments).args(arguments);
-        run(&mut command);
-        out
+        let output = command.output().expect("the program starts");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        if output.status.success() { Ok(out) } else { Err(said) }
     }
 
     /// Our own picture of the look: one sample a pixel, without a backdrop, every value a uniform

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::{env, fs};
 
 use crate::support::{files, root};
@@ -13,13 +14,13 @@ use crate::blender::Ring;
 use crate::pictures::{Difference, SIZE, Trial};
 use crate::table;
 
-#[allow(dead_code, reason = "the example saves a file")]
+#[allow(dead_code, unreachable_pub, reason = "the text is that of an example")]
 #[path = "../golden/wgpu/figure1-layers/examples/show/scene.rs"]
 mod figure1_layers_scene;
-#[allow(dead_code, reason = "the example saves a file")]
+#[allow(dead_code, unreachable_pub, reason = "the text is that of an example")]
 #[path = "../golden/wgpu/figure5-directional/examples/show/scene.rs"]
 mod figure5_directional_scene;
-#[allow(dead_code, reason = "the example saves a file")]
+#[allow(dead_code, unreachable_pub, reason = "the text is that of an example")]
 #[path = "../golden/wgpu/xtoon-orientation/examples/show/scene.rs"]
 mod xtoon_orientation_scene;
 
@@ -66,8 +67,10 @@ fn crates_are_as_they_are_kept() {
     for (example, arguments) in KEPT {
         let name = example.rsplit('/').next().unwrap_or_default();
         let kept = root().join("tests/golden/wgpu").join(name);
-        let package = trial(example, ring()).package_with("wgpu", arguments);
+        let trial = trial(example, ring());
+        let package = trial.package_with("wgpu", arguments);
         let made = contents(&package);
+        assert!(made.len() > 15, "{name}: {} files", made.len());
         if is_blessing {
             if kept.is_dir() {
                 fs::remove_dir_all(&kept).expect("the old crate goes");
@@ -249,4 +252,76 @@ fn parameters_and_lights_of_crates_change_what_they_change_with_us() {
     let found = Difference::of(&set, &ours);
     assert!(found.greatest <= 1, "{found:?}");
     assert!(Difference::of(&before, &ours).beyond > 500, "the values are seen");
+}
+
+/// All example looks: their crates, in a workspace of their own, are built without a warning of
+/// Clippy, and their examples draw what we draw.
+#[test]
+#[ignore = "builds a program for each look; scripts/soak runs it"]
+fn soak_crates_of_all_examples_draw_what_we_draw() {
+    let folder = root().join("target/wgpu-crates");
+    let _there_may_be_none = fs::remove_dir_all(folder.join("looks"));
+    let mut trials = Vec::new();
+    for (name, trial) in Trial::of_all_examples() {
+        let trial = trial.with(Vec::leak(vec!["--mesh", ring()])).here();
+        let package = match trial.export("wgpu", &[]) {
+            Ok(package) => package,
+            Err(problem) => {
+                assert!(problem.contains("not-in-package"), "{name}: {problem}");
+                continue;
+            }
+        };
+        let copy = folder.join("looks").join(&name);
+        for (path, bytes) in contents(&package) {
+            let file = copy.join(path);
+            fs::create_dir_all(file.parent().expect("a folder")).expect("a folder");
+            fs::write(file, bytes).expect("a file");
+        }
+        // The picture is ours to compare: one sample, and nothing behind.
+        edited(&copy.join("examples/show/main.rs"), "SAMPLES: u32 = 4", "SAMPLES: u32 = 1");
+        let is_backdrop = |line: &&str| line.starts_with("pub const BACKDROP");
+        let scene = fs::read_to_string(copy.join("examples/show/scene.rs")).expect("a scene");
+        let line = scene.lines().find(is_backdrop).expect("a backdrop");
+        let none = "pub const BACKDROP: wgpu::Color = wgpu::Color::TRANSPARENT;";
+        edited(&copy.join("examples/show/scene.rs"), line, none);
+        trials.push((name, trial));
+    }
+    assert!(trials.len() > 60, "{} looks are carried", trials.len());
+    let manifest = "[workspace]\nmembers = [\"looks/*\"]\nresolver = \"3\"\n\n\
+                    [profile.dev]\ndebug = false\n";
+    fs::write(folder.join("Cargo.toml"), manifest).expect("a manifest");
+    fs::write(folder.join(".clippy.toml"), "").expect("no rules of ours");
+    let cargo = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO"));
+        command.args(arguments).current_dir(&folder).env("CARGO_TARGET_DIR", folder.join("target"));
+        let output = command.output().expect("cargo");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success(), "{arguments:?}: {said}");
+    };
+    let everything = ["--offline", "--workspace", "--examples"];
+    cargo(&[&["clippy"][..], &everything, &["--lib", "--", "-D", "warnings"]].concat());
+    cargo(&[&["build"][..], &everything].concat());
+    let mut measured = BTreeMap::new();
+    for (name, trial) in trials {
+        let file = folder.join("looks").join(&name).join("drawn.png");
+        let manifest = fs::read_to_string(folder.join("looks").join(&name).join("Cargo.toml"));
+        let manifest = manifest.expect("a manifest");
+        let example = manifest.lines().find_map(|line| line.strip_prefix("name = \"show-"));
+        let example = format!("show-{}", example.expect("an example").trim_end_matches('"'));
+        let mut command = Command::new(folder.join("target/debug/examples").join(example));
+        command.arg(&file).args(SIZE.map(|side| side.to_string()));
+        let output = command.output().expect("the example");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{name}: {said}");
+        let drawn = image::open(&file).expect("a picture").to_rgba8();
+        measured.insert(format!("wgpu lavapipe {name}"), Difference::of(&drawn, &trial.ours()));
+    }
+    table::check(&measured);
+}
+
+/// Replaces a text of a file.
+fn edited(file: &Path, old: &str, new: &str) {
+    let text = fs::read_to_string(file).expect("a text");
+    assert!(text.contains(old), "{}: {old}", file.display());
+    fs::write(file, text.replacen(old, new, 1)).expect("a file");
 }

@@ -6,6 +6,7 @@
 //! players read.
 
 mod babylon;
+mod bevy_crate;
 mod blender;
 mod javascript;
 mod materials;
@@ -47,8 +48,14 @@ pub struct Package {
 }
 
 /// All packages, in the order in which the window lists them.
-pub const PACKAGES: [&Package; 5] =
-    [&web::PACKAGE, &three::PACKAGE, &babylon::PACKAGE, &blender::PACKAGE, &wgpu_crate::PACKAGE];
+pub const PACKAGES: [&Package; 6] = [
+    &web::PACKAGE,
+    &three::PACKAGE,
+    &babylon::PACKAGE,
+    &blender::PACKAGE,
+    &wgpu_crate::PACKAGE,
+    &bevy_crate::PACKAGE,
+];
 
 /// The scene that a package shows the look in.
 #[derive(Clone, Debug)]

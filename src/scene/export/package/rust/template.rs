@@ -58,7 +58,11 @@ impl Template {
             } else if found == "//@end" {
                 open.pop();
             } else if open.iter().all(|is_kept| *is_kept) {
-                self.line(line, &mut text);
+                // What is left out has lines without text on both sides.
+                let is_second = line.is_empty() && (text.is_empty() || text.ends_with("\n\n"));
+                if !is_second {
+                    self.line(line, &mut text);
+                }
             }
         }
         text

@@ -16,6 +16,9 @@ use crate::library::Type;
 /// The header of the host work's file.
 const HOST: &str = include_str!("template/host.rs.in");
 
+/// Number of parameters that a README of one screen lists.
+const LISTED: usize = 12;
+
 /// Numbers that Rust has names for.
 const CONSTANTS: [(f32, &str); 4] = [
     (std::f32::consts::PI, "PI"),
@@ -86,7 +89,12 @@ impl<'a> Parameters<'a> {
             let about = about(parameter);
             format!("  - `{}`, `{}`: {about}", setting.member, type_of(&setting.ty))
         };
-        self.list.iter().map(line).collect()
+        let mut lines: Vec<String> = self.list.iter().take(LISTED).map(line).collect();
+        if self.list.len() > LISTED {
+            let more = self.list.len() - LISTED;
+            lines.push(format!("  - and {more} more: `cargo doc --open`."));
+        }
+        lines
     }
 
     /// Fills the template of the module.
@@ -96,10 +104,10 @@ impl<'a> Parameters<'a> {
             let name = member(&setting.member);
             members.extend(wrapped(&about(parameter), "/// ", 4));
             members.push(format!("pub {name}: {},", type_of(&setting.ty)));
-            defaults.push(format!("{name}: {},", value(setting)));
+            defaults.push(format!("{name}: {}", value(setting)));
         }
         template.lines("members", members);
-        template.lines("defaults", defaults);
+        template.lines("defaults", structure("Self", &defaults, "", 8));
         template.text(include_str!("template/parameters.rs.in"))
     }
 

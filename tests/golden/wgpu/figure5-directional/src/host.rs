@@ -2,8 +2,7 @@
 //! and surroundings. Translated from the look's own nodes.
 
 #![allow(clippy::all, reason = "the translation keeps the form of the shaders' functions")]
-#![allow(dead_code, reason = "structures have all their members, also those that nothing reads")]
-#![allow(unused_assignments, unused_mut, reason = "variables are declared before they are set")]
+#![allow(unused, reason = "structures and functions have all members and values of the original")]
 
 const DIRECTIONAL_LIGHT: i32 = 0_i32;
 const PI_HOST: f64 = 3.141592653589793;
