@@ -1,6 +1,6 @@
-//! The package `bevy`. Building Bevy takes ten minutes, so that here the shader is read by naga, in
-//! the place of Bevy's preprocessor, and the crate's text by rustfmt. Crates are drawn by Bevy where
-//! `scripts/setup bevy` was run.
+//! The package `bevy`. Building Bevy takes ten minutes, so that here the shader is read by naga,
+//! in the place of Bevy's preprocessor, and the crate's text by rustfmt. Crates are drawn by Bevy
+//! where `scripts/setup bevy` was run.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -71,7 +71,7 @@ fn crates_are_rust_and_wgsl() {
     }
 }
 
-/// What the crate cannot draw is refused with the reason.
+/// A look that the crate cannot draw is refused with the reason.
 #[test]
 fn looks_with_passes_are_refused() {
     let refused = Trial::of("looks/figure1-layers").here().export("bevy", &[]);
@@ -80,7 +80,8 @@ fn looks_with_passes_are_refused() {
     assert!(problem.contains("curvature") && problem.contains("--to wgpu"), "{problem}");
 }
 
-/// The folder in which `scripts/setup bevy` has built Bevy; `None`, said aloud, where there is none.
+/// The folder in which `scripts/setup bevy` has built Bevy; `None`, said aloud, where there is
+/// none.
 #[expect(clippy::print_stderr, reason = "a skipped check is to be seen in the test's output")]
 fn built() -> Option<PathBuf> {
     let folder = root().join(".tools/bevy");

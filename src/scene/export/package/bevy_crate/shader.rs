@@ -8,7 +8,7 @@ use super::super::super::header;
 use super::super::{PackageRequest, javascript};
 use crate::document::ColorSpace;
 
-/// What takes camera and object from Bevy, and the entry points; words in capitals are places.
+/// Functions that take camera and object from Bevy; words in capitals are places.
 const ENTRIES: &str = "
 /// The camera, as Bevy has it.
 fn view_of_camera() -> View {

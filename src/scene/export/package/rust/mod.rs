@@ -1,5 +1,5 @@
-//! What packages in Rust share: templates, names, and the look's parameters, lights and host work
-//! as modules of a crate.
+//! Parts that packages in Rust share: templates, names, and the look's parameters, lights and host
+//! work as modules of a crate.
 
 mod template;
 mod values;

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::super::ExportFile;
 
-/// What fills the templates of a package.
+/// Contents of the templates of a package.
 #[derive(Clone, Debug, Default)]
 pub(in super::super) struct Template {
     sections: BTreeSet<&'static str>,

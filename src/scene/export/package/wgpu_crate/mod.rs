@@ -1,10 +1,10 @@
 //! The package `wgpu`: a crate with the look as a material.
 //!
 //! Files of the crate are templates of `template/`, whose sections stay where a look needs them:
-//! nobody is given code that their look does not run. `src/look.rs` is the look itself, a table of
-//! its passes ([`tables`]); `src/host.rs` its host work, translated; `src/material.rs` what draws
-//! it. Uniforms of a frame lie in one buffer that is made anew, so that two pictures of one material
-//! may be drawn in one submission.
+//! nobody is given code that their look does not run. `look.rs` is the look itself, a table of its
+//! passes ([`tables`]); `host.rs` its host work, translated; `material.rs` what draws it. Uniforms
+//! of a frame lie in one buffer that is made anew, so that two pictures of one material may be
+//! drawn in one submission.
 
 mod scene;
 mod tables;

@@ -9,7 +9,7 @@ use super::super::{PackageRequest, javascript};
 use crate::document::ColorSpace;
 use crate::export::description::{DrawnSides, ExportPass};
 
-/// What the tables are made of.
+/// Sources of the tables.
 pub(super) struct Tables<'a> {
     passes: &'a [ExportPass],
     /// Modules as packages in JavaScript have them, by the passes.
@@ -136,7 +136,7 @@ impl<'a> Tables<'a> {
         lines
     }
 
-    /// What is put into a binding of a pass.
+    /// Content of a binding of a pass.
     fn feed(&self, pass: &ExportPass, binding: &Value) -> String {
         let feed = &binding["feed"];
         let place = |of: &str, output: &str| {

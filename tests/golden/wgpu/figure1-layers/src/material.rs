@@ -144,7 +144,7 @@ impl Material {
                 uniform: uniforms.add(&uniforms::object(object, id, material)),
                 shows_backs: part.is_two_sided || is_eye_within,
             });
-            placed.push(Placed {
+            placed.push(PlacedObject {
                 mesh: object.mesh,
                 is_mirrored: object.is_mirrored(),
                 parts: parts.collect(),
@@ -211,7 +211,7 @@ impl Material {
         }
     }
 
-    /// What surrounds an object, as the look's own numbers take it.
+    /// Surroundings of an object, as the look's own numbers take them.
     fn surroundings(
         &self,
         camera: &Camera,
@@ -246,7 +246,7 @@ impl Material {
         device: &wgpu::Device,
         index: usize,
         frame: &FrameUniforms,
-        objects: &[Placed<'_>],
+        objects: &[PlacedObject<'_>],
     ) -> Vec<Draw> {
         let pass = &PASSES[index];
         if pass.draws == look::Draws::Screen {
@@ -255,6 +255,8 @@ impl Material {
             let pipeline = self.pipelines[index].pipeline(device, pass, self.output, sides);
             return vec![Draw { pipeline, group, mesh: None }];
         }
+        // Backs are seen through what the look cuts away.
+        let cuts = self.parameters.output_cutoff > 0.0;
         let mut draws = Vec::new();
         for object in objects {
             let buffers = pass.attributes.iter().map(|(_, it)| it.buffer(object.mesh).clone());
@@ -265,7 +267,7 @@ impl Material {
                     Feed::Look => object.look[index],
                     _ => None,
                 });
-                let shows_backs = self.parameters.output_cutoff > 0.0 || part.shows_backs;
+                let shows_backs = cuts || part.shows_backs;
                 let sides = Sides { is_mirrored: object.is_mirrored, shows_backs };
                 let pipeline = self.pipelines[index].pipeline(device, pass, self.output, sides);
                 let indices = (object.mesh.indices.clone(), part.indices.clone());
@@ -276,7 +278,7 @@ impl Material {
         draws
     }
 
-    /// What a pass reads; `own` has the uniforms of what is drawn.
+    /// The bindings of a pass; `own` has the uniforms of what is drawn.
     fn bind_group(
         &self,
         device: &wgpu::Device,
@@ -327,7 +329,7 @@ struct FrameUniforms {
 }
 
 /// An object of a frame, with its uniforms.
-struct Placed<'a> {
+struct PlacedObject<'a> {
     mesh: &'a Mesh,
     is_mirrored: bool,
     parts: Vec<PlacedPart>,

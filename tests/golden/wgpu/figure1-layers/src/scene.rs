@@ -1,4 +1,4 @@
-//! What the material draws: meshes in their places, seen by a camera.
+//! The scene: meshes in their places, seen by a camera.
 
 use std::ops::Range;
 

@@ -1,5 +1,4 @@
-//! What is computed before the look is drawn: the numbers of its uniforms, from parameters, lights
-//! and surroundings. Translated from the look's own nodes.
+//! The numbers of the look's uniforms, from parameters, lights and surroundings. Translated from the look's own nodes.
 
 #![allow(clippy::all, reason = "the translation keeps the form of the shaders' functions")]
 #![allow(unused, reason = "structures and functions have all members and values of the original")]
@@ -64,7 +63,7 @@ pub struct LightFrame {
     pub origin: [f64; 3],
 }
 
-/// What surrounds an object at a time.
+/// Surroundings of an object at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surroundings {
     /// Rotation from the illumination frame to the world.
@@ -120,7 +119,7 @@ pub struct ProfileShape {
     pub kind: u32,
 }
 
-/// What may be set.
+/// Values that may be set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     pub highlight_convex: [f64; 4],

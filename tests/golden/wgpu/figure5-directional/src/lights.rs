@@ -40,7 +40,7 @@ impl Default for Lights {
     }
 }
 
-/// What a kind of light does not have.
+/// Fields that a kind of light does not have.
 const UNSET: LightSettings = LightSettings {
     direction: [0.0, 0.0, 1.0],
     position: [0.0; 3],

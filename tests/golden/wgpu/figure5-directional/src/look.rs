@@ -9,9 +9,9 @@ pub(crate) struct Pass {
     pub(crate) name: &'static str,
     pub(crate) shader: &'static str,
     pub(crate) draws: Draws,
-    /// What the vertex shader reads, with the locations.
+    /// Attributes that the vertex shader reads, with their locations.
     pub(crate) attributes: &'static [(u32, Attribute)],
-    /// What is bound in group 0, with the bindings.
+    /// Contents of the bindings of group 0, with their numbers.
     pub(crate) bindings: &'static [(u32, Feed)],
     /// Bytes of the look's own uniform; none for a pass without it.
     pub(crate) numbers: Option<fn(host::Settings, host::Surroundings) -> Vec<u8>>,
@@ -52,7 +52,7 @@ impl Attribute {
     }
 }
 
-/// What is put into a binding.
+/// Content of a binding.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Feed {
     /// The camera's uniform.
@@ -63,7 +63,7 @@ pub(crate) enum Feed {
     Look,
     /// Numbers of the view.
     Numbers,
-    /// What an earlier pass has drawn.
+    /// A texture that an earlier pass has drawn.
     Pass { pass: usize, output: usize },
 }
 

@@ -141,7 +141,7 @@ impl Material {
                 uniform: uniforms.add(&uniforms::object(object, id, material)),
                 shows_backs: part.is_two_sided || is_eye_within,
             });
-            placed.push(Placed {
+            placed.push(PlacedObject {
                 mesh: object.mesh,
                 is_mirrored: object.is_mirrored(),
                 parts: parts.collect(),
@@ -179,7 +179,7 @@ impl Material {
         }
     }
 
-    /// What surrounds an object, as the look's own numbers take it.
+    /// Surroundings of an object, as the look's own numbers take them.
     fn surroundings(
         &self,
         camera: &Camera,
@@ -214,7 +214,7 @@ impl Material {
         device: &wgpu::Device,
         index: usize,
         frame: &FrameUniforms,
-        objects: &[Placed<'_>],
+        objects: &[PlacedObject<'_>],
     ) -> Vec<Draw> {
         let pass = &PASSES[index];
         if pass.draws == look::Draws::Screen {
@@ -244,7 +244,7 @@ impl Material {
         draws
     }
 
-    /// What a pass reads; `own` has the uniforms of what is drawn.
+    /// The bindings of a pass; `own` has the uniforms of what is drawn.
     fn bind_group(
         &self,
         device: &wgpu::Device,
@@ -295,7 +295,7 @@ struct FrameUniforms {
 }
 
 /// An object of a frame, with its uniforms.
-struct Placed<'a> {
+struct PlacedObject<'a> {
     mesh: &'a Mesh,
     is_mirrored: bool,
     parts: Vec<PlacedPart>,

@@ -8,9 +8,9 @@ use crate::uniforms;
 pub(crate) struct Pass {
     pub(crate) name: &'static str,
     pub(crate) shader: &'static str,
-    /// What the vertex shader reads, with the locations.
+    /// Attributes that the vertex shader reads, with their locations.
     pub(crate) attributes: &'static [(u32, Attribute)],
-    /// What is bound in group 0, with the bindings.
+    /// Contents of the bindings of group 0, with their numbers.
     pub(crate) bindings: &'static [(u32, Feed)],
     /// Bytes of the look's own uniform; none for a pass without it.
     pub(crate) numbers: Option<fn(host::Settings, host::Surroundings) -> Vec<u8>>,
@@ -40,7 +40,7 @@ impl Attribute {
     }
 }
 
-/// What is put into a binding.
+/// Content of a binding.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Feed {
     /// The camera's uniform.

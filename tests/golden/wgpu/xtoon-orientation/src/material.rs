@@ -137,7 +137,7 @@ impl Material {
                 uniform: uniforms.add(&uniforms::object(object, id, material)),
                 shows_backs: part.is_two_sided || is_eye_within,
             });
-            placed.push(Placed {
+            placed.push(PlacedObject {
                 mesh: object.mesh,
                 is_mirrored: object.is_mirrored(),
                 parts: parts.collect(),
@@ -155,7 +155,7 @@ impl Material {
         host::Settings { key_light: self.lights.key.settings() }
     }
 
-    /// What surrounds an object, as the look's own numbers take it.
+    /// Surroundings of an object, as the look's own numbers take them.
     fn surroundings(
         &self,
         camera: &Camera,
@@ -183,7 +183,7 @@ impl Material {
         device: &wgpu::Device,
         index: usize,
         frame: &FrameUniforms,
-        objects: &[Placed<'_>],
+        objects: &[PlacedObject<'_>],
     ) -> Vec<Draw> {
         let pass = &PASSES[index];
         let mut draws = Vec::new();
@@ -207,7 +207,7 @@ impl Material {
         draws
     }
 
-    /// What a pass reads; `own` has the uniforms of what is drawn.
+    /// The bindings of a pass; `own` has the uniforms of what is drawn.
     fn bind_group(
         &self,
         device: &wgpu::Device,
@@ -258,7 +258,7 @@ struct FrameUniforms {
 }
 
 /// An object of a frame, with its uniforms.
-struct Placed<'a> {
+struct PlacedObject<'a> {
     mesh: &'a Mesh,
     is_mirrored: bool,
     parts: Vec<PlacedPart>,
