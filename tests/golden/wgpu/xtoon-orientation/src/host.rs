@@ -1,4 +1,5 @@
-//! The numbers of the look's uniforms, from parameters, lights and surroundings. Translated from the look's own nodes.
+//! The numbers of the look's uniforms, from parameters, lights and surroundings. Translated from the
+//! look's own nodes.
 
 #![allow(clippy::all, reason = "the translation keeps the form of the shaders' functions")]
 #![allow(unused, reason = "structures and functions have all members and values of the original")]
