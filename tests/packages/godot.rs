@@ -9,9 +9,8 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use crate::pictures::{Difference, SIZE, Trial};
+use crate::pictures::{Difference, SIZE, Trial, soak_trials};
 use crate::support::chromium::from_base64;
-use crate::support::files;
 use crate::support::godot::Godot;
 use crate::support::root;
 use crate::table;
@@ -187,17 +186,7 @@ fn godot_draws_what_we_draw() {
 #[test]
 #[ignore = "takes minutes; scripts/soak runs it"]
 fn soak_godot_draws_all_examples() {
-    let folders = ["looks", "images"].map(|name| root().join("examples").join(name));
-    let documents = folders.iter().flat_map(|folder| files::below(folder));
-    let documents = documents.filter(|path| path.extension().is_some_and(|it| it == "json"));
-    let trials = documents.filter_map(|path| {
-        let example = path.strip_prefix(root().join("examples")).expect("an example");
-        let example = example.with_extension("").to_string_lossy().into_owned();
-        let name = example.rsplit('/').next().unwrap_or_default().to_owned();
-        let trial = fast(&example);
-        trial.is_taken("godot").then_some((name, trial))
-    });
-    let mut trials: Vec<_> = trials.collect();
+    let mut trials = soak_trials("godot", |trial| trial.in_tier("fast"));
     assert!(trials.len() > 60, "{} looks are taken", trials.len());
     while !trials.is_empty() {
         let rest = trials.split_off(trials.len().min(12));

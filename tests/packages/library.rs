@@ -8,11 +8,11 @@ use std::path::{Path, PathBuf};
 use crate::support::chromium::{Chromium, from_base64};
 use crate::support::served::Server;
 use crate::support::validators::Tool;
-use crate::support::{files, root};
+use crate::support::root;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-use crate::pictures::{Difference, SIZE, Trial};
+use crate::pictures::{Difference, SIZE, Trial, soak_trials};
 use crate::table;
 
 /// The APIs that libraries draw by.
@@ -154,18 +154,9 @@ pub(crate) fn examples(names: &[&str]) -> Vec<(String, Trial)> {
     names.iter().map(named).collect()
 }
 
-/// Compares all example looks.
+/// Compares all example looks that the package takes.
 pub(crate) fn compare_all(library: &'static Library) {
-    let folders = ["looks", "images", "hcbtf"].map(|name| root().join("examples").join(name));
-    let documents = folders.iter().flat_map(|folder| files::below(folder));
-    let documents = documents.filter(|path| path.extension().is_some_and(|it| it == "json"));
-    let trials = documents.map(|path| {
-        let example = path.strip_prefix(root().join("examples")).expect("an example");
-        let example = example.with_extension("").to_string_lossy().into_owned();
-        let name = example.rsplit('/').next().unwrap_or_default().to_owned();
-        (name, Trial::of(&example))
-    });
-    let mut trials: Vec<_> = trials.collect();
+    let mut trials = soak_trials(library.slug, |trial| trial);
     // A few at a time: every package holds its textures.
     while !trials.is_empty() {
         let rest = trials.split_off(trials.len().min(8));

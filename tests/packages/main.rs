@@ -7,6 +7,7 @@
 use chiaro_test_drawing as support;
 
 mod babylon;
+mod bevy_crate;
 mod blender;
 mod godot;
 mod library;
@@ -15,3 +16,4 @@ mod pictures;
 mod table;
 mod three;
 mod web;
+mod wgpu_crate;

@@ -20,6 +20,9 @@ pub(crate) struct Trial {
     arguments: &'static [&'static str],
     /// Tier of every node, where it is not the document's.
     tier: Option<&'static str>,
+    /// True to draw our own picture by the GPU that the test's environment names, else by that of
+    /// Chromium.
+    is_here: bool,
 }
 
 impl Trial {
@@ -31,12 +34,18 @@ impl Trial {
             document,
             arguments: &[],
             tier: None,
+            is_here: false,
         }
     }
 
     /// The trial with arguments of both `chiaro export` and `chiaro render`.
     pub(crate) fn with(self, arguments: &'static [&'static str]) -> Self {
         Self { arguments, ..self }
+    }
+
+    /// The trial with our own pictures drawn by the GPU that the test's environment names.
+    pub(crate) fn here(self) -> Self {
+        Self { is_here: true, ..self }
     }
 
     /// The trial with every node in a tier.
@@ -57,50 +66,32 @@ impl Trial {
 
     /// The folder of the package, exported now.
     pub(crate) fn package(&self, slug: &str) -> PathBuf {
-        run(&mut self.export(slug));
-        self.folder.path().join(slug)
+        self.package_with(slug, &[])
     }
 
-    /// True if a package takes the look.
-    pub(crate) fn is_taken(&self, slug: &str) -> bool {
-        self.export(slug).output().expect("the program starts").status.success()
+    /// The folder of the package, exported now with further arguments.
+    pub(crate) fn package_with(&self, slug: &str, arguments: &[&str]) -> PathBuf {
+        self.export(slug, arguments).unwrap_or_else(|problem| panic!("{problem}"))
+    }
+
+    /// The folder of the package, or what the program says where it refuses the look.
+    pub(crate) fn export(&self, slug: &str, arguments: &[&str]) -> Result<PathBuf, String> {
+        let out = self.folder.path().join(slug);
+        let mut command = chiaro();
+        command.arg("export").arg(&self.document).args(["--to", slug, "-o"]).arg(&out);
+        command.args(self.arguments).args(self.tier_arguments()).args(arguments);
+        let output = command.output().expect("the program starts");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        if output.status.success() { Ok(out) } else { Err(said) }
     }
 
     /// What the program says of a look that a package does not take.
     pub(crate) fn refusal(&self, slug: &str) -> String {
-        let output = self.export(slug).output().expect("the program starts");
-        assert!(!output.status.success(), "the package {slug} is written");
-        String::from_utf8_lossy(&output.stderr).into_owned()
-    }
-
-    fn export(&self, slug: &str) -> Command {
-        let mut command = chiaro();
-        command.arg("export").arg(&self.document).args(["--to", slug, "-o"]);
-        command.arg(self.folder.path().join(slug)).args(self.arguments);
-        command.args(self.tier_arguments());
-        command
+        self.export(slug, &[]).expect_err("the package is refused")
     }
 
     fn tier_arguments(&self) -> impl Iterator<Item = &'static str> {
         self.tier.into_iter().flat_map(|tier| ["--tier", tier])
-    }
-
-    /// The folder of the package, exported now, or the reason why this package refuses the look.
-    pub(crate) fn try_package(&self, slug: &str) -> Result<PathBuf, String> {
-        let out = self.folder.path().join(slug);
-        let mut command = chiaro();
-        command.arg("export").arg(&self.document).args(["--to", slug, "-o"]).arg(&out);
-        command.args(self.arguments);
-        let output = command.output().expect("the program starts");
-        if output.status.success() {
-            return Ok(out);
-        }
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        let reason = said.lines().find_map(|line| line.split_once("error[not-in-package]: "));
-        match reason {
-            Some((_, reason)) => Err(reason.trim().to_owned()),
-            None => panic!("{command:?}: {said}"),
-        }
     }
 
     /// Our own picture of the look: one sample a pixel, without a backdrop, every value a uniform
@@ -130,7 +121,7 @@ impl Trial {
     fn drawn(&self, document: &Path, arguments: &[&str]) -> RgbaImage {
         let picture = self.folder.path().join("ours.png");
         let size = format!("{}x{}", SIZE[0], SIZE[1]);
-        let mut command = chiaro();
+        let mut command = if self.is_here { chiaro_here() } else { chiaro() };
         command
             .arg("render")
             .arg(document)
@@ -150,19 +141,7 @@ pub(crate) struct ExampleLook {
     /// Name of its file without ending.
     pub(crate) name: String,
     /// Its place among the examples, such as `looks/clay`.
-    pub(crate) place: String,
-}
-
-impl ExampleLook {
-    /// A trial of the look, in the cheapest tiers that a package carries where it casts shadows.
-    pub(crate) fn trial(&self) -> Trial {
-        let trial = Trial::of(&self.place);
-        if self.place.starts_with("shadows") {
-            trial.with(&["--tier", "balanced"])
-        } else {
-            trial
-        }
-    }
+    place: String,
 }
 
 /// All example looks, folder after folder.
@@ -180,17 +159,24 @@ pub(crate) fn example_looks() -> Vec<ExampleLook> {
     documents.map(look).collect()
 }
 
-/// Trials of all example looks that a package takes; the reasons of those that it refuses are
-/// compared with the table, or written there.
-pub(crate) fn soak_trials(slug: &str) -> Vec<(String, Trial)> {
+/// Trials of all example looks that a package takes, each made fit by `fit`; the reasons of those
+/// that it refuses are compared with the table, or written there. Shadows are read from maps, for no
+/// package traces them.
+pub(crate) fn soak_trials(slug: &str, fit: impl Fn(Trial) -> Trial) -> Vec<(String, Trial)> {
     let mut refused = BTreeMap::new();
     let mut taken = Vec::new();
     for look in example_looks() {
-        let trial = look.trial();
-        match trial.try_package(slug) {
+        let mut trial = fit(Trial::of(&look.place));
+        if look.place.starts_with("shadows") {
+            trial = trial.in_tier("balanced");
+        }
+        match trial.export(slug, &[]) {
             Ok(_) => taken.push((look.name, trial)),
-            Err(reason) => {
-                refused.insert(format!("{slug} - {}", look.name), Row::Refused(reason));
+            Err(said) => {
+                let reason = said.lines().find_map(|it| it.split_once("error[not-in-package]: "));
+                let (_, reason) = reason.unwrap_or_else(|| panic!("{}: {said}", look.name));
+                let row = Row::Refused(reason.trim().to_owned());
+                refused.insert(format!("{slug} - {}", look.name), row);
             }
         }
     }
@@ -204,10 +190,16 @@ fn cache() -> &'static Path {
     FOLDER.get_or_init(|| tempfile::tempdir().expect("a folder")).path()
 }
 
-/// The program, drawing with the software GPU that Chromium brings along.
-fn chiaro() -> Command {
+/// The program, drawing with the GPU that the environment names.
+fn chiaro_here() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
     command.env("NODEVICE_SELECT", "1").env("CHIARO_CACHE_DIR", cache());
+    command
+}
+
+/// The program, drawing with the software GPU that Chromium brings along.
+fn chiaro() -> Command {
+    let mut command = chiaro_here();
     let driver = Path::new("/usr/lib/chromium/vk_swiftshader_icd.json");
     if driver.is_file() {
         command.env("VK_DRIVER_FILES", driver);

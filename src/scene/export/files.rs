@@ -85,6 +85,9 @@ pub fn write(
         files.iter().partition(|file| file.name.ends_with(".json"));
     for file in first.into_iter().chain(last) {
         let path = folder.join(&file.name);
+        if let Some(inner) = path.parent().filter(|inner| *inner != folder) {
+            make_folder(inner).map_err(|problem| one(*problem))?;
+        }
         earlier.with_kind(file, |kind| outputs.add(&path, kind, &file.bytes)).map_err(one)?;
     }
     outputs.commit().map_err(one)?;

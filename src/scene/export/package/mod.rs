@@ -6,13 +6,16 @@
 //! players read.
 
 mod babylon;
+mod bevy_crate;
 mod blender;
 mod godot;
 mod javascript;
 mod materials;
 mod python;
+mod rust;
 mod three;
 mod web;
+mod wgpu_crate;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -53,8 +56,8 @@ pub const PACKAGES: &[&Package] = &[
     &web::PACKAGE,
     &three::PACKAGE,
     &babylon::PACKAGE,
-    &wgpu::PACKAGE,
-    &bevy::PACKAGE,
+    &wgpu_crate::PACKAGE,
+    &bevy_crate::PACKAGE,
     &godot::PACKAGE,
     &blender::PACKAGE,
 ];

@@ -30,6 +30,7 @@ pub(super) const PACKAGE: Package = Package {
     label: "Godot",
     help: "A shader, a material and a script for meshes in Godot 4, and a project that shows them.",
     opens: None,
+    run_with: Some("Godot 4.6, its web build in Chromium, renderer Compatibility"),
     write,
 };
 
