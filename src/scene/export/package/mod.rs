@@ -9,6 +9,7 @@ mod babylon;
 mod blender;
 mod javascript;
 mod materials;
+mod parameters;
 mod python;
 mod three;
 mod web;
