@@ -38,7 +38,13 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     let look = python::write(request).map_err(|problem| vec![problem])?;
     let (title, version) = (request.title, env!("CARGO_PKG_VERSION"));
     let name = serde_json::Value::from(title);
-    let numbers = version.replace('.', ", ");
+    let numbers = concat!(
+        env!("CARGO_PKG_VERSION_MAJOR"),
+        ", ",
+        env!("CARGO_PKG_VERSION_MINOR"),
+        ", ",
+        env!("CARGO_PKG_VERSION_PATCH")
+    );
     let stored = stored_name(request.stem);
     let text = format!(
         "# {title}: made by Chiaro {version}, an add-on for Blender 5.\n\
@@ -72,7 +78,7 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
 /// Refuses what the add-on cannot draw.
 fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
     let refusal = |message: &str, help: &str| {
-        Err(vec![Diagnostic::error("blender-package", message).hint(help)])
+        Err(vec![Diagnostic::error("not-in-package", message).hint(help)])
     };
     if request.textures.iter().any(is_in_blocks) {
         return refusal(
@@ -107,6 +113,13 @@ fn stored_name(stem: &str) -> String {
     format!("chiaro_{}", name.get(..32).unwrap_or(&name))
 }
 
+/// Id of the extension: words between single underscores, as Blender wants it.
+fn extension_id(stem: &str) -> String {
+    let name = module_name(stem).to_ascii_lowercase();
+    let words: Vec<&str> = name.split('_').filter(|word| !word.is_empty()).collect();
+    words.join("_")
+}
+
 /// True for a KTX2 file whose texels lie in blocks: its format is not Vulkan's 37, RGBA of 8 bits.
 fn is_in_blocks(file: &ExportFile) -> bool {
     file.name.ends_with(".ktx2") && file.bytes.get(12..16) != Some(&[37, 0, 0, 0][..])
@@ -133,7 +146,7 @@ fn filled(template: &str, request: &PackageRequest<'_>) -> String {
         .replace("{{quoted}}", &serde_json::Value::from(request.title).to_string())
         .replace("{{title}}", request.title)
         .replace("{{stem}}", &module_name(request.stem))
-        .replace("{{id}}", &module_name(request.stem).to_ascii_lowercase())
+        .replace("{{id}}", &extension_id(request.stem))
         .replace("{{stored}}", &stored_name(request.stem))
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{lights}}", &lights)
@@ -153,6 +166,7 @@ mod tests {
     fn names_are_such_as_blender_takes() {
         assert_eq!(module_name("2-rim"), "look_2_rim");
         assert_eq!(stored_name("Rim-Light"), "chiaro_rim_light");
+        assert_eq!(extension_id("-Rim--Light"), "rim_light");
         assert!(stored_name(&"long".repeat(40)).len() < 40);
     }
 }
