@@ -869,9 +869,14 @@ def wear(thing, wears=True):
         del thing[STORED]
 
 
-def wearers_of(scene):
+def is_in_renders(thing):
+    return not (thing.hide_render or any(one.hide_render for one in thing.users_collection))
+
+
+def wearers_of(view_layer):
     """Objects that wear the look; all with faces where none does. Not those hidden in renders."""
-    things = [thing for thing in scene.objects if thing.type in WEARERS and not thing.hide_render]
+    things = [thing for thing in view_layer.objects if thing.type in WEARERS]
+    things = [thing for thing in things if is_in_renders(thing)]
     return [thing for thing in things if thing.get(STORED)] or things
 
 
@@ -912,7 +917,7 @@ def render(
     if width < 1 or height < 1 or samples < 1:
         raise ValueError("width, height and samples are 1 at least")
     if objects is None:
-        objects = wearers_of(scene)
+        objects = wearers_of(bpy.context.view_layer)
     elif isinstance(objects, bpy.types.Object):
         objects = [objects]
     if not objects:
