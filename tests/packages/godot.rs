@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 
 use crate::pictures::{Difference, SIZE, Trial, soak_trials};
 use crate::support::chromium::from_base64;
+use crate::support::files;
 use crate::support::godot::Godot;
 use crate::support::root;
 use crate::table;

@@ -11,6 +11,7 @@ mod blender;
 mod godot;
 mod javascript;
 mod materials;
+mod parameters;
 mod python;
 mod rust;
 mod three;
