@@ -16,6 +16,8 @@ pub(super) struct Materials<'a> {
     pub(super) parameters: Vec<MaterialParameter<'a>>,
     /// Ids of the lights that the look reads.
     pub(super) lights: Vec<&'a str>,
+    /// The parameters as a table of Markdown, which templates have in the place `{{table}}`.
+    pub(super) table: String,
 }
 
 /// An exposed parameter.
@@ -49,6 +51,7 @@ impl<'a> Materials<'a> {
             stem: request.stem,
             parameters: parameters.collect(),
             lights: lights.collect(),
+            table: request.parameter_table(),
         }
     }
 
@@ -80,15 +83,14 @@ fn filled(template: &str, materials: &Materials<'_>, version: &str) -> String {
     let title = materials.title.replace('&', "and").replace(['<', '>', '*', '`', '{', '}'], "");
     let class = class_name(materials.stem);
     let ids = &materials.lights;
-    let is_typings = template.contains("export interface");
-    let parameters = if is_typings { members(materials) } else { list(materials) };
     template
         .replace("{{name}}", &title)
         .replace("{{class}}", &class)
         .replace("{{stem}}", materials.stem)
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{library}}", version)
-        .replace("{{parameters}}", &parameters)
+        .replace("{{parameters}}", &members(materials))
+        .replace("{{table}}", &materials.table)
         .replace("{{light}}", &joined(ids, " | ", "never", |id| format!("\"{id}\"")))
         .replace("{{lights}}", &joined(ids, ", ", "none here", |id| format!("`{id}`")))
         .replace(
@@ -149,19 +151,6 @@ fn type_of(parameter: &MaterialParameter<'_>) -> String {
     }
 }
 
-/// The parameters as a list of the README, a line each.
-fn list(materials: &Materials<'_>) -> String {
-    if materials.parameters.is_empty() {
-        return "  This look exposes none: expose some in Chiaro, or export with `--live`.\n"
-            .to_owned();
-    }
-    let line = |parameter: &MaterialParameter<'_>| {
-        let kind = type_of(parameter).replace("Numbers<", "").replace('>', "");
-        format!("  - `{}`: {kind}\n", parameter.name)
-    };
-    materials.parameters.iter().map(line).collect()
-}
-
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
@@ -174,6 +163,7 @@ pub(super) mod tests {
             stem: "2-rim",
             parameters: vec![parameter("warmth", "float"), parameter("tint", "color")],
             lights: vec!["key"],
+            table: String::new(),
         }
     }
 

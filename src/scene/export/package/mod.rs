@@ -11,7 +11,7 @@ mod blender;
 mod godot;
 mod javascript;
 mod materials;
-mod parameters;
+mod parameter_table;
 mod python;
 mod rust;
 mod three;
@@ -108,6 +108,11 @@ impl PackageRequest<'_> {
     /// The look as an ES module, which exports `look`.
     fn module(&self) -> ExportFile {
         self.javascript_file("export const look = ")
+    }
+
+    /// The exposed parameters as a table of Markdown, for the end of a README.
+    fn parameter_table(&self) -> String {
+        parameter_table::parameter_table(self.description)
     }
 
     fn javascript_file(&self, declaration: &str) -> ExportFile {

@@ -6,7 +6,7 @@
 //! `blender_manifest.toml` make an extension of the whole folder, which carries images along.
 
 use super::super::ExportFile;
-use super::{Package, PackageRequest, parameters, python};
+use super::{Package, PackageRequest, python};
 use crate::diag::Diagnostic;
 
 /// The package.
@@ -129,11 +129,6 @@ fn is_in_blocks(file: &ExportFile) -> bool {
 /// A template with its places filled.
 fn filled(template: &str, request: &PackageRequest<'_>) -> String {
     let description = request.description;
-    let mut table = parameters::table(description);
-    if table.is_empty() {
-        "The look has none: expose some in Chiaro, or export with `--live`.\n"
-            .clone_into(&mut table);
-    }
     let lights: Vec<String> =
         description.lights.iter().map(|light| format!("`{}`", light.id.as_str())).collect();
     let lights = if lights.is_empty() { "none here".to_owned() } else { lights.join(", ") };
@@ -156,7 +151,7 @@ fn filled(template: &str, request: &PackageRequest<'_>) -> String {
         .replace("{{eye}}", &place(camera.eye))
         .replace("{{target}}", &place(camera.target))
         .replace("{{fov}}", &format!("{:.0}", camera.fov.to_degrees()))
-        .replace("{{parameters}}", &table)
+        .replace("{{table}}", &request.parameter_table())
 }
 
 #[cfg(test)]
