@@ -13,7 +13,6 @@ use crate::pictures::{Difference, SIZE, Trial, soak_trials};
 use crate::support::chromium::from_base64;
 use crate::support::files;
 use crate::support::godot::Godot;
-use crate::support::root;
 use crate::table;
 
 /// Files of a package below a folder of the project, imported.

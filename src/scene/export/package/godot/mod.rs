@@ -77,7 +77,7 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
         ExportFile::text(format!("{stem}.mesh.tres"), scene::mesh(&request.scene.mesh)),
         ExportFile::text(format!("{stem}.tscn"), scene::scene(request)),
         ExportFile::text("project.godot".to_owned(), scene::project(request)),
-        ExportFile::text("README.md".to_owned(), readme(request, &properties)),
+        ExportFile::text("README.md".to_owned(), readme(request)),
     ];
     for texture in request.textures {
         files.push(texture.clone());
@@ -259,13 +259,7 @@ fn material(stem: &str, uniforms: &Uniforms<'_>, read: &[&Uniform]) -> String {
     text
 }
 
-fn readme(request: &PackageRequest<'_>, properties: &[script::Property<'_>]) -> String {
-    let names: Vec<String> = properties.iter().map(|it| format!("`{}`", it.name)).collect();
-    let listed = if names.is_empty() {
-        "The look has no parameters: expose some in Chiaro and export again.".to_owned()
-    } else {
-        format!("The look has these parameters: {}.", names.join(", "))
-    };
+fn readme(request: &PackageRequest<'_>) -> String {
     let lights: Vec<String> =
         request.work.lights.iter().map(|light| format!("`{}`", light.member)).collect();
     let lights = if lights.is_empty() { "none here".to_owned() } else { lights.join(", ") };
@@ -273,6 +267,6 @@ fn readme(request: &PackageRequest<'_>, properties: &[script::Property<'_>]) -> 
         .replace("{{title}}", request.title)
         .replace("{{stem}}", request.stem)
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
-        .replace("{{parameters}}", &listed)
+        .replace("{{table}}", &request.parameter_table())
         .replace("{{lights}}", &lights)
 }
