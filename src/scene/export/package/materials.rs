@@ -104,7 +104,7 @@ fn joined(ids: &[&str], between: &str, none: &str, write: impl Fn(&str) -> Strin
 }
 
 /// A class's name from the name of files: `rim-light` is `RimLight`.
-fn class_name(stem: &str) -> String {
+pub(super) fn class_name(stem: &str) -> String {
     let words = stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
     let name: String = words
         .map(|word| {

@@ -11,6 +11,7 @@ mod javascript;
 mod materials;
 mod python;
 mod three;
+mod unity;
 mod web;
 
 use std::path::Path;
@@ -45,8 +46,8 @@ pub struct Package {
 }
 
 /// All packages, in the order in which the window lists them.
-pub const PACKAGES: [&Package; 4] =
-    [&web::PACKAGE, &three::PACKAGE, &babylon::PACKAGE, &blender::PACKAGE];
+pub const PACKAGES: [&Package; 5] =
+    [&web::PACKAGE, &three::PACKAGE, &babylon::PACKAGE, &blender::PACKAGE, &unity::PACKAGE];
 
 /// The scene that a package shows the look in.
 #[derive(Clone, Debug)]
@@ -73,6 +74,8 @@ pub(super) struct PackageRequest<'a> {
     pub(super) look: &'a Look,
     /// Host work of the look.
     pub(super) work: &'a program::HostWork,
+    /// The look's modules, for packages that write them in a language of their own.
+    pub(super) modules: &'a modules::Modules,
     /// Shaders of the look's modules.
     pub(super) sources: &'a [javascript::Source],
     /// Description of the look.
@@ -156,6 +159,7 @@ pub fn export_package(
         javascript: &javascript,
         look,
         work: &work,
+        modules: &modules,
         sources: &sources,
         description: &description,
         textures: &carried,

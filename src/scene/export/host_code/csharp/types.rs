@@ -104,7 +104,8 @@ fn vector(name: &str, count: usize, kind: Kind, is_indexed: bool) -> String {
         let scaled = each(&|axis| format!("a.{axis} * b"), ", ");
         let _ = write!(
             text,
-            "\n    public static {name} operator *({name} a, {ty} b) => new {name}({scaled});\n\n    \
+            "\n    public static {name} operator *({name} a, {ty} b) => \
+             new {name}({scaled});\n\n    \
              public static {name} operator *({ty} a, {name} b) => b * a;\n"
         );
         if kind == Kind::Float {
