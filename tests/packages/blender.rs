@@ -28,15 +28,15 @@ fn python() -> Option<PathBuf> {
 }
 
 /// A lying torus with a wave around it, away from the middle of its space and of no unit size.
-struct Ring {
-    positions: Vec<[f64; 3]>,
-    normals: Vec<[f64; 3]>,
+pub(crate) struct Ring {
+    pub(crate) positions: Vec<[f64; 3]>,
+    pub(crate) normals: Vec<[f64; 3]>,
     uvs: Vec<[f64; 2]>,
-    triangles: Vec<[usize; 3]>,
+    pub(crate) triangles: Vec<[usize; 3]>,
 }
 
 impl Ring {
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let (around, across) = (48, 24);
         let mut ring = Self { positions: vec![], normals: vec![], uvs: vec![], triangles: vec![] };
         let place = |u: f64, v: f64| {
@@ -69,7 +69,7 @@ impl Ring {
         ring
     }
 
-    fn obj(&self) -> String {
+    pub(crate) fn obj(&self) -> String {
         let mut text = String::new();
         for [x, y, z] in &self.positions {
             let _infallible = writeln!(text, "v {x} {y} {z}");

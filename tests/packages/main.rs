@@ -12,4 +12,5 @@ mod library;
 mod pictures;
 mod table;
 mod three;
+mod unity;
 mod web;
