@@ -10,7 +10,9 @@ use serde_json::Value as Json;
 use crate::support::godot::Godot;
 use crate::support::random::Random;
 use crate::support::validators::{say, tools_are_required};
-use chiaro::export::host_code::{GDSCRIPT, HostLanguage, JAVASCRIPT, PYTHON, RUST, translate};
+use chiaro::export::host_code::{
+    CSHARP, GDSCRIPT, HostLanguage, JAVASCRIPT, PYTHON, RUST, translate,
+};
 use chiaro::interp::{FunctionOptions, Precision, Program, ScalarKind, Shape, Value};
 use chiaro::library::Library;
 
@@ -61,6 +63,8 @@ struct Runner {
     /// Program and arguments that make a program of the file, in the same folder, to be run in its
     /// place; none for languages that are read.
     compiler: Option<(&'static str, &'static [&'static str])>,
+    /// A vector, a matrix or an array of its parts.
+    list: fn(&Shape, &[String]) -> String,
     /// Text before a struct's members.
     structure: fn(&str) -> String,
     /// A scalar of a kind.
@@ -73,12 +77,13 @@ struct Runner {
 }
 
 /// All languages that are tried.
-const RUNNERS: [Runner; 4] = [
+const RUNNERS: [Runner; 5] = [
     Runner {
         language: &JAVASCRIPT,
         command: "node",
         file: "cases.mjs",
         compiler: None,
+        list: in_brackets,
         structure: |_| String::new(),
         scalar: |kind, x| match kind {
             ScalarKind::Bool => (x != 0.0).to_string(),
@@ -92,6 +97,7 @@ const RUNNERS: [Runner; 4] = [
         command: "python3",
         file: "cases.py",
         compiler: None,
+        list: in_brackets,
         structure: |_| String::new(),
         scalar: |kind, x| match kind {
             ScalarKind::Bool => if x != 0.0 { "True" } else { "False" }.to_owned(),
@@ -119,6 +125,7 @@ const RUNNERS: [Runner; 4] = [
                 "cases.rs",
             ],
         )),
+        list: in_brackets,
         structure: |name| format!("{name} "),
         scalar: |kind, x| match kind {
             ScalarKind::Bool => (x != 0.0).to_string(),
@@ -134,6 +141,7 @@ const RUNNERS: [Runner; 4] = [
         command: "",
         file: "",
         compiler: None,
+        list: in_brackets,
         structure: |_| String::new(),
         scalar: |kind, x| match kind {
             ScalarKind::Bool => (x != 0.0).to_string(),
@@ -143,12 +151,54 @@ const RUNNERS: [Runner; 4] = [
         member: |name, value| format!("\"{name}\": {value}"),
         program: gdscript,
     },
+    Runner {
+        language: &CSHARP,
+        command: "mono",
+        file: "cases.cs",
+        compiler: Some(("mcs", &["-nologo", "-warn:0", "-out:cases", "cases.cs"])),
+        list: |shape, parts| match shape {
+            Shape::Array { .. } => {
+                format!("new {} {{ {} }}", csharp_type(shape), parts.join(", "))
+            }
+            _ => format!("new {}({})", csharp_type(shape), parts.join(", ")),
+        },
+        structure: |name| format!("new {} ", CSHARP.function_name(name)),
+        scalar: |kind, x| match kind {
+            ScalarKind::Bool => (x != 0.0).to_string(),
+            ScalarKind::I32 => format!("{x}"),
+            ScalarKind::U32 => format!("{x}u"),
+            ScalarKind::Float => format!("{x:?}"),
+        },
+        member: |name, value| format!("{} = {value}", CSHARP.member_name(name)),
+        program: csharp,
+    },
 ];
+
+fn in_brackets(_: &Shape, parts: &[String]) -> String {
+    format!("[{}]", parts.join(", "))
+}
+
+/// A type as the host code in C# names it.
+fn csharp_type(shape: &Shape) -> String {
+    let words = |kind: &ScalarKind| match kind {
+        ScalarKind::Bool => ("bool", "Bool"),
+        ScalarKind::I32 => ("int", "Int"),
+        ScalarKind::U32 => ("uint", "UInt"),
+        ScalarKind::Float => ("double", "Double"),
+    };
+    match shape {
+        Shape::Scalar(kind) => words(kind).0.to_owned(),
+        Shape::Vector { kind, size } => format!("{}{size}", words(kind).1),
+        Shape::Matrix { columns, rows } => format!("Double{rows}x{columns}"),
+        Shape::Array { element, .. } => format!("{}[]", csharp_type(element)),
+        Shape::Struct { name, .. } => CSHARP.function_name(name),
+    }
+}
 
 impl Runner {
     /// A value as the language has it.
     fn value(&self, shape: &Shape, value: &Value) -> String {
-        let list = |parts: Vec<String>| format!("[{}]", parts.join(", "));
+        let list = |parts: Vec<String>| (self.list)(shape, &parts);
         match (shape, value) {
             (Shape::Struct { name, members }, Value::Struct(parts)) => {
                 let member = |((name, shape), part): (&(String, Shape), &Value)| {
@@ -161,8 +211,10 @@ impl Runner {
                 list(parts.iter().map(|part| self.value(element, part)).collect())
             }
             (Shape::Matrix { rows, .. }, Value::Matrix { components, .. }) => {
+                let of = Shape::Vector { kind: ScalarKind::Float, size: *rows };
                 let column = |column: &[f64]| {
-                    list(column.iter().map(|x| (self.scalar)(ScalarKind::Float, *x)).collect())
+                    let numbers = column.iter().map(|x| (self.scalar)(ScalarKind::Float, *x));
+                    (self.list)(&of, &numbers.collect::<Vec<_>>())
                 };
                 list(components.chunks(*rows).map(column).collect())
             }
@@ -190,15 +242,21 @@ impl Runner {
         let file = folder.path().join(self.file);
         std::fs::write(&file, (self.program)(cases)).expect("a temporary file");
         let mut command = Command::new(self.command);
+        command.arg(&file);
         if let Some((compiler, arguments)) = self.compiler {
             let made = Command::new(compiler).args(arguments).current_dir(folder.path()).output();
             if let Ok(made) = made {
                 let said = String::from_utf8_lossy(&made.stderr);
                 assert!(made.status.success(), "{}", &said[..said.len().min(6000)]);
             }
-            command = Command::new(folder.path().join(self.command));
+            let program = folder.path().join("cases");
+            command = match self.command.starts_with('.') {
+                true => Command::new(program),
+                false => Command::new(self.command),
+            };
+            command.arg(folder.path().join("cases"));
         }
-        let Ok(output) = command.arg(&file).output() else {
+        let Ok(output) = command.output() else {
             assert!(!tools_are_required(), "{} is missing: run scripts/setup", self.command);
             say(&format!("SKIPPED: {} is missing", self.command));
             return None;
@@ -388,6 +446,67 @@ fn rust(cases: &[Case]) -> String {
             println!(\"{}\", list(all.iter().map(case).collect()));\n}\n"
 }
 
+/// Expressions of the scalars of a value of C#, each as a `double`.
+fn csharp_scalars(shape: &Shape, value: &str, into: &mut Vec<String>) {
+    match shape {
+        Shape::Scalar(ScalarKind::Bool) => into.push(format!("({value} ? 1.0 : 0.0)")),
+        Shape::Scalar(_) => into.push(value.to_owned()),
+        Shape::Vector { kind, size } => {
+            for axis in &["x", "y", "z", "w"][..*size] {
+                csharp_scalars(&Shape::Scalar(*kind), &format!("{value}.{axis}"), into);
+            }
+        }
+        Shape::Matrix { columns, rows } => {
+            let column = Shape::Vector { kind: ScalarKind::Float, size: *rows };
+            (0..*columns).for_each(|at| csharp_scalars(&column, &format!("{value}.c{at}"), into));
+        }
+        Shape::Array { element, count } => {
+            (0..*count).for_each(|at| csharp_scalars(element, &format!("{value}[{at}]"), into));
+        }
+        Shape::Struct { members, .. } => {
+            for (name, shape) in members {
+                csharp_scalars(shape, &format!("{value}.{}", CSHARP.member_name(name)), into);
+            }
+        }
+    }
+}
+
+fn csharp(cases: &[Case]) -> String {
+    let mut text = "using System;\nusing System.Collections.Generic;\n\
+                    using System.Globalization;\nusing System.Linq;\n"
+        .to_owned();
+    let mut runs = String::new();
+    for (number, case) in cases.iter().enumerate() {
+        let _ = writeln!(text, "static class Case_{number}\n{{\n{}", case.text);
+        text += "public static List<double[]> RunCase()\n{\nvar all = new List<double[]>();\n";
+        // A function that is called as a struct gives way.
+        let mut function = CSHARP.function_name(&case.function);
+        if case.text.contains(&format!("public struct {function}\n")) {
+            function.push('_');
+        }
+        for (call, (arguments, _)) in case.calls.iter().enumerate() {
+            let mut scalars = Vec::new();
+            csharp_scalars(&case.result, &format!("value{call}"), &mut scalars);
+            let _ = writeln!(
+                text,
+                "var value{call} = {}({}); all.Add(new double[] {{ {} }});",
+                function,
+                arguments.join(", "),
+                scalars.join(", ")
+            );
+        }
+        text += "return all;\n}\n}\n";
+        let _ = write!(runs, "Case_{number}.RunCase(), ");
+    }
+    text + "static class Cases\n{\nstatic string Text(double x) => double.IsNaN(x) || \
+            double.IsInfinity(x) ? \"null\" : x.ToString(\"R\", CultureInfo.InvariantCulture);\n\
+            static string Row(IEnumerable<string> items) => \"[\" + string.Join(\",\", items) + \
+            \"]\";\nstatic void Main()\n{\nvar all = new List<double[]>[] { "
+        + &runs
+        + "};\nConsole.WriteLine(Row(all.Select(one => Row(one.Select(row => \
+           Row(row.Select(Text)))))));\n}\n}\n"
+}
+
 /// True if two numbers are the same but for rounding; what is no number may be any.
 fn agree(wanted: f64, found: Option<f64>, scale: f64) -> bool {
     match found {
@@ -414,6 +533,11 @@ fn rust_computes_what_the_interpreter_does() {
 #[test]
 fn gdscript_computes_what_the_interpreter_does() {
     compare(&RUNNERS[3]);
+}
+
+#[test]
+fn csharp_computes_what_the_interpreter_does() {
+    compare(&RUNNERS[4]);
 }
 
 /// Runs the functions of the library in a language, and in the interpreter.

@@ -41,10 +41,10 @@ fn addon_of(package: &Path) -> PathBuf {
 
 /// A lying torus with a wave around it, away from the middle of its space and of no unit size.
 pub(crate) struct Ring {
-    positions: Vec<[f64; 3]>,
-    normals: Vec<[f64; 3]>,
+    pub(crate) positions: Vec<[f64; 3]>,
+    pub(crate) normals: Vec<[f64; 3]>,
     uvs: Vec<[f64; 2]>,
-    triangles: Vec<[usize; 3]>,
+    pub(crate) triangles: Vec<[usize; 3]>,
 }
 
 impl Ring {

@@ -15,5 +15,6 @@ mod matrix;
 mod pictures;
 mod table;
 mod three;
+mod unity;
 mod web;
 mod wgpu_crate;

@@ -201,7 +201,7 @@ pub fn slang_hlsl(source: &str) -> Result<(), String> {
 }
 
 /// The program `slangc`.
-fn slangc() -> String {
+pub fn slangc() -> String {
     let own = root().join(".tools/slang/bin/slangc");
     if own.is_file() { own.to_string_lossy().into_owned() } else { "slangc".to_owned() }
 }

@@ -44,7 +44,11 @@ impl EarlierDescriptions {
             let text = String::from_utf8_lossy(&bytes[..bytes.len().min(HEAD)]);
             let has_header = text.lines().take(10).any(|line| line.contains(": made by Chiaro "));
             let is_named = || self.0.iter().any(|description| description.contains(&quoted));
-            if is_description_file { describes(bytes) } else { has_header || is_named() }
+            if is_description_file {
+                describes(bytes) || is_named()
+            } else {
+                has_header || is_named()
+            }
         };
         then(OutputKind { name: "a file of an export", is_own: &is_own, has_seal: false })
     }

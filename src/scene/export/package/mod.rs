@@ -15,6 +15,7 @@ mod parameter_table;
 mod python;
 mod rust;
 mod three;
+mod unity;
 mod web;
 mod wgpu_crate;
 
@@ -60,6 +61,7 @@ pub const PACKAGES: &[&Package] = &[
     &wgpu_crate::PACKAGE,
     &bevy_crate::PACKAGE,
     &godot::PACKAGE,
+    &unity::PACKAGE,
     &blender::PACKAGE,
 ];
 
@@ -88,6 +90,8 @@ pub(super) struct PackageRequest<'a> {
     pub(super) look: &'a Look,
     /// Host work of the look.
     pub(super) work: &'a program::HostWork,
+    /// The look's modules, for packages that write them in a language of their own.
+    pub(super) modules: &'a modules::Modules,
     /// Shaders of the look's modules.
     pub(super) sources: &'a [javascript::Source],
     /// Description of the look.
@@ -176,6 +180,7 @@ pub fn export_package(
         javascript: &javascript,
         look,
         work: &work,
+        modules: &modules,
         sources: &sources,
         description: &description,
         textures: &carried,
