@@ -32,7 +32,7 @@ const MAX_FOREIGN_NODES: usize = 10_000;
 pub enum GraphFile {
     /// MaterialX document, in XML.
     MaterialX,
-    /// Shader nodes of Blender, in the JSON that `shaders/import/blender_nodes.py` writes.
+    /// Shader nodes of Blender, in the JSON that `blender_nodes.py` writes.
     Blender,
 }
 
@@ -45,6 +45,12 @@ impl GraphFile {
             "json" => Some(Self::Blender),
             _ => None,
         }
+    }
+
+    /// True for a text that the script for Blender has written, which begins with the version.
+    pub fn is_blender(text: &str) -> bool {
+        let start = text.trim_start().strip_prefix('{').map(str::trim_start);
+        start.is_some_and(|start| start.starts_with("\"blender\""))
     }
 }
 

@@ -206,3 +206,27 @@ fn nodes_of_blender_are_a_look() {
     }
     assert!(look.graph.frames.values().any(|frame| frame.title == "Tinted"));
 }
+
+/// The documentation lists every kind and operation.
+#[test]
+fn the_documentation_names_every_row() {
+    let docs = include_str!("../../../docs/imports.md");
+    let listed = |name: &str| {
+        let part = docs.split("<!-- twins: ").find(|part| part.starts_with(name));
+        let end = part.and_then(|part| part.split("<!-- end -->").next());
+        end.expect("a list").to_owned()
+    };
+    for (name, twins) in [("materialx", materialx_twins::TWINS), ("blender", blender_twins::TWINS)]
+    {
+        let list = listed(name);
+        for twin in twins {
+            let kind = twin.kind.strip_prefix("ShaderNode").unwrap_or(twin.kind);
+            let (kind, operation) = kind.split_once(':').unwrap_or((kind, ""));
+            let kind = kind.split(['.', '>']).next().unwrap_or_default();
+            let is_own = ["mean", "luminance"].contains(&kind) && name == "blender";
+            assert!(is_own || list.contains(&format!("`{kind}`")), "{kind} in docs/imports.md");
+            let is_told = name == "materialx" || list.contains(operation);
+            assert!(is_told, "{kind}: {operation} in docs/imports.md");
+        }
+    }
+}
