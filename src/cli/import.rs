@@ -9,7 +9,7 @@ use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
 use crate::files::{OutputKind, read_text};
 use crate::library::Library;
-use chiaro_scene::import::{BLENDER_SCRIPT, GraphFile, import_graph};
+use chiaro_scene::import::{BLENDER_SCRIPT, GraphFile, anchor_images, import_graph};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -62,7 +62,11 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let text = read_text(graph).map_err(|problem| one(*problem))?;
     let imported = import_graph(&text, &file, kind, Library::built_in())?;
     output.diagnostics(&imported.warnings);
-    let look = imported.value;
+    let mut look = imported.value;
+    let folder = |path: &Path| Some(std::path::absolute(path).ok()?.parent()?.to_path_buf());
+    if let Some(from) = folder(graph).filter(|from| Some(from) != folder(&path).as_ref()) {
+        anchor_images(&mut look, &from);
+    }
     outputs.add(&path, OutputKind::DOCUMENT, look.to_text().as_bytes()).map_err(one)?;
     outputs.commit().map_err(one)?;
     let (nodes, notes) = (look.graph.nodes.len(), look.graph.notes.len());

@@ -7,7 +7,7 @@ use chiaro::import::{GraphFile, import_graph};
 use chiaro::library::Library;
 
 /// A node of MaterialX: its kind and type, inputs as `name type value`, and its numbers.
-type Case = (&'static str, &'static str, &'static [&'static str], &'static [f64]);
+type Case<'a> = (&'a str, &'a str, &'a [&'a str], &'a [f64]);
 
 fn value(text: &str, file: &str, kind: GraphFile) -> [f64; 4] {
     let imported = import_graph(text, file, kind, Library::built_in());
@@ -43,7 +43,7 @@ fn nodes_of_materialx_are_what_its_specification_says() {
     let range = 2.0 + 3.0 * ((0.75_f64 - 0.25) / 0.8).powf(1.0 / 2.2);
     let t = (0.3_f64 - 0.1) / 0.6;
     let remapped = 2.0 + 3.0 * (0.7 - 0.25) / 0.8;
-    let cases: &[Case] = &[
+    let cases: &[Case<'_>] = &[
         ("add", "float", &["in1 float 0.7", "in2 float 0.1"], &[0.8]),
         ("add", "color3", &["in1 color3 0.1,0.2,0.3", "in2 float 0.5"], &[0.6, 0.7, 0.8]),
         ("subtract", "vector3", &["in1 vector3 1,2,3", "in2 vector3 3,1,1"], &[-2.0, 1.0, 2.0]),
@@ -216,7 +216,8 @@ fn nodes_of_materialx_are_what_its_specification_says() {
             let mut words = input.split(' ');
             let [name, ty, value] = [words.next(), words.next(), words.next()].map(Option::unwrap);
             let node = format!(
-                r#"<constant name="c_{name}" type="{ty}"><input name="value" type="{ty}" value="{value}"/></constant>"#
+                r#"<constant name="c_{name}" type="{ty}">
+                <input name="value" type="{ty}" value="{value}"/></constant>"#
             );
             let link = format!(r#"<input name="{name}" type="{ty}" nodename="c_{name}"/>"#);
             (node, link)

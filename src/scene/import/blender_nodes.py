@@ -37,8 +37,9 @@ def curves(value):
 def socket(item):
     found = {"name": item.name, "id": item.identifier, "type": item.type}
     value = plain(getattr(item, "default_value", None))
-    # A hidden value is none: the node has the surface's own place or normal there.
-    if value is not None and not item.hide_value:
+    # A hidden vector is none: the node has the surface's own place or normal there.
+    is_own = item.hide_value and item.type == "VECTOR"
+    if value is not None and not is_own:
         found["value"] = value
     return found
 

@@ -6,9 +6,23 @@ use super::twins::{Twin, twin};
 /// Told of surfaces: what light does to them is simpler here.
 const LIT: &str = "the surface is lit by the look's own light `key`";
 
+/// Our vector in Blender's axes, of which z is up: (x, -z, y).
+macro_rules! in_axes_of_blender {
+    ($recipe:literal $(,)?) => {
+        concat!("rotate_vector(vector: ", $recipe, ", axis: [1, 0, 0], angle: 1.5707963267948966)")
+    };
+}
+
+/// Blender's vector in our axes, of which y is up.
+macro_rules! in_our_axes {
+    ($recipe:literal $(,)?) => {
+        concat!("rotate_vector(vector: ", $recipe, ", axis: [1, 0, 0], angle: -1.5707963267948966)")
+    };
+}
+
 /// A row of `ShaderNodeMath`, which may clamp its result.
 macro_rules! math {
-    ($operation:literal, $recipe:literal) => {
+    ($operation:literal, $recipe:literal $(,)?) => {
         twin(
             concat!("ShaderNodeMath:", $operation),
             concat!(
@@ -24,14 +38,14 @@ macro_rules! math {
 
 /// A row of `ShaderNodeVectorMath`.
 macro_rules! vector_math {
-    ($operation:literal, $recipe:literal) => {
+    ($operation:literal, $recipe:literal $(,)?) => {
         twin(concat!("ShaderNodeVectorMath:", $operation), $recipe)
     };
 }
 
 /// A row of `ShaderNodeMix` for colors, of which Blender may clamp the result.
 macro_rules! mix_colors {
-    ($blend:literal, $result:literal) => {
+    ($blend:literal, $result:literal $(,)?) => {
         twin(
             concat!("ShaderNodeMix:RGBA-", $blend),
             concat!(
@@ -191,7 +205,8 @@ pub(super) const TWINS: &[Twin] = &[
     mix_colors!("SUBTRACT", "subtract(a: a_color|0, b: b_color|0)"),
     mix_colors!(
         "SCREEN",
-        "subtract(a: 1, b: multiply(a: subtract(a: 1, b: a_color|0), b: subtract(a: 1, b: b_color|0)))"
+        "subtract(a: 1, b: multiply(a: subtract(a: 1, b: a_color|0), b: subtract(a: 1, b: \
+          b_color|0)))",
     ),
     mix_colors!("DIFFERENCE", "absolute(value: subtract(a: a_color|0, b: b_color|0))"),
     mix_colors!("DARKEN", "minimum(a: a_color|0, b: b_color|0)"),
@@ -233,21 +248,25 @@ pub(super) const TWINS: &[Twin] = &[
     twin("ShaderNodeCombineColor:RGB", "combine_color(red: red|0, green: green|0, blue: blue|0)"),
     // Surface.
     twin("ShaderNodeTexCoord>uv", "uv()"),
-    twin("ShaderNodeTexCoord>object", "position(space: \"object\")"),
+    twin("ShaderNodeTexCoord>object", in_axes_of_blender!("position(space: \"object\")")),
     twin(
         "ShaderNodeTexCoord>generated",
-        "add(a: multiply(a: position(space: \"object\"), b: 0.5), b: 0.5)",
+        concat!(
+            "add(a: multiply(a: ",
+            in_axes_of_blender!("position(space: \"object\")"),
+            ", b: 0.5), b: 0.5)"
+        ),
     )
     .told("the box around the object is the one from -1 to 1 here"),
-    twin("ShaderNodeTexCoord>normal", "normal()")
+    twin("ShaderNodeTexCoord>normal", in_axes_of_blender!("normal()"))
         .told("the object's own space is the world's here"),
     twin("ShaderNodeTexCoord>camera", "multiply(a: position(space: \"camera\"), b: [1, 1, -1])"),
     twin("ShaderNodeTexCoord>window", "screen_place().uv"),
-    twin("ShaderNodeTexCoord>reflection", "mirrored_view()"),
-    twin("ShaderNodeNewGeometry>position", "position(space: \"world\")"),
-    twin("ShaderNodeNewGeometry>normal", "normal()"),
-    twin("ShaderNodeNewGeometry>tangent", "tangent_frame().tangent"),
-    twin("ShaderNodeNewGeometry>incoming", "view()"),
+    twin("ShaderNodeTexCoord>reflection", in_axes_of_blender!("mirrored_view()")),
+    twin("ShaderNodeNewGeometry>position", in_axes_of_blender!("position(space: \"world\")")),
+    twin("ShaderNodeNewGeometry>normal", in_axes_of_blender!("normal()")),
+    twin("ShaderNodeNewGeometry>tangent", in_axes_of_blender!("tangent_frame().tangent")),
+    twin("ShaderNodeNewGeometry>incoming", in_axes_of_blender!("view()")),
     twin("ShaderNodeCameraData>view_z_depth", "depth()"),
     twin(
         "ShaderNodeCameraData>view_distance",
@@ -261,21 +280,37 @@ pub(super) const TWINS: &[Twin] = &[
     twin("ShaderNodeVertexColor", "vertex_color()"),
     twin(
         "ShaderNodeLayerWeight>facing",
-        "subtract(a: 1, b: power(base: facing(normal: normal), exponent: switch_value(\
-         condition: compare(test: \"less\", a: blend|0.5, b: 0.5), \
-         on: multiply(a: blend|0.5, b: 2), \
-         off: divide(a: 0.5, b: subtract(a: 1, b: blend|0.5)))))",
+        concat!(
+            "subtract(a: 1, b: power(base: facing(normal: ",
+            in_our_axes!("normal"),
+            "), exponent: switch_value(condition: compare(test: \"less\", a: blend|0.5, b: \
+              0.5), on: multiply(a: blend|0.5, b: 2), off: divide(a: 0.5, b: subtract(a: 1, b: \
+              blend|0.5)))))"
+        ),
     ),
     twin(
         "ShaderNodeFresnel",
-        "fresnel(normal: normal, at_normal: power(base: divide(a: subtract(a: ior|1.5, b: 1), \
-         b: add(a: ior|1.5, b: 1)), exponent: 2))",
+        concat!(
+            "fresnel(normal: ",
+            in_our_axes!("normal"),
+            ", at_normal: power(base: divide(a: subtract(a: ior|1.5, b: 1), b: add(a: ior|1.5, \
+              b: 1)), exponent: 2))"
+        ),
     )
     .told("what is reflected is Schlick's approximation"),
-    twin("ShaderNodeNormalMap", "normal_map(color: color|[0.5, 0.5, 1], strength: strength|1)"),
+    twin(
+        "ShaderNodeNormalMap",
+        "rotate_vector(vector: normal_map(color: color|[0.5, 0.5, 1], strength: strength|1), \
+          axis: [1, 0, 0], angle: 1.5707963267948966)",
+    ),
     twin(
         "ShaderNodeBump",
-        "bump_map(height: height|1, scale: multiply(a: strength|1, b: distance|1), normal: normal)",
+        concat!(
+            "rotate_vector(vector: bump_map(height: height|1, scale: multiply(a: strength|1, \
+              b: distance|1), normal: ",
+            in_our_axes!("normal"),
+            "), axis: [1, 0, 0], angle: 1.5707963267948966)"
+        ),
     )
     .told("heights are in parts of the object's size here"),
     // Textures.
@@ -289,46 +324,74 @@ pub(super) const TWINS: &[Twin] = &[
     .outputs("color=color alpha=alpha"),
     twin(
         "ShaderNodeTexGradient:LINEAR",
-        "clamp_range(value: separate_vector(vector: vector|position(space: \"object\")).x)",
+        concat!(
+            "clamp_range(value: separate_vector(vector: vector|",
+            in_axes_of_blender!("position(space: \"object\")"),
+            ").x)"
+        ),
     ),
     twin(
         "ShaderNodeTexGradient:EASING",
-        "smooth_step_value(value: separate_vector(vector: vector|position(space: \"object\")).x)",
+        concat!(
+            "smooth_step_value(value: separate_vector(vector: vector|",
+            in_axes_of_blender!("position(space: \"object\")"),
+            ").x)"
+        ),
     ),
     twin(
         "ShaderNodeTexGradient:SPHERICAL",
-        "maximum(a: subtract(a: 1, b: vector_length(vector: vector|position(space: \"object\"))), b: 0)",
+        concat!(
+            "maximum(a: subtract(a: 1, b: vector_length(vector: vector|",
+            in_axes_of_blender!("position(space: \"object\")"),
+            ")), b: 0)"
+        ),
     ),
     // Shaders: each is the color that it shows.
     twin("ShaderNodeEmission", "multiply(a: color|[1, 1, 1], b: strength|1)"),
     twin(
         "ShaderNodeBsdfDiffuse",
-        "multiply(a: color|[0.8, 0.8, 0.8], b: reflectance(model: \"lambert\", \
-         light: light(light: \"key\"), normal: normal))",
+        concat!(
+            "multiply(a: color|[0.8, 0.8, 0.8], b: reflectance(model: \"lambert\", light: \
+              light(light: \"key\"), normal: ",
+            in_our_axes!("normal"),
+            "))"
+        ),
     )
     .told(LIT),
     twin(
         "ShaderNodeBsdfAnisotropic",
-        "multiply(a: color|[0.8, 0.8, 0.8], b: reflectance(model: \"ggx\", \
-         light: light(light: \"key\"), normal: normal, roughness: roughness|0.5))",
+        concat!(
+            "multiply(a: color|[0.8, 0.8, 0.8], b: reflectance(model: \"ggx\", light: \
+              light(light: \"key\"), normal: ",
+            in_our_axes!("normal"),
+            ", roughness: roughness|0.5))"
+        ),
     )
     .told(LIT),
     twin(
         "ShaderNodeBsdfToon",
-        "multiply(a: color|[0.8, 0.8, 0.8], b: map_range(value: arccosine(value: reflectance(\
-         model: \"lambert\", light: light(light: \"key\"), normal: normal)), \
-         from_low: multiply(a: size|0.5, b: 1.5707963267948966), \
-         from_high: multiply(a: add(a: size|0.5, b: smooth|0), b: 1.5707963267948966), \
-         to_low: 1, to_high: 0))",
+        concat!(
+            "multiply(a: color|[0.8, 0.8, 0.8], b: map_range(value: arccosine(value: \
+              reflectance(model: \"lambert\", light: light(light: \"key\"), normal: ",
+            in_our_axes!("normal"),
+            ")), from_low: multiply(a: size|0.5, b: 1.5707963267948966), from_high: \
+              multiply(a: add(a: size|0.5, b: smooth|0), b: 1.5707963267948966), to_low: 1, \
+              to_high: 0))"
+        ),
     )
     .told(LIT),
     twin(
         "ShaderNodeBsdfPrincipled",
-        "set_alpha(color: add(a: add(a: multiply(a: base_color|[0.8, 0.8, 0.8], b: reflectance(\
-         model: \"lambert\", light: light(light: \"key\"), normal: normal)), \
-         b: multiply(a: specular_ior_level|0.5, b: reflectance(model: \"ggx\", \
-         light: light(light: \"key\"), normal: normal, roughness: roughness|0.5))), \
-         b: multiply(a: emission_color|[1, 1, 1], b: emission_strength|0)), alpha: alpha|1)",
+        concat!(
+            "set_alpha(color: add(a: add(a: multiply(a: base_color|[0.8, 0.8, 0.8], b: \
+              reflectance(model: \"lambert\", light: light(light: \"key\"), normal: ",
+            in_our_axes!("normal"),
+            ")), b: multiply(a: specular_ior_level|0.5, b: reflectance(model: \"ggx\", light: \
+              light(light: \"key\"), normal: ",
+            in_our_axes!("normal"),
+            ", roughness: roughness|0.5))), b: multiply(a: emission_color|[1, 1, 1], b: \
+              emission_strength|0)), alpha: alpha|1)"
+        ),
     )
     .told("the surface is lit by the look's own light `key`, with a matt and a glossy part"),
     twin("ShaderNodeBsdfTransparent", "set_alpha(color: [0, 0, 0], alpha: 0)")

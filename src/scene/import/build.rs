@@ -230,6 +230,11 @@ impl<'a> Builder<'a> {
                     .iter()
                     .map(|(port, recipe)| (*port, self.make(recipe, making, false)))
                     .collect();
+                if *kind == "rotate_vector"
+                    && let Some(source) = self.turned_back(&inputs)
+                {
+                    return source;
+                }
                 let is_kept = is_last && making.is_kept;
                 if let Some(folded) = if is_kept { None } else { folded(kind, &inputs, output) } {
                     return folded;
@@ -238,6 +243,30 @@ impl<'a> Builder<'a> {
                 Source::Port(Endpoint::new(id, *output))
             }
         }
+    }
+
+    /// Source of a vector that two turns leave as it is, or of one that is not given.
+    fn turned_back(&self, inputs: &IndexMap<&str, Source>) -> Option<Source> {
+        let end = match inputs.get("vector")? {
+            Source::Default => return Some(Source::Default),
+            Source::Port(end) => end,
+            Source::Value(_) => return None,
+        };
+        let node = self.look.graph.nodes.get(&end.node)?;
+        let is_same = |port: &str, sign: f64| {
+            let numbers = match (node.values.get(port)?, inputs.get(port)?) {
+                (Value::Number(a), Source::Value(Value::Number(b))) => (vec![*a], vec![*b]),
+                (Value::Vector(a), Source::Value(Value::Vector(b))) => (a.clone(), b.clone()),
+                _ => return None,
+            };
+            let (a, b) = numbers;
+            Some(a.iter().zip(&b).all(|(a, b)| *a == sign * b))
+        };
+        let is_back = node.kind == "rotate_vector"
+            && is_same("axis", 1.0) == Some(true)
+            && is_same("angle", -1.0) == Some(true);
+        let wire = self.look.graph.wire_into(&end.node, &PortName::new("vector"))?;
+        is_back.then(|| Source::Port(wire.from.clone()))
     }
 
     /// Adds a node, or finds the same one where nothing is wired to it.

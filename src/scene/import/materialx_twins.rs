@@ -23,7 +23,8 @@ pub(super) const TWINS: &[Twin] = &[
     twin("power", "power(base: in1|0, exponent: in2|1)"),
     twin(
         "safepower",
-        "multiply(a: sign_of(value: in1|0), b: power(base: absolute(value: in1|0), exponent: in2|1))",
+        "multiply(a: sign_of(value: in1|0), b: power(base: absolute(value: in1|0), exponent: \
+          in2|1))",
     ),
     twin("sin", "sine(angle: in|0)"),
     twin("cos", "cosine(angle: in|0)"),
@@ -62,9 +63,9 @@ pub(super) const TWINS: &[Twin] = &[
     ),
     twin(
         "place2d.vector2",
-        "add(a: subtract(a: transform_uv(uv: divide(a: subtract(a: texcoord|uv(), b: pivot|[0, 0]), \
-         b: scale|[1, 1]), angle: multiply(a: rotate|0, b: -0.017453292519943295), \
-         middle: [0, 0]), b: offset|[0, 0]), b: pivot|[0, 0])",
+        "add(a: subtract(a: transform_uv(uv: divide(a: subtract(a: texcoord|uv(), b: pivot|[0, \
+          0]), b: scale|[1, 1]), angle: multiply(a: rotate|0, b: -0.017453292519943295), \
+          middle: [0, 0]), b: offset|[0, 0]), b: pivot|[0, 0])",
     ),
     // Channels.
     twin(

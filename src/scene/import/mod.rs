@@ -18,7 +18,7 @@ mod twins;
 use std::path::Path;
 
 use crate::diag::{Diagnostic, WithWarnings};
-use crate::document::Look;
+use crate::document::{Look, Value};
 use crate::library::Library;
 
 /// Most bytes of an imported file.
@@ -89,6 +89,19 @@ pub fn import_graph(
     }
     let warnings = warnings.into_iter().map(|problem| problem.in_file(file)).collect();
     Ok(WithWarnings::new(look, warnings))
+}
+
+/// Names images by whole paths, which the file names from its own `folder` on.
+pub fn anchor_images(look: &mut Look, folder: &Path) {
+    let images = look.graph.nodes.values_mut().filter(|node| node.kind == "image");
+    for value in images.filter_map(|node| node.values.get_mut("image")) {
+        if let Value::Text(path) = value
+            && !path.is_empty()
+            && !path.starts_with("example:")
+        {
+            *path = folder.join(&*path).display().to_string();
+        }
+    }
 }
 
 #[cfg(test)]

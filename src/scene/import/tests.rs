@@ -144,7 +144,8 @@ fn long_chains_are_read() {
     for index in 1..9_000 {
         let before = index - 1;
         body += &format!(
-            r#"<sin name="n{index}" type="float"><input name="in" type="float" nodename="n{before}"/></sin>"#
+            r#"<sin name="n{index}" type="float">
+            <input name="in" type="float" nodename="n{before}"/></sin>"#
         );
     }
     body += r#"<output name="o" type="float" nodename="n8999"/>"#;
@@ -163,7 +164,8 @@ fn nodes_of_blender_are_a_look() {
         {"name": "D", "kind": "ShaderNodeBsdfDiffuse", "inputs": [
           {"id": "Color", "type": "RGBA", "value": [0.8, 0.5, 0.2, 1]}],
           "outputs": [{"id": "BSDF", "type": "SHADER"}]},
-        {"name": "S", "kind": "ShaderNodeShaderToRGB", "inputs": [{"id": "Shader", "type": "SHADER"}],
+        {"name": "S", "kind": "ShaderNodeShaderToRGB",
+          "inputs": [{"id": "Shader", "type": "SHADER"}],
           "outputs": [{"id": "Color", "type": "RGBA"}]},
         {"name": "R", "kind": "ShaderNodeValToRGB",
           "ramp": {"interpolation": "CONSTANT", "stops": [

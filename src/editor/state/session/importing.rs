@@ -5,7 +5,7 @@ use std::path::Path;
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::{Edit, read_text};
-use crate::import::{GraphFile, import_graph};
+use crate::import::{GraphFile, anchor_images, import_graph};
 
 impl Session {
     /// Kind of another program's graph that a file is; `None` for our own documents, and for what
@@ -32,7 +32,11 @@ impl Session {
         let text = read_text(&**self.assets.source(), path).map_err(|problem| vec![*problem])?;
         let file = path.display().to_string();
         let imported = import_graph(&text, &file, kind, &self.project.library)?;
-        let (look, warnings) = imported.into_parts();
+        let (mut look, warnings) = imported.into_parts();
+        // The look has no file yet from which relative paths lead.
+        if let Some(folder) = std::path::absolute(path).ok().as_deref().and_then(Path::parent) {
+            anchor_images(&mut look, folder);
+        }
         let (nodes, notes) = (look.graph.nodes.len(), look.graph.notes.len());
         let name = look.name.clone();
         self.start_new();
