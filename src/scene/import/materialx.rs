@@ -225,7 +225,10 @@ impl<'d> Reader<'d> {
                     let name = format!("{name}_space");
                     inputs.push(ForeignInput { name, source: space, is_authored: false });
                 }
-                inputs.push(ForeignInput { name, source, is_authored: true });
+                // What decides the row is in the row.
+                let kind = element.tag_name().name();
+                let is_authored = !REFINED.iter().any(|(of, by, _)| *of == kind && *by == name);
+                inputs.push(ForeignInput { name, source, is_authored });
             }
             self.graph.nodes[index].inputs = inputs;
         }
