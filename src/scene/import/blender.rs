@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use serde::Deserialize;
 
-use super::MAX_FOREIGN_NODES;
 use super::foreign::{ForeignGraph, ForeignInput, ForeignNode, ForeignSource, bounded};
+use super::{MAX_FOREIGN_NODES, MAX_PORTS};
 use crate::diag::{Diagnostic, LineColumn};
 use crate::document::{Curve, Interpolation, Ramp, RampStop, Value};
 
@@ -13,7 +13,7 @@ use crate::document::{Curve, Interpolation, Ramp, RampStop, Value};
 const MAX_DEPTH: usize = 32;
 
 /// Most steps from an input through groups and reroutes to its source.
-const MAX_STEPS: usize = 4096;
+const MAX_STEPS: usize = 256;
 
 /// Nodes whose row depends on settings, with these.
 const REFINED: [(&str, &[&str]); 9] = [
@@ -145,7 +145,9 @@ struct Reader<'f> {
 
 /// Name of a socket as recipes know it: `Base Color` is `base_color`.
 fn recipe_name(id: &str) -> String {
-    let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
+    let plain = |c: char| {
+        if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' }
+    };
     id.chars().take(64).map(plain).collect()
 }
 
@@ -194,6 +196,10 @@ impl<'f> Reader<'f> {
     }
 
     fn node(&mut self, index: usize, node: &'f FileNode) -> Result<Member, Box<Diagnostic>> {
+        if node.inputs.len().max(node.outputs.len()) > MAX_PORTS {
+            let message = format!("`{}` has more than {MAX_PORTS} sockets", node.name);
+            return Err(error("too-many", message, "take some of them out in Blender"));
+        }
         let passages = ["NodeReroute", "NodeGroupInput", "NodeGroupOutput", "NodeFrame"];
         if passages.contains(&node.kind.as_str()) {
             return Ok(Member::Passage);
@@ -335,7 +341,9 @@ impl<'f> Reader<'f> {
                     .and_then(|(outer, user)| Some((outer, user, by_id(&user.inputs, output)?))),
                 Member::Passage => source.inputs.first().map(|socket| (at, source, socket)),
             };
-            let Some(next) = next else { return Ok((ForeignSource::Nothing, ty)) };
+            let Some(next) = next else {
+                return Ok((ForeignSource::Nothing, ty));
+            };
             (at, node, socket) = next;
         }
         let (node, socket) = first;

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use roxmltree::{Document, Node, ParsingOptions};
 
-use super::MAX_FOREIGN_NODES;
 use super::foreign::{ForeignGraph, ForeignInput, ForeignNode, ForeignSource, bounded};
+use super::{MAX_FOREIGN_NODES, MAX_PORTS};
 use crate::diag::{Diagnostic, LineColumn};
 use crate::document::Value;
 
@@ -105,7 +105,10 @@ enum Member {
 
 struct Reader<'d> {
     text: &'d str,
-    document: &'d Document<'d>,
+    /// Offsets at which lines begin.
+    lines: Vec<usize>,
+    /// Definitions of nodes, by name.
+    definitions: HashMap<&'d str, Node<'d, 'd>>,
     containers: Vec<Container<'d>>,
     /// Container and element of each node of the graph.
     places: Vec<(usize, Node<'d, 'd>)>,
@@ -115,11 +118,25 @@ struct Reader<'d> {
 impl<'d> Reader<'d> {
     fn new(text: &'d str, document: &'d Document<'d>) -> Self {
         let graph = ForeignGraph { program: "MaterialX", ..ForeignGraph::default() };
-        Self { text, document, containers: Vec::new(), places: Vec::new(), graph }
+        let ends = text.match_indices('\n').map(|(end, _)| end + 1);
+        let lines = std::iter::once(0).chain(ends).collect();
+        let definitions = children(document.root_element(), &["nodedef"]);
+        let named = |it: Node<'d, 'd>| Some((it.attribute("name")?, it));
+        let definitions = definitions.filter_map(named).collect();
+        let (containers, places) = (Vec::new(), Vec::new());
+        Self { text, lines, definitions, containers, places, graph }
     }
 
+    /// Place of an element. Lines are known, so that a file of many elements is not read anew for
+    /// each; columns of a line without an end are counted in bytes.
     fn at(&self, element: Node<'_, '_>) -> LineColumn {
-        LineColumn::of(self.text, element.range().start)
+        let offset = element.range().start;
+        let line = self.lines.partition_point(|start| *start <= offset).saturating_sub(1);
+        let start = self.lines.get(line).copied().unwrap_or_default();
+        let before = self.text.get(start..offset).unwrap_or_default();
+        let is_long = before.len() > 1000;
+        let count = if is_long { before.len() } else { before.chars().count() };
+        LineColumn { line: line as u32 + 1, column: count as u32 + 1 }
     }
 
     fn error(
@@ -166,6 +183,14 @@ impl<'d> Reader<'d> {
             let hint = "flatten the document in the program that wrote it";
             self.graph.problems.push(problem.hint(hint));
             return Ok(());
+        }
+        let ports = match is_nested(kind) {
+            true => children(element, &["input"]).count(),
+            false => element.children().filter(Node::is_element).count(),
+        };
+        if ports > MAX_PORTS {
+            let message = format!("`{name}` has more than {MAX_PORTS} inputs");
+            return Err(self.error(element, "too-many", message, "take some of them out"));
         }
         let ty = element.attribute("type").unwrap_or_default();
         let is_graph = kind == "nodegraph" && element.attribute("nodedef").is_none();
@@ -321,9 +346,7 @@ impl<'d> Reader<'d> {
 
     /// The definition that a graph implements.
     fn definition(&self, graph: Node<'d, 'd>) -> Option<Node<'d, 'd>> {
-        let name = graph.attribute("nodedef")?;
-        let mut all = children(self.document.root_element(), &["nodedef"]);
-        all.find(|definition| definition.attribute("name") == Some(name))
+        self.definitions.get(graph.attribute("nodedef")?).copied()
     }
 
     /// Finds what is seen: the first material that a look assigns, else the first material, shader
@@ -362,6 +385,11 @@ impl<'d> Reader<'d> {
         let hint = "export a material, or give a node graph an output";
         Err(self.error(root, "import-empty", message, hint))
     }
+}
+
+/// True for what holds nodes of its own.
+fn is_nested(kind: &str) -> bool {
+    ["nodegraph", "look", "lookgroup"].contains(&kind)
 }
 
 /// Graphs of nodes that the document defines itself, by kind and type of the node.

@@ -27,6 +27,9 @@ pub const MAX_BYTES: usize = 16 << 20;
 /// Most nodes of an imported graph, with those of every use of a group.
 const MAX_FOREIGN_NODES: usize = 10_000;
 
+/// Most inputs of a node.
+const MAX_PORTS: usize = 1000;
+
 /// Kind of an imported file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GraphFile {
@@ -87,8 +90,8 @@ pub fn import_graph(
         let stem = Path::new(file).file_stem();
         look.name = stem.map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     }
-    let warnings = warnings.into_iter().map(|problem| problem.in_file(file)).collect();
-    Ok(WithWarnings::new(look, warnings))
+    let warnings: Vec<_> = warnings.into_iter().map(|problem| problem.in_file(file)).collect();
+    Ok(WithWarnings::new(look, crate::diag::bounded(warnings)))
 }
 
 /// Names images by whole paths, which the file names from its own `folder` on.

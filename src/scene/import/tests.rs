@@ -135,6 +135,9 @@ fn broken_files_are_told_of_with_their_places() {
     let elements = "<a>".repeat(100_000);
     assert_eq!(codes(&elements), "import-xml");
     assert_eq!(codes(&"x".repeat(MAX_BYTES)), "too-large");
+    let many = r#"<input name="i" type="float" value="1"/>"#.repeat(MAX_PORTS + 1);
+    assert_eq!(codes(&format!("<add name=\"a\" type=\"float\">{many}</add>")), "too-many");
+    assert_eq!(codes(&format!("<nodegraph name=\"g\">{many}</nodegraph>")), "too-many");
 }
 
 /// A chain as long as a file may have is no deep recursion.
