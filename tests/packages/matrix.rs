@@ -47,11 +47,8 @@ fn document() -> String {
         let refused = count(|it| matches!(it, Some(Row::Refused(_))));
         let run_with = package.run_with.unwrap_or("nothing: the program itself was not run");
         let open = cells.len() - drawn - refused;
-        let _infallible = writeln!(
-            text,
-            "| `{}` | {run_with} | {drawn} | {refused} | {open} |",
-            package.slug
-        );
+        let _infallible =
+            writeln!(text, "| `{}` | {run_with} | {drawn} | {refused} | {open} |", package.slug);
     }
     let reasons = reasons(&rows);
     text.push_str("\n| look |");

@@ -10,8 +10,8 @@ use super::table::{PanelPlace, PanelRow, Presence};
 use crate::commands::{Command, PanelId};
 use crate::diag::Diagnostic;
 use crate::document::Storage;
-use crate::export::{self, ExportOptions};
 use crate::export::package::{LookNeeds, PACKAGES, Package, PackageScene, export_package};
+use crate::export::{self, ExportOptions};
 use crate::frame::Assets;
 use crate::library::Library;
 use crate::state::session::Session;
@@ -124,8 +124,7 @@ impl ExportCards {
 
     fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut commands = Vec::new();
-        let is_current =
-            self.done.as_ref().is_some_and(|done| done.asked == self.current(session));
+        let is_current = self.done.as_ref().is_some_and(|done| done.asked == self.current(session));
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             self.head(ui, is_current);
             self.choices(ui);

@@ -320,7 +320,7 @@ impl<'a> Builder<'a> {
         }
         self.look.graph.nodes.insert(id.clone(), node);
         self.heights.insert(id.clone(), foreign.height);
-        if !foreign.group.is_empty() && !(is_free && !is_last) {
+        if !foreign.group.is_empty() && (!is_free || is_last) {
             self.frame(&foreign.group, &id);
         }
         if is_free && !is_last {

@@ -151,6 +151,7 @@ impl UnityScene {
     }
 
     /// The pixels of the package's picture, rows from the top, straight and as shown.
+    #[expect(clippy::too_many_lines, reason = "one draw, of which nothing is done twice")]
     fn pixels(&self, package: &Package, numbers: &BTreeMap<String, Vec<f32>>) -> Vec<u8> {
         let (text, [vertex, fragment]) = package.passes().swap_remove(0);
         let gpu = block_on(Gpu::headless()).expect("an adapter; software Vulkan does");

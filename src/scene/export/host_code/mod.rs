@@ -58,8 +58,7 @@ pub const CSHARP: HostLanguage =
     HostLanguage { slug: "csharp", label: "C#", dialect: &csharp::CSharp };
 
 /// All languages of host code.
-pub const HOST_LANGUAGES: [&HostLanguage; 5] =
-    [&JAVASCRIPT, &PYTHON, &RUST, &GDSCRIPT, &CSHARP];
+pub const HOST_LANGUAGES: [&HostLanguage; 5] = [&JAVASCRIPT, &PYTHON, &RUST, &GDSCRIPT, &CSHARP];
 
 impl HostLanguage {
     /// Name that a function of WGSL has in the language.

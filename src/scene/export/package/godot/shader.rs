@@ -147,7 +147,7 @@ pub(super) fn write(
         } else if part.begins_with("struct") {
             let _infallible = write!(structs, "{comment}{text}\n\n");
         } else if part.begins_with("const") {
-            let _infallible = write!(constants, "{comment}{text}\n");
+            let _infallible = writeln!(constants, "{comment}{text}");
         } else if part.begins_with("void main()") {
             main = Some(text);
         } else {
@@ -183,7 +183,7 @@ pub(super) fn write(
     if !constants.is_empty() {
         text.push('\n');
     }
-    text += &uniforms.encoding(&read);
+    text += uniforms.encoding(&read);
     text += &values;
     let (functions, main) = split_main(&body);
     text += functions;
