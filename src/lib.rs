@@ -82,7 +82,9 @@ pub use chiaro_files as files;
 
 #[cfg(feature = "scene")]
 #[doc(inline)]
-pub use chiaro_scene::{directions, drawing, export, frame, geometry, hcbtf, placing, threads};
+pub use chiaro_scene::{
+    directions, drawing, export, frame, geometry, hcbtf, import, placing, threads,
+};
 
 #[cfg(feature = "scene")]
 #[doc(inline)]

@@ -24,6 +24,7 @@ mod fit;
 #[cfg(feature = "gpu")]
 mod gallery;
 mod hcbtf;
+mod import;
 mod interrupt;
 mod lights;
 mod new;
@@ -123,6 +124,8 @@ enum Command {
     Gallery(gallery::Arguments),
     /// Write a look as shaders for other programs
     Export(export::Arguments),
+    /// Make a look of another program's graph: a MaterialX document, Blender's shader nodes
+    Import(import::Arguments),
     /// Tell what a hand-painted 6D texture (.hcbtf) holds, make one, exchange its samples with
     /// other programs
     Hcbtf(hcbtf::Arguments),
@@ -235,6 +238,7 @@ async fn carry_out(command: &Command, output: &Output) -> Outcome {
         #[cfg(feature = "gpu")]
         Command::Gallery(arguments) => gallery::run(arguments, output).await,
         Command::Export(arguments) => export::run(arguments, output).await,
+        Command::Import(arguments) => import::run(arguments, output),
         Command::Hcbtf(arguments) => hcbtf::run(arguments, output).await,
         Command::Desktop(arguments) => desktop::run(arguments, output),
     };

@@ -3,7 +3,8 @@
 //! [`geometry`] reads and makes meshes, [`hcbtf`] holds surfaces painted for every light and every
 //! eye, [`directions`] weighs keys on the sphere. [`frame`] joins looks, meshes, lights, keys and
 //! time into a frame plan, which a renderer executes; [`export`] turns it into files for other
-//! programs, and [`drawing`] draws graphs themselves.
+//! programs, and [`drawing`] draws graphs themselves. [`import`] makes looks of other programs'
+//! graphs.
 
 #[cfg(test)]
 use chiaro_compiler::examples;
@@ -18,5 +19,6 @@ pub mod export;
 pub mod frame;
 pub mod geometry;
 pub mod hcbtf;
+pub mod import;
 pub mod placing;
 pub mod threads;

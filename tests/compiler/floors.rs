@@ -39,7 +39,7 @@ const CRATES: &[(&str, &[&[&str]])] = &[
         "scene",
         &[
             &["cache"],
-            &["directions", "geometry", "hcbtf", "placing", "threads"],
+            &["directions", "geometry", "hcbtf", "import", "placing", "threads"],
             &["drawing", "frame"],
             &["export"],
         ],
@@ -134,6 +134,7 @@ const KEPT_TO: &[(&str, &[&str])] = &[
     ("faer", &["scene"]),
     ("gltf", &["scene"]),
     ("rayon", &["scene", "reference", "laboratory"]),
+    ("roxmltree", &["scene"]),
 ];
 
 /// An executor by name.

@@ -8,6 +8,7 @@ mod dock;
 mod editor_support;
 mod export;
 mod fit;
+mod imports;
 mod journeys;
 mod keys;
 mod kills;

@@ -7,9 +7,12 @@ use std::process::Command;
 
 use serde_json::Value as Json;
 
+use crate::support::godot::Godot;
 use crate::support::random::Random;
 use crate::support::validators::{say, tools_are_required};
-use chiaro::export::host_code::{HostLanguage, JAVASCRIPT, PYTHON, RUST, translate};
+use chiaro::export::host_code::{
+    CSHARP, GDSCRIPT, HostLanguage, JAVASCRIPT, PYTHON, RUST, translate,
+};
 use chiaro::interp::{FunctionOptions, Precision, Program, ScalarKind, Shape, Value};
 use chiaro::library::Library;
 
@@ -54,11 +57,14 @@ fn value(shape: &Shape, random: &mut Random) -> Value {
 /// A language with the program that runs it and the way that its values are written.
 struct Runner {
     language: &'static HostLanguage,
+    /// Program that runs the file; empty for Godot, which runs in a browser.
     command: &'static str,
     file: &'static str,
     /// Program and arguments that make a program of the file, in the same folder, to be run in its
     /// place; none for languages that are read.
     compiler: Option<(&'static str, &'static [&'static str])>,
+    /// A vector, a matrix or an array of its parts.
+    list: fn(&Shape, &[String]) -> String,
     /// Text before a struct's members.
     structure: fn(&str) -> String,
     /// A scalar of a kind.
@@ -71,12 +77,13 @@ struct Runner {
 }
 
 /// All languages that are tried.
-const RUNNERS: [Runner; 3] = [
+const RUNNERS: [Runner; 5] = [
     Runner {
         language: &JAVASCRIPT,
         command: "node",
         file: "cases.mjs",
         compiler: None,
+        list: in_brackets,
         structure: |_| String::new(),
         scalar: |kind, x| match kind {
             ScalarKind::Bool => (x != 0.0).to_string(),
@@ -90,6 +97,7 @@ const RUNNERS: [Runner; 3] = [
         command: "python3",
         file: "cases.py",
         compiler: None,
+        list: in_brackets,
         structure: |_| String::new(),
         scalar: |kind, x| match kind {
             ScalarKind::Bool => if x != 0.0 { "True" } else { "False" }.to_owned(),
@@ -117,6 +125,7 @@ const RUNNERS: [Runner; 3] = [
                 "cases.rs",
             ],
         )),
+        list: in_brackets,
         structure: |name| format!("{name} "),
         scalar: |kind, x| match kind {
             ScalarKind::Bool => (x != 0.0).to_string(),
@@ -127,12 +136,69 @@ const RUNNERS: [Runner; 3] = [
         member: |name, value| format!("{name}: {value}"),
         program: rust,
     },
+    Runner {
+        language: &GDSCRIPT,
+        command: "",
+        file: "",
+        compiler: None,
+        list: in_brackets,
+        structure: |_| String::new(),
+        scalar: |kind, x| match kind {
+            ScalarKind::Bool => (x != 0.0).to_string(),
+            ScalarKind::I32 | ScalarKind::U32 => format!("{x}"),
+            ScalarKind::Float => format!("{x:?}"),
+        },
+        member: |name, value| format!("\"{name}\": {value}"),
+        program: gdscript,
+    },
+    Runner {
+        language: &CSHARP,
+        command: "mono",
+        file: "cases.cs",
+        compiler: Some(("mcs", &["-nologo", "-warn:0", "-out:cases", "cases.cs"])),
+        list: |shape, parts| match shape {
+            Shape::Array { .. } => {
+                format!("new {} {{ {} }}", csharp_type(shape), parts.join(", "))
+            }
+            _ => format!("new {}({})", csharp_type(shape), parts.join(", ")),
+        },
+        structure: |name| format!("new {} ", CSHARP.function_name(name)),
+        scalar: |kind, x| match kind {
+            ScalarKind::Bool => (x != 0.0).to_string(),
+            ScalarKind::I32 => format!("{x}"),
+            ScalarKind::U32 => format!("{x}u"),
+            ScalarKind::Float => format!("{x:?}"),
+        },
+        member: |name, value| format!("{} = {value}", CSHARP.member_name(name)),
+        program: csharp,
+    },
 ];
+
+fn in_brackets(_: &Shape, parts: &[String]) -> String {
+    format!("[{}]", parts.join(", "))
+}
+
+/// A type as the host code in C# names it.
+fn csharp_type(shape: &Shape) -> String {
+    let words = |kind: &ScalarKind| match kind {
+        ScalarKind::Bool => ("bool", "Bool"),
+        ScalarKind::I32 => ("int", "Int"),
+        ScalarKind::U32 => ("uint", "UInt"),
+        ScalarKind::Float => ("double", "Double"),
+    };
+    match shape {
+        Shape::Scalar(kind) => words(kind).0.to_owned(),
+        Shape::Vector { kind, size } => format!("{}{size}", words(kind).1),
+        Shape::Matrix { columns, rows } => format!("Double{rows}x{columns}"),
+        Shape::Array { element, .. } => format!("{}[]", csharp_type(element)),
+        Shape::Struct { name, .. } => CSHARP.function_name(name),
+    }
+}
 
 impl Runner {
     /// A value as the language has it.
     fn value(&self, shape: &Shape, value: &Value) -> String {
-        let list = |parts: Vec<String>| format!("[{}]", parts.join(", "));
+        let list = |parts: Vec<String>| (self.list)(shape, &parts);
         match (shape, value) {
             (Shape::Struct { name, members }, Value::Struct(parts)) => {
                 let member = |((name, shape), part): (&(String, Shape), &Value)| {
@@ -145,8 +211,10 @@ impl Runner {
                 list(parts.iter().map(|part| self.value(element, part)).collect())
             }
             (Shape::Matrix { rows, .. }, Value::Matrix { components, .. }) => {
+                let of = Shape::Vector { kind: ScalarKind::Float, size: *rows };
                 let column = |column: &[f64]| {
-                    list(column.iter().map(|x| (self.scalar)(ScalarKind::Float, *x)).collect())
+                    let numbers = column.iter().map(|x| (self.scalar)(ScalarKind::Float, *x));
+                    (self.list)(&of, &numbers.collect::<Vec<_>>())
                 };
                 list(components.chunks(*rows).map(column).collect())
             }
@@ -163,19 +231,32 @@ impl Runner {
     /// Results that a program of the cases prints; `None`, said aloud, where nothing runs the
     /// language.
     fn results(&self, cases: &[Case]) -> Option<Vec<Vec<Vec<Option<f64>>>>> {
+        if self.command.is_empty() {
+            let mut godot = Godot::start(&[]).expect("Godot starts")?;
+            let numbers = godot.run(&(self.program)(cases));
+            let numbers =
+                numbers.unwrap_or_else(|said| panic!("{}", &said[..said.len().min(4000)]));
+            return Some(serde_json::from_value(numbers).expect("lists of numbers"));
+        }
         let folder = tempfile::tempdir().expect("a temporary folder");
         let file = folder.path().join(self.file);
         std::fs::write(&file, (self.program)(cases)).expect("a temporary file");
         let mut command = Command::new(self.command);
+        command.arg(&file);
         if let Some((compiler, arguments)) = self.compiler {
             let made = Command::new(compiler).args(arguments).current_dir(folder.path()).output();
             if let Ok(made) = made {
                 let said = String::from_utf8_lossy(&made.stderr);
                 assert!(made.status.success(), "{}", &said[..said.len().min(6000)]);
             }
-            command = Command::new(folder.path().join(self.command));
+            let program = folder.path().join("cases");
+            command = match self.command.starts_with('.') {
+                true => Command::new(program),
+                false => Command::new(self.command),
+            };
+            command.arg(folder.path().join("cases"));
         }
-        let Ok(output) = command.arg(&file).output() else {
+        let Ok(output) = command.output() else {
             assert!(!tools_are_required(), "{} is missing: run scripts/setup", self.command);
             say(&format!("SKIPPED: {} is missing", self.command));
             return None;
@@ -282,6 +363,34 @@ fn python(cases: &[Case]) -> String {
     text + "print(json.dumps(results))\n"
 }
 
+/// A class for each case: what is static in a script is so in its classes.
+fn gdscript(cases: &[Case]) -> String {
+    let mut text = "extends RefCounted\n\n\n".to_owned();
+    for (number, case) in cases.iter().enumerate() {
+        let indented = case.text.lines().map(|line| format!("\t{line}\n"));
+        let _ = writeln!(
+            text,
+            "class Case{number}:\n{}\tstatic func results() -> Array:\n\t\treturn [",
+            indented.collect::<String>()
+        );
+        for (arguments, _) in &case.calls {
+            let _ = writeln!(text, "\t\t\t{}({}),", case.function, arguments.join(", "));
+        }
+        text += "\t\t]\n\n\n";
+    }
+    text += "func flat(value: Variant) -> Array:\n\
+             \tif value is Dictionary:\n\t\tvalue = value.values()\n\
+             \tif not value is Array:\n\
+             \t\treturn [float(value) if is_finite(float(value)) else null]\n\
+             \tvar all := []\n\tfor part: Variant in value:\n\t\tall.append_array(flat(part))\n\
+             \treturn all\n\n\n\
+             func run(_main: Node) -> Array:\n\treturn [\n";
+    for number in 0..cases.len() {
+        let _ = writeln!(text, "\t\tCase{number}.results().map(flat),");
+    }
+    text + "\t]\n"
+}
+
 /// Expressions of the scalars of a value of Rust, each as an `f64`.
 fn rust_scalars(shape: &Shape, value: &str, into: &mut Vec<String>) {
     match shape {
@@ -337,6 +446,67 @@ fn rust(cases: &[Case]) -> String {
             println!(\"{}\", list(all.iter().map(case).collect()));\n}\n"
 }
 
+/// Expressions of the scalars of a value of C#, each as a `double`.
+fn csharp_scalars(shape: &Shape, value: &str, into: &mut Vec<String>) {
+    match shape {
+        Shape::Scalar(ScalarKind::Bool) => into.push(format!("({value} ? 1.0 : 0.0)")),
+        Shape::Scalar(_) => into.push(value.to_owned()),
+        Shape::Vector { kind, size } => {
+            for axis in &["x", "y", "z", "w"][..*size] {
+                csharp_scalars(&Shape::Scalar(*kind), &format!("{value}.{axis}"), into);
+            }
+        }
+        Shape::Matrix { columns, rows } => {
+            let column = Shape::Vector { kind: ScalarKind::Float, size: *rows };
+            (0..*columns).for_each(|at| csharp_scalars(&column, &format!("{value}.c{at}"), into));
+        }
+        Shape::Array { element, count } => {
+            (0..*count).for_each(|at| csharp_scalars(element, &format!("{value}[{at}]"), into));
+        }
+        Shape::Struct { members, .. } => {
+            for (name, shape) in members {
+                csharp_scalars(shape, &format!("{value}.{}", CSHARP.member_name(name)), into);
+            }
+        }
+    }
+}
+
+fn csharp(cases: &[Case]) -> String {
+    let mut text = "using System;\nusing System.Collections.Generic;\n\
+                    using System.Globalization;\nusing System.Linq;\n"
+        .to_owned();
+    let mut runs = String::new();
+    for (number, case) in cases.iter().enumerate() {
+        let _ = writeln!(text, "static class Case_{number}\n{{\n{}", case.text);
+        text += "public static List<double[]> RunCase()\n{\nvar all = new List<double[]>();\n";
+        // A function that is called as a struct gives way.
+        let mut function = CSHARP.function_name(&case.function);
+        if case.text.contains(&format!("public struct {function}\n")) {
+            function.push('_');
+        }
+        for (call, (arguments, _)) in case.calls.iter().enumerate() {
+            let mut scalars = Vec::new();
+            csharp_scalars(&case.result, &format!("value{call}"), &mut scalars);
+            let _ = writeln!(
+                text,
+                "var value{call} = {}({}); all.Add(new double[] {{ {} }});",
+                function,
+                arguments.join(", "),
+                scalars.join(", ")
+            );
+        }
+        text += "return all;\n}\n}\n";
+        let _ = write!(runs, "Case_{number}.RunCase(), ");
+    }
+    text + "static class Cases\n{\nstatic string Text(double x) => double.IsNaN(x) || \
+            double.IsInfinity(x) ? \"null\" : x.ToString(\"R\", CultureInfo.InvariantCulture);\n\
+            static string Row(IEnumerable<string> items) => \"[\" + string.Join(\",\", items) + \
+            \"]\";\nstatic void Main()\n{\nvar all = new List<double[]>[] { "
+        + &runs
+        + "};\nConsole.WriteLine(Row(all.Select(one => Row(one.Select(row => \
+           Row(row.Select(Text)))))));\n}\n}\n"
+}
+
 /// True if two numbers are the same but for rounding; what is no number may be any.
 fn agree(wanted: f64, found: Option<f64>, scale: f64) -> bool {
     match found {
@@ -358,6 +528,16 @@ fn python_computes_what_the_interpreter_does() {
 #[test]
 fn rust_computes_what_the_interpreter_does() {
     compare(&RUNNERS[2]);
+}
+
+#[test]
+fn gdscript_computes_what_the_interpreter_does() {
+    compare(&RUNNERS[3]);
+}
+
+#[test]
+fn csharp_computes_what_the_interpreter_does() {
+    compare(&RUNNERS[4]);
 }
 
 /// Runs the functions of the library in a language, and in the interpreter.

@@ -1,5 +1,5 @@
 //! Host work of whole looks, as their packages carry it: the bytes of every uniform, from
-//! JavaScript or Python and from Chiaro, with keys, lights and parameters in motion.
+//! JavaScript, Python or GDScript and from Chiaro, with keys, lights and parameters in motion.
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
@@ -11,6 +11,7 @@ use glam::{DMat3, DMat4, DQuat, DVec3};
 use indexmap::IndexMap;
 use serde_json::{Value as Json, json};
 
+use crate::support::godot::Godot;
 use crate::support::random::Random;
 use crate::support::validators::{say, tools_are_required};
 use crate::support::{files, root};
@@ -193,6 +194,15 @@ struct Case {
 }
 
 fn cases(written: fn(&Look, &str, &Path) -> String) -> Vec<Case> {
+    // An export carries no rays.
+    cases_in(Tier::Balanced, |look, name, folder| Some(written(look, name, folder)))
+}
+
+/// The examples in a tier of which something is written.
+fn cases_in(
+    tier: Tier,
+    mut written: impl FnMut(&Look, &str, &Path) -> Option<String>,
+) -> Vec<Case> {
     let mut random = Random::new(7);
     let mut cases = Vec::new();
     for path in files::below(&root().join("examples/looks")) {
@@ -201,14 +211,15 @@ fn cases(written: fn(&Look, &str, &Path) -> String) -> Vec<Case> {
         }
         let name = path.file_stem().expect("a file").to_string_lossy().into_owned();
         let mut look = Look::load(&Disk, &path).value.expect("an example opens");
-        // An export carries no rays.
-        look.set_every_tier(Tier::Balanced);
+        look.set_every_tier(tier);
         let options = CompileOptions { live: Live::Exposed, ..CompileOptions::default() };
         let shader = compile(&look, Library::built_in(), &options).expect("an example").value;
         if shader.host.size == 0 {
             continue;
         }
-        let script = written(&look, &name, path.parent().expect("a folder"));
+        let Some(script) = written(&look, &name, path.parent().expect("a folder")) else {
+            continue;
+        };
         let states: Vec<State> = (0..STATES).map(|_| State::random(&look, &mut random)).collect();
         cases.push(Case {
             name,
@@ -253,6 +264,144 @@ fn add_ons_compute_the_uniforms_of_every_example() {
     }
     program += "print(json.dumps(results))\n";
     compare(&cases, "python3", "looks.py", &program);
+}
+
+/// Function of GDScript that gives the numbers of a look's uniform in states.
+const NUMBERS: &str = r#"
+func numbers(folder: String, stem: String, states: Array) -> Array:
+	var look := MeshInstance3D.new()
+	look.set_script(load("res://%s/%s.gd" % [folder, stem]))
+	var own := {}
+	for property: Dictionary in look.get_script().get_script_property_list():
+		own[property.name] = look.get(property.name)
+	var all := []
+	for state: Dictionary in states:
+		var around := {
+			illumination = columns(state.illumination),
+			camera_from_world = columns(state.camera.rotation),
+			eye = state.camera.eye,
+			parallel = state.camera.toward if state.camera.parallel else [0.0, 0.0, 0.0],
+			object_axes = columns(state.object.axes),
+			object_middle = state.object.middle,
+			object_id = state.object.id,
+			viewport = state.viewport,
+			time = state.time,
+			frame = state.frame,
+		}
+		for name: String in own:
+			if name.begins_with("near_"):
+				around[name] = 1e6
+		for name: String in state.parameters:
+			var property := property_of(look, name)
+			look.set(property, value(state.parameters[name], own.get(property)))
+		var host: GDScript = load("res://%s/%s.host.gd" % [folder, stem])
+		var settings: Dictionary = look.call("_settings", around)
+		if host.get_script_method_list().any(is_keyed):
+			settings = host.call("keyed", settings, around)
+		all.append(host.call("draw_numbers", settings, around))
+		for name: String in state.parameters:
+			var property := property_of(look, name)
+			look.set(property, own[property])
+	look.free()
+	return all
+
+
+func is_keyed(method: Dictionary) -> bool:
+	return method.name == "keyed"
+
+
+## Properties that a node has already get an end.
+func property_of(look: Node, name: String) -> String:
+	var wanted := name.to_lower().replace("-", "_").replace(".", "_")
+	for property: Dictionary in look.get_script().get_script_property_list():
+		if property.name == wanted:
+			return wanted
+	return wanted + "_of_look"
+
+
+func columns(m: Array) -> Array:
+	return [m.slice(0, 3), m.slice(3, 6), m.slice(6, 9)]
+
+
+func value(given: Variant, own: Variant) -> Variant:
+	match typeof(own):
+		TYPE_COLOR:
+			return Color(given[0], given[1], given[2], given[3] if given.size() > 3 else 1.0)
+		TYPE_VECTOR2:
+			return Vector2(given[0], given[1])
+		TYPE_VECTOR3:
+			return Vector3(given[0], given[1], given[2])
+		TYPE_VECTOR4:
+			return Vector4(given[0], given[1], given[2], given[3])
+	return given
+"#;
+
+/// The scripts of the package for Godot, of every example that one pass draws in the fast tier.
+#[test]
+#[ignore = "takes ten seconds; scripts/soak runs it"]
+fn soak_scripts_compute_the_uniforms_of_every_example() {
+    let mut files = Vec::new();
+    let scene = PackageScene {
+        mesh: Arc::new(Mesh::default()),
+        world_from_object: DMat4::IDENTITY,
+        camera: Camera::default(),
+        backdrop: None,
+    };
+    let cases = cases_in(Tier::Fast, |look, name, folder| {
+        let place = (folder, &mut Assets::default());
+        let library = Library::built_in();
+        let package = package("godot").expect("a package");
+        let found = export_package(look, library, name, package, &scene, place).ok()?.value;
+        for file in found {
+            let is_shader = file.name.ends_with(".gdshader");
+            if is_shader || file.name.ends_with(".gd") {
+                // What is computed is asked for, not what is drawn.
+                let bytes = if is_shader { b"shader_type spatial;\n".to_vec() } else { file.bytes };
+                files.push((format!("{name}/{}", file.name), bytes));
+            }
+        }
+        Some(String::new())
+    });
+    let Some(mut godot) = Godot::start(&files).expect("Godot starts") else { return };
+    assert!(cases.len() > 50, "{} looks have host work", cases.len());
+    let mut script =
+        format!("extends RefCounted\n\n{NUMBERS}\n\nfunc run(_main: Node) -> Array:\n");
+    script += "\tvar all := []\n";
+    for case in &cases {
+        let states = json!(json!(case.states).to_string());
+        let _ = writeln!(
+            script,
+            "\tall.append(numbers(\"{0}\", \"{0}\", JSON.parse_string({states})))",
+            case.name
+        );
+    }
+    script += "\treturn all\n";
+    let results =
+        godot.run(&script).unwrap_or_else(|said| panic!("{}", &said[..said.len().min(4000)]));
+    let results: Vec<Vec<Vec<f64>>> = serde_json::from_value(results).expect("lists of numbers");
+    let mut wrong = Vec::new();
+    for (case, results) in cases.iter().zip(&results) {
+        for (state, (wanted, found)) in case.states.iter().zip(case.wanted.iter().zip(results)) {
+            let words = wanted.chunks_exact(4);
+            let words = words.map(|it| u32::from_le_bytes([it[0], it[1], it[2], it[3]]));
+            let differs = |(wanted, found): (u32, &f64)| {
+                let (a, b) = (f32::from_bits(wanted), *found as f32);
+                let is_integer = found.fract() == 0.0 && wanted == *found as i64 as u32;
+                !is_integer && (a - b).abs() > TOLERANCE * a.abs().max(1.0)
+            };
+            let first = words.zip(found).position(differs);
+            if let Some(at) = first {
+                let wanted = wanted[4 * at..4 * at + 4].try_into().map(f32::from_le_bytes);
+                wrong.push(format!(
+                    "{}: word {at} is {:?} and not {wanted:?}, in {state}",
+                    case.name, found[at]
+                ));
+                break;
+            }
+        }
+    }
+    assert_eq!(results.len(), cases.len(), "looks that ran");
+    assert!(wrong.is_empty(), "{} looks differ:\n{}", wrong.len(), wrong.join("\n"));
 }
 
 /// Runs a program that prints the words of the uniforms of all cases and states, and compares them

@@ -1,4 +1,6 @@
 // What packages import, out of the one script of the npm package babylonjs.
 export const {
-  Constants, Matrix, RawTexture, ShaderLanguage, ShaderMaterial, Texture, UniformBuffer, Vector3,
+  Color4, Constants, DrawWrapper, EffectRenderer, Matrix, Observable, RawTexture,
+  RawTexture2DArray, RenderTargetTexture, ShaderLanguage, ShaderMaterial, SmartArray, Texture,
+  UniformBuffer,
 } = window.BABYLON;

@@ -3,7 +3,7 @@
 use crate::support::validators::{Tool, babylon_folder};
 use serde_json::json;
 
-use crate::library::{APIS, Library, Page, compare, examples};
+use crate::library::{APIS, Library, Page, compare, compare_all, examples};
 use crate::pictures::{Difference, Trial};
 
 static BABYLON: Library = Library {
@@ -13,17 +13,32 @@ static BABYLON: Library = Library {
     page: &["babylon.html", "babylon.core.js"],
 };
 
-/// Looks that the package carries are drawn as we draw them: many lights, an image, keys, noise,
-/// and one of linear light.
+/// Looks are drawn as we draw them: many lights, an image, keys, noise, passes, painted surfaces,
+/// shadow maps, and one of linear light.
 #[test]
 fn babylon_draws_what_we_draw() {
-    let mut trials =
-        examples(&["looks/string-of-lamps", "looks/halftone-comic", "images/xtoon-orientation"]);
+    let mut trials = examples(&[
+        "looks/string-of-lamps",
+        "looks/halftone-comic",
+        "images/xtoon-orientation",
+        "looks/figure1-layers",
+        "looks/ink-outlines",
+        "hcbtf/grass-flat",
+    ]);
+    let shadows = Trial::of("shadows/long-shadows").with(&["--tier", "balanced"]);
+    trials.push(("long-shadows".to_owned(), shadows));
     let linear = Trial::changed("looks/figure2-diffuse", |look| {
         look["color_space"] = json!("linear");
     });
     trials.push(("linear".to_owned(), linear));
     compare(&BABYLON, &trials);
+}
+
+/// All example looks. `CHIARO_BLESS=1` writes their lines.
+#[test]
+#[ignore = "takes minutes; scripts/soak runs it"]
+fn soak_babylon_draws_all_examples() {
+    compare_all(&BABYLON);
 }
 
 /// Parameters and lights that are set through the material change the same pixels as in Chiaro, in

@@ -4,9 +4,7 @@
 # lights and the file for its pixels: straight RGBA of 8 bits, the top row first.
 import importlib.util
 import json
-import os
 import sys
-import tempfile
 
 import bpy
 import gpu
@@ -17,17 +15,12 @@ Z_UP = Matrix(((1, 0, 0, 0), (0, 0, -1, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
 
 
 def start():
-    """An empty scene with a camera; the GPU module works once a picture was rendered."""
+    """An empty scene with a camera. The add-on opens the graphics card by itself."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
     scene.collection.objects.link(camera)
     scene.camera = camera
-    scene.render.engine = "BLENDER_WORKBENCH"
-    scene.render.resolution_x = scene.render.resolution_y = 8
-    with tempfile.TemporaryDirectory() as folder:
-        scene.render.filepath = os.path.join(folder, "first.png")
-        bpy.ops.render.render(write_still=True)
     return camera
 
 
@@ -97,22 +90,17 @@ def main():
             sun.rotation_euler = (Z_UP.to_3x3() @ Vector(toward)).to_track_quat("Z", "Y").to_euler()
             lights[name] = sun
         bpy.context.view_layer.update()
+        settings = getattr(bpy.context.scene, look.STORED)
         if picture.get("by_properties"):
-            settings = getattr(bpy.context.scene, look.STORED)
             for name, value in picture["parameters"].items():
                 setattr(settings, look.member_of(name), value)
-            options = look.options_of(bpy.context.scene)
-            parameters = options["parameters"]
+            drawn = look.render(width, height, samples=1)
+            for name in picture["parameters"]:
+                settings.property_unset(look.member_of(name))
         else:
             parameters = picture.get("parameters", {})
-        drawn = look.render(width, height, [thing], camera, parameters, lights)
-        alpha = drawn[..., 3:]
-        straight = np.where(alpha > 0, drawn[..., :3] / np.maximum(alpha, 1e-6), 0)
-        if look.LOOK["colorSpace"] == "linear":
-            low, high = 12.92 * straight, 1.055 * np.maximum(straight, 0) ** (1 / 2.4) - 0.055
-            straight = np.where(straight <= 0.0031308, low, high)
-        whole = np.concatenate([straight, alpha], axis=2)
-        pixels = np.floor(255 * np.clip(np.nan_to_num(whole), 0, 1) + 0.5).astype(np.uint8)
+            drawn = look.render(width, height, [thing], camera, parameters, lights, samples=1)
+        pixels = look.pixels_of(drawn)
         if picture.get("shown"):
             pixels = shown(look, width, height)
         with open(picture["file"], "wb") as file:

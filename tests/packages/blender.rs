@@ -27,16 +27,28 @@ fn python() -> Option<PathBuf> {
     None
 }
 
+/// The add-on of a package, which is not the file that makes an extension of the folder.
+fn addon_of(package: &Path) -> PathBuf {
+    let files = std::fs::read_dir(package).expect("a package");
+    let files = files.filter_map(|entry| Some(entry.ok()?.path()));
+    let is_addon = |path: &PathBuf| {
+        path.extension().is_some_and(|it| it == "py") && !path.ends_with("__init__.py")
+    };
+    let addons: Vec<PathBuf> = files.filter(is_addon).collect();
+    let [addon] = &addons[..] else { panic!("one add-on: {addons:?}") };
+    addon.clone()
+}
+
 /// A lying torus with a wave around it, away from the middle of its space and of no unit size.
-struct Ring {
-    positions: Vec<[f64; 3]>,
-    normals: Vec<[f64; 3]>,
+pub(crate) struct Ring {
+    pub(crate) positions: Vec<[f64; 3]>,
+    pub(crate) normals: Vec<[f64; 3]>,
     uvs: Vec<[f64; 2]>,
-    triangles: Vec<[usize; 3]>,
+    pub(crate) triangles: Vec<[usize; 3]>,
 }
 
 impl Ring {
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let (around, across) = (48, 24);
         let mut ring = Self { positions: vec![], normals: vec![], uvs: vec![], triangles: vec![] };
         let place = |u: f64, v: f64| {
@@ -69,7 +81,7 @@ impl Ring {
         ring
     }
 
-    fn obj(&self) -> String {
+    pub(crate) fn obj(&self) -> String {
         let mut text = String::new();
         for [x, y, z] in &self.positions {
             let _infallible = writeln!(text, "v {x} {y} {z}");
@@ -115,11 +127,7 @@ impl Stage {
         for (picture, file) in asked.iter_mut().zip(&files) {
             picture["file"] = json!(file);
         }
-        let addon = std::fs::read_dir(package).expect("a package");
-        let addon = addon.filter_map(|entry| Some(entry.ok()?.path()));
-        let addon: Vec<PathBuf> =
-            addon.filter(|path| path.extension().is_some_and(|it| it == "py")).collect();
-        let [addon] = &addon[..] else { panic!("one add-on: {addon:?}") };
+        let addon = addon_of(package);
         let case = json!({
             "addon": addon,
             "positions": self.ring.positions, "normals": self.ring.normals,
@@ -139,7 +147,8 @@ impl Stage {
     }
 }
 
-/// A look of each kind is drawn as we draw it: layers with curvature, keys, an image, passes.
+/// A look of each kind is drawn as we draw it: layers with curvature, keys, an image, passes, a
+/// painted surface, shadow maps.
 #[test]
 fn add_ons_show_what_we_show() {
     let Some(python) = python() else { return };
@@ -149,6 +158,8 @@ fn add_ons_show_what_we_show() {
         "looks/figure5-directional",
         "looks/ink-outlines",
         "images/xtoon-orientation",
+        "hcbtf/pencil",
+        "shadows/comic-street",
     ];
     let mut trials: Vec<(&str, Trial)> = examples
         .iter()
@@ -161,8 +172,12 @@ fn add_ons_show_what_we_show() {
     trials.push(("linear-transparent", linear));
     let mut measured = BTreeMap::new();
     for (name, trial) in trials {
+        // The exact tier of cast shadows sends rays, which an export does not carry.
+        let tier: &'static [&'static str] =
+            if name == "comic-street" { &["--tier", "balanced"] } else { &[] };
+        let trial = trial.with(tier);
         let package = trial.package("blender");
-        let trial = trial.with(stage.arguments);
+        let trial = trial.with(Vec::leak([stage.arguments, tier].concat()));
         let ours = trial.ours();
         let seen = ours.pixels().filter(|pixel| pixel.0[3] > 0).count();
         assert!(seen > 2000, "{name}: {seen} pixels are covered");
@@ -221,4 +236,20 @@ fn parameters_and_suns_change_what_they_change_with_us() {
     }
     assert!(measured.values().all(|found| found.beyond < 250), "{measured:?}");
     table::check(&measured);
+}
+
+/// An add-on is used as people do, and refuses what they may get wrong with words that help.
+#[test]
+fn scenes_of_people_are_drawn() {
+    let Some(python) = python() else { return };
+    let trial = Trial::of("looks/highlight-moves");
+    let addon = addon_of(&trial.package("blender"));
+    let folder = tempfile::tempdir().expect("a folder");
+    let script = root().join("tests/packages/blender_scenes.py");
+    let mut command = Command::new(&python);
+    command.arg(script).arg(addon).args(["move_x", "key"]).arg(folder.path());
+    let output = command.output().expect("Python");
+    let said = String::from_utf8_lossy(&output.stderr);
+    let from = said.len().saturating_sub(3000);
+    assert!(output.status.success(), "{}", said.get(from..).unwrap_or(&said));
 }

@@ -12,7 +12,7 @@ use crate::support::validators::Tool;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-use crate::pictures::{Difference, SIZE, Trial};
+use crate::pictures::{Difference, SIZE, Trial, soak_trials};
 use crate::table;
 
 /// The APIs that libraries draw by.
@@ -152,4 +152,15 @@ pub(crate) fn examples(names: &[&str]) -> Vec<(String, Trial)> {
         (example.rsplit('/').next().unwrap_or_default().to_owned(), Trial::of(example))
     };
     names.iter().map(named).collect()
+}
+
+/// Compares all example looks that the package takes.
+pub(crate) fn compare_all(library: &'static Library) {
+    let mut trials = soak_trials(library.slug, |trial| trial);
+    // A few at a time: every package holds its textures.
+    while !trials.is_empty() {
+        let rest = trials.split_off(trials.len().min(8));
+        compare(library, &trials);
+        trials = rest;
+    }
 }

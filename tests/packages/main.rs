@@ -7,9 +7,14 @@
 use chiaro_test_drawing as support;
 
 mod babylon;
+mod bevy_crate;
 mod blender;
+mod godot;
 mod library;
+mod matrix;
 mod pictures;
 mod table;
 mod three;
+mod unity;
 mod web;
+mod wgpu_crate;

@@ -1,10 +1,12 @@
 //! Packages as the program exports them, and the pictures that they should show.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-use crate::support::root;
+use crate::support::{files, root};
+use crate::table::{self, Row};
 use image::RgbaImage;
 
 /// Size of the pictures, in pixels.
@@ -16,18 +18,39 @@ pub(crate) struct Trial {
     document: PathBuf,
     /// Arguments of both `chiaro export` and `chiaro render`.
     arguments: &'static [&'static str],
+    /// Tier of every node, where it is not the document's.
+    tier: Option<&'static str>,
+    /// True to draw our own picture by the GPU that the test's environment names, else by that of
+    /// Chromium.
+    is_here: bool,
 }
 
 impl Trial {
     /// A trial of an example, such as `looks/clay`.
     pub(crate) fn of(example: &str) -> Self {
         let document = root().join("examples").join(example).with_extension("json");
-        Self { folder: tempfile::tempdir().expect("a folder"), document, arguments: &[] }
+        Self {
+            folder: tempfile::tempdir().expect("a folder"),
+            document,
+            arguments: &[],
+            tier: None,
+            is_here: false,
+        }
     }
 
     /// The trial with arguments of both `chiaro export` and `chiaro render`.
     pub(crate) fn with(self, arguments: &'static [&'static str]) -> Self {
         Self { arguments, ..self }
+    }
+
+    /// The trial with our own pictures drawn by the GPU that the test's environment names.
+    pub(crate) fn here(self) -> Self {
+        Self { is_here: true, ..self }
+    }
+
+    /// The trial with every node in a tier.
+    pub(crate) fn in_tier(self, tier: &'static str) -> Self {
+        Self { tier: Some(tier), ..self }
     }
 
     /// A trial of a changed example. The change is given the document as JSON.
@@ -43,12 +66,32 @@ impl Trial {
 
     /// The folder of the package, exported now.
     pub(crate) fn package(&self, slug: &str) -> PathBuf {
+        self.package_with(slug, &[])
+    }
+
+    /// The folder of the package, exported now with further arguments.
+    pub(crate) fn package_with(&self, slug: &str, arguments: &[&str]) -> PathBuf {
+        self.export(slug, arguments).unwrap_or_else(|problem| panic!("{problem}"))
+    }
+
+    /// The folder of the package, or what the program says where it refuses the look.
+    pub(crate) fn export(&self, slug: &str, arguments: &[&str]) -> Result<PathBuf, String> {
         let out = self.folder.path().join(slug);
         let mut command = chiaro();
         command.arg("export").arg(&self.document).args(["--to", slug, "-o"]).arg(&out);
-        command.args(self.arguments);
-        run(&mut command);
-        out
+        command.args(self.arguments).args(self.tier_arguments()).args(arguments);
+        let output = command.output().expect("the program starts");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        if output.status.success() { Ok(out) } else { Err(said) }
+    }
+
+    /// What the program says of a look that a package does not take.
+    pub(crate) fn refusal(&self, slug: &str) -> String {
+        self.export(slug, &[]).expect_err("the package is refused")
+    }
+
+    fn tier_arguments(&self) -> impl Iterator<Item = &'static str> {
+        self.tier.into_iter().flat_map(|tier| ["--tier", tier])
     }
 
     /// Our own picture of the look: one sample a pixel, without a backdrop, every value a uniform
@@ -78,7 +121,7 @@ impl Trial {
     fn drawn(&self, document: &Path, arguments: &[&str]) -> RgbaImage {
         let picture = self.folder.path().join("ours.png");
         let size = format!("{}x{}", SIZE[0], SIZE[1]);
-        let mut command = chiaro();
+        let mut command = if self.is_here { chiaro_here() } else { chiaro() };
         command
             .arg("render")
             .arg(document)
@@ -86,10 +129,59 @@ impl Trial {
             .args(["--size", &size, "-o"])
             .arg(&picture)
             .args(self.arguments)
+            .args(self.tier_arguments())
             .args(arguments);
         run(&mut command);
         image::open(&picture).expect("a picture").to_rgba8()
     }
+}
+
+/// An example look.
+pub(crate) struct ExampleLook {
+    /// Name of its file without ending.
+    pub(crate) name: String,
+    /// Its place among the examples, such as `looks/clay`.
+    place: String,
+}
+
+/// All example looks, folder after folder.
+pub(crate) fn example_looks() -> Vec<ExampleLook> {
+    let examples = root().join("examples");
+    let folders = ["looks", "images", "hcbtf", "shadows"].map(|name| examples.join(name));
+    let documents = folders.iter().flat_map(|folder| files::below(folder));
+    let documents = documents.filter(|path| path.extension().is_some_and(|it| it == "json"));
+    let look = |path: PathBuf| {
+        let place = path.strip_prefix(&examples).expect("an example").with_extension("");
+        let place = place.to_string_lossy().into_owned();
+        let name = place.rsplit('/').next().unwrap_or_default().to_owned();
+        ExampleLook { name, place }
+    };
+    documents.map(look).collect()
+}
+
+/// Trials of all example looks that a package takes, each made fit by `fit`; the reasons of those
+/// that it refuses are compared with the table, or written there. Shadows are read from maps, for no
+/// package traces them.
+pub(crate) fn soak_trials(slug: &str, fit: impl Fn(Trial) -> Trial) -> Vec<(String, Trial)> {
+    let mut refused = BTreeMap::new();
+    let mut taken = Vec::new();
+    for look in example_looks() {
+        let mut trial = fit(Trial::of(&look.place));
+        if look.place.starts_with("shadows") {
+            trial = trial.in_tier("balanced");
+        }
+        match trial.export(slug, &[]) {
+            Ok(_) => taken.push((look.name, trial)),
+            Err(said) => {
+                let reason = said.lines().find_map(|it| it.split_once("error[not-in-package]: "));
+                let (_, reason) = reason.unwrap_or_else(|| panic!("{}: {said}", look.name));
+                let row = Row::Refused(reason.trim().to_owned());
+                refused.insert(format!("{slug} - {}", look.name), row);
+            }
+        }
+    }
+    table::check_rows(&refused);
+    taken
 }
 
 /// The folder of what is kept between runs of the program, such as the mesh.
@@ -98,10 +190,16 @@ fn cache() -> &'static Path {
     FOLDER.get_or_init(|| tempfile::tempdir().expect("a folder")).path()
 }
 
-/// The program, drawing with the software GPU that Chromium brings along.
-fn chiaro() -> Command {
+/// The program, drawing with the GPU that the environment names.
+fn chiaro_here() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
     command.env("NODEVICE_SELECT", "1").env("CHIARO_CACHE_DIR", cache());
+    command
+}
+
+/// The program, drawing with the software GPU that Chromium brings along.
+fn chiaro() -> Command {
+    let mut command = chiaro_here();
     let driver = Path::new("/usr/lib/chromium/vk_swiftshader_icd.json");
     if driver.is_file() {
         command.env("VK_DRIVER_FILES", driver);

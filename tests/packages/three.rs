@@ -2,17 +2,16 @@
 //! its own.
 
 use crate::support::validators::{Tool, three_folder};
-use crate::support::{files, root};
 use serde_json::json;
 
-use crate::library::{APIS, Library, Page, compare, examples};
+use crate::library::{APIS, Library, Page, compare, compare_all, examples};
 use crate::pictures::{Difference, Trial};
 
 static THREE: Library =
     Library { slug: "three", tool: Tool::Three, folder: three_folder, page: &["three.html"] };
 
 /// A look of each kind is drawn as we draw it: layers with curvature, keys, many passes, many
-/// lights, an image, painted surfaces, and one of linear light.
+/// lights, an image, painted surfaces, shadow maps, and one of linear light.
 #[test]
 fn three_draws_what_we_draw() {
     let mut trials = examples(&[
@@ -27,6 +26,8 @@ fn three_draws_what_we_draw() {
         look["color_space"] = json!("linear");
     });
     trials.push(("linear".to_owned(), linear));
+    let shadows = Trial::of("shadows/long-shadows").with(&["--tier", "balanced"]);
+    trials.push(("long-shadows".to_owned(), shadows));
     compare(&THREE, &trials);
 }
 
@@ -34,22 +35,7 @@ fn three_draws_what_we_draw() {
 #[test]
 #[ignore = "takes minutes; scripts/soak runs it"]
 fn soak_three_draws_all_examples() {
-    let folders = ["looks", "images", "hcbtf"].map(|name| root().join("examples").join(name));
-    let documents = folders.iter().flat_map(|folder| files::below(folder));
-    let documents = documents.filter(|path| path.extension().is_some_and(|it| it == "json"));
-    let trials = documents.map(|path| {
-        let example = path.strip_prefix(root().join("examples")).expect("an example");
-        let example = example.with_extension("").to_string_lossy().into_owned();
-        let name = example.rsplit('/').next().unwrap_or_default().to_owned();
-        (name, Trial::of(&example))
-    });
-    let mut trials: Vec<_> = trials.collect();
-    // A few at a time: every package holds its textures.
-    while !trials.is_empty() {
-        let rest = trials.split_off(trials.len().min(8));
-        compare(&THREE, &trials);
-        trials = rest;
-    }
+    compare_all(&THREE);
 }
 
 /// Parameters and lights that are set through the material change the same pixels as in Chiaro, and

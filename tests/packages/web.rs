@@ -4,10 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use crate::support::chromium::{Chromium, from_base64};
-use crate::support::{files, root};
 use serde_json::json;
 
-use crate::pictures::{Difference, SIZE, Trial};
+use crate::pictures::{Difference, SIZE, Trial, soak_trials};
 use crate::table;
 
 /// The APIs that the page draws by, with the names that it shows.
@@ -259,14 +258,5 @@ fn a_canvas_of_ones_own_a_link_and_a_lost_device() {
 #[ignore = "minutes: scripts/soak runs it"]
 fn soak_pages_of_all_examples_show_what_we_show() {
     let Some(mut browser) = Chromium::start().expect("Chromium") else { return };
-    let folders = ["looks", "images", "hcbtf"].map(|name| root().join("examples").join(name));
-    let documents = folders.iter().flat_map(|folder| files::below(folder));
-    let documents = documents.filter(|path| path.extension().is_some_and(|it| it == "json"));
-    let trials = documents.map(|path| {
-        let example = path.strip_prefix(root().join("examples")).expect("an example");
-        let example = example.with_extension("").to_string_lossy().into_owned();
-        let name = example.rsplit('/').next().unwrap_or_default().to_owned();
-        (name, Trial::of(&example))
-    });
-    compare(&mut browser, &trials.collect::<Vec<_>>());
+    compare(&mut browser, &soak_trials("web", |trial| trial));
 }

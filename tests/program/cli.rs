@@ -132,7 +132,10 @@ fn every_subcommand_has_help_with_examples_and_exit_codes_are_documented() {
     assert!(top.contains("Exit codes: 0 done; 1 ") && top.contains("130"), "{top}");
     let drawing: &[&str] = if cfg!(feature = "gpu") { &["render", "eval"] } else { &[] };
     for command in [
-        &["edit", "new", "check", "explain", "nodes", "fit", "export", "hcbtf", "desktop"],
+        &[
+            "edit", "new", "check", "explain", "nodes", "fit", "export", "import", "hcbtf",
+            "desktop",
+        ],
         drawing,
     ]
     .concat()

@@ -22,6 +22,9 @@ impl Shop {
         let node = "/// Twice\n///\n/// Twice a number.\n///\n/// @param x \"X\" : A number.\n\
                     /// @return y \"Y\" : Twice that.\nfn own(x: f32) -> f32 { return 2.0 * x; }\n";
         fs::write(shop.path("nodes/own.wgsl"), node).unwrap();
+        let graph = r#"<materialx version="1.39"><constant name="gray" type="float"/>
+            <output name="out" type="float" nodename="gray"/></materialx>"#;
+        fs::write(shop.path("graph.mtlx"), graph).unwrap();
         assert!(shop.run(&["new", "look", "--template", "minimal"]).status.success());
         assert!(
             shop.run(&["hcbtf", "new", "grass", "--color", "#305020", "--grid", "4x4,2x3,2x3"])
@@ -97,6 +100,12 @@ use Names::{File, Folder};
 /// commands, so it is no input in this sense: without `-o` it is the output.
 const CASES: &[Case] = &[
     Case { output: ("new", "name"), line: "new {}", inputs: &[], names: File(".json") },
+    Case {
+        output: ("import", "output"),
+        line: "import graph.mtlx -o {}",
+        inputs: &["graph.mtlx"],
+        names: File(".json"),
+    },
     Case {
         output: ("render", "output"),
         line: "render look.json -o {} --mesh mesh.obj --nodes nodes",

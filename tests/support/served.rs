@@ -108,6 +108,7 @@ fn kind_of(file: &Path) -> &'static str {
         Some("json") => "application/json",
         Some("css") => "text/css",
         Some("png") => "image/png",
+        Some("wasm") => "application/wasm",
         _ => "application/octet-stream",
     }
 }

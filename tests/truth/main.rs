@@ -9,6 +9,7 @@ mod family;
 mod handwritten;
 mod hard_cases;
 mod hidden_lines;
+mod imported;
 mod joined_lights;
 mod keys;
 mod light_filters;

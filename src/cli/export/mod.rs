@@ -13,8 +13,8 @@ use crate::diag::Diagnostic;
 use crate::document::Storage;
 use crate::frame::{Assets, SetupLook};
 use crate::library::Library;
-use chiaro_scene::export::{self, ExportOptions};
 use chiaro_scene::export::package::package;
+use chiaro_scene::export::{self, ExportOptions};
 
 mod package;
 mod watch;

@@ -11,6 +11,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf};
 use crate::examples;
 use crate::frame::UNSAVED_HCBTF;
+use crate::import::GraphFile;
 use crate::panels::library;
 use crate::state::crashes::CrashMark;
 use crate::state::painting::work::OpenPainting;
@@ -82,7 +83,21 @@ impl App {
         }
     }
 
+    /// Makes a new look of another program's graph.
+    fn import(&mut self, path: &Path, kind: GraphFile) {
+        let Some(_going) = self.begin_to_read(path) else { return };
+        self.safety.put_aside(&self.session);
+        match self.session.import(path, kind) {
+            Ok(told) => self.message = Some(told),
+            Err(problems) => return self.safety.could_not_open(path, &problems, &self.session),
+        }
+        self.safety.look();
+    }
+
     fn open_alone(&mut self, path: &Path) {
+        if let Some(kind) = self.session.graph_file(path) {
+            return self.import(path, kind);
+        }
         let Some(_going) = self.begin_to_read(path) else { return };
         self.safety.put_aside(&self.session);
         if let Some(told) = self.safety.reopen(path, &mut self.session) {

@@ -47,7 +47,9 @@ impl FilePurpose {
     /// Name of such files, and their endings.
     pub(crate) fn files(self) -> (&'static str, &'static [&'static str]) {
         match self {
-            Self::Open => ("Chiaro look, scene or HCBTF", &["json", PAINTING]),
+            Self::Open => {
+                ("Chiaro look, scene, HCBTF, or graph to import", &["json", PAINTING, "mtlx"])
+            }
             Self::Save | Self::ObjectLook => ("Chiaro look", &["json"]),
             Self::SaveScene => ("Chiaro scene", &["json"]),
             Self::SavePainting | Self::BakeLook => ("HCBTF", &[PAINTING]),

@@ -10,8 +10,8 @@ use super::table::{PanelPlace, PanelRow, Presence};
 use crate::commands::{Command, PanelId};
 use crate::diag::Diagnostic;
 use crate::document::Storage;
-use crate::export::{self, ExportOptions};
 use crate::export::package::{LookNeeds, PACKAGES, Package, PackageScene, export_package};
+use crate::export::{self, ExportOptions};
 use crate::frame::Assets;
 use crate::library::Library;
 use crate::state::session::Session;
@@ -124,8 +124,7 @@ impl ExportCards {
 
     fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut commands = Vec::new();
-        let is_current =
-            self.done.as_ref().is_some_and(|done| done.asked == self.current(session));
+        let is_current = self.done.as_ref().is_some_and(|done| done.asked == self.current(session));
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             self.head(ui, is_current);
             self.choices(ui);
@@ -134,7 +133,7 @@ impl ExportCards {
             let card = vec2(((width + GAP) / columns - GAP).floor(), HEIGHT);
             ui.spacing_mut().item_spacing = vec2(GAP, GAP);
             ui.horizontal_wrapped(|ui| {
-                for (index, package) in PACKAGES.into_iter().enumerate() {
+                for (index, package) in PACKAGES.iter().copied().enumerate() {
                     let trial = self.done.as_ref().and_then(|done| done.packages.get(index));
                     ui.allocate_ui_with_layout(card, Layout::top_down(Align::Min), |ui| {
                         show_card(ui, card, package, trial, &mut commands);
@@ -315,8 +314,8 @@ fn run(request: TrialRequest) -> Trial {
     let changed = changed.iter().map(|problem| problem.message.clone()).collect();
     let needs = LookNeeds::of(&look, &library);
     setup.looks[0].look = look;
-    let mut taken = |package: &&Package| try_package(package, &setup, &library, &mut assets);
-    let packages = PACKAGES.iter().map(&mut taken).collect();
+    let mut taken = |package: &Package| try_package(package, &setup, &library, &mut assets);
+    let packages = PACKAGES.iter().map(|package| taken(package)).collect();
     Trial { asked, needs, packages, changed }
 }
 

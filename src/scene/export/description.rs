@@ -1,6 +1,6 @@
 //! The JSON file that describes an exported look: everything that a host needs to draw it.
 //!
-//! docs/exports.md says, for whoever has the folder alone, how to draw with it: the steps of a
+//! docs/hosts.md says, for whoever has the folder alone, how to draw with it: the steps of a
 //! frame, what goes into each binding, and how parameters, lights and keys become the numbers that
 //! shaders read. A field that is added or changed here belongs there, too.
 //!

@@ -44,7 +44,11 @@ impl EarlierDescriptions {
             let text = String::from_utf8_lossy(&bytes[..bytes.len().min(HEAD)]);
             let has_header = text.lines().take(10).any(|line| line.contains(": made by Chiaro "));
             let is_named = || self.0.iter().any(|description| description.contains(&quoted));
-            if is_description_file { describes(bytes) } else { has_header || is_named() }
+            if is_description_file {
+                describes(bytes) || is_named()
+            } else {
+                has_header || is_named()
+            }
         };
         then(OutputKind { name: "a file of an export", is_own: &is_own, has_seal: false })
     }
@@ -85,6 +89,9 @@ pub fn write(
         files.iter().partition(|file| file.name.ends_with(".json"));
     for file in first.into_iter().chain(last) {
         let path = folder.join(&file.name);
+        if let Some(inner) = path.parent().filter(|inner| *inner != folder) {
+            make_folder(inner).map_err(|problem| one(*problem))?;
+        }
         earlier.with_kind(file, |kind| outputs.add(&path, kind, &file.bytes)).map_err(one)?;
     }
     outputs.commit().map_err(one)?;

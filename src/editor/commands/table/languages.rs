@@ -24,7 +24,7 @@ pub(super) fn rows() -> impl Iterator<Item = CommandRow> {
         let label = format!("Export to {}{api}...", language.short_label);
         without_key(Command::ExportLook(language.slug, None), label)
     });
-    let packages = PACKAGES.into_iter().map(move |package| {
+    let packages = PACKAGES.iter().copied().map(move |package| {
         let label = format!("Export as a package: {}...", package.label);
         without_key(Command::ExportLook(package.slug, None), label)
     });

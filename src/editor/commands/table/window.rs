@@ -14,8 +14,10 @@ use crate::hcbtf::exchange::ExchangeFormat;
 pub(super) fn files() -> Vec<CommandRow> {
     vec![
         row(C::New, "New look", &[(CTRL, Key::N)], Window).help("A new look"),
-        row(C::Open(None), "Open a look", &[(CTRL, Key::O)], Window)
-            .help("Opens a look, a scene or an HCBTF"),
+        row(C::Open(None), "Open a look", &[(CTRL, Key::O)], Window).help(
+            "Opens a look, a scene or an HCBTF, or makes a look of a MaterialX document or of \
+                 Blender's shader nodes",
+        ),
         row(C::SaveAs, "Save under another name", &[(CTRL_SHIFT, Key::S)], Window)
             .help("Saves the look under another name"),
         row(C::Save, "Save", &[(CTRL, Key::S)], Window)

@@ -2,6 +2,7 @@
 //! shaders.
 
 mod holding;
+mod importing;
 mod keeping;
 mod nodes;
 pub(crate) mod painting;

@@ -53,6 +53,39 @@ pub(super) trait Dialect {
         index.clone()
     }
 
+    /// A part of a vector, a matrix or an array, by its index.
+    fn part(&self, base: &Term, index: usize, _: &ValueType) -> Term {
+        self.element(base, &Term::primary(index.to_string()))
+    }
+
+    /// A vector whose components are all the same; `None` for languages that list them.
+    fn splat(&self, _value: &Term, _ty: &ValueType) -> Option<Term> {
+        None
+    }
+
+    /// An operation on whole vectors and matrices, for languages that tell their types apart;
+    /// `None` for languages that call [`each`](Self::each) and [`helper`](Self::helper).
+    fn typed(
+        &self,
+        _operation: &str,
+        _types: &[ValueType],
+        _operands: &[Term],
+        _helpers: &mut Helpers,
+    ) -> Option<Term> {
+        None
+    }
+
+    /// Name of a thing as the language's people write it.
+    fn styled(&self, name: &str, _of: NameOf) -> String {
+        name.to_owned()
+    }
+
+    /// Declarations of the types of vectors and matrices that a text uses; empty for languages
+    /// that have lists.
+    fn types_of(&self, _text: &str) -> String {
+        String::new()
+    }
+
     /// A copy of a composite value that changes of the original do not reach.
     fn copy(&self, value: &Term, ty: &ValueType) -> Term;
 
@@ -105,6 +138,18 @@ pub(super) trait Dialect {
 
     /// Lines of a comment about what follows.
     fn doc(&self, lines: &[String]) -> Vec<String>;
+}
+
+/// Thing that has a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum NameOf {
+    Function,
+    Structure,
+    Constant,
+    /// Member of a struct.
+    Member,
+    /// Parameter or local value.
+    Value,
 }
 
 /// Head of a block.

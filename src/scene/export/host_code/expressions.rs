@@ -6,7 +6,7 @@ use naga::{
     SwizzleComponent, UnaryOperator,
 };
 
-use super::dialect::{Kind, Level, Term, ValueType};
+use super::dialect::{Kind, Level, NameOf, Term, ValueType};
 use super::function::{FunctionWriter, Refusal};
 use super::types;
 
@@ -47,11 +47,10 @@ impl FunctionWriter<'_> {
                 self.splat(value, &ty)
             }
             Expression::Swizzle { size, vector, pattern } => {
-                let ty = self.type_of(handle)?;
+                let (ty, of) = (self.type_of(handle)?, self.type_of(*vector)?);
                 let vector = self.simple(*vector)?;
                 let item = |component: &SwizzleComponent| {
-                    let index = Term::primary((*component as u32).to_string());
-                    self.dialect.element(&vector, &index)
+                    self.dialect.part(&vector, *component as usize, &of)
                 };
                 let items: Vec<Term> = pattern[..*size as usize].iter().map(item).collect();
                 Ok(self.dialect.list(&items, &ty))
@@ -161,9 +160,11 @@ impl FunctionWriter<'_> {
 
     fn members(&self, name: &str) -> Result<Vec<(String, ValueType)>, Refusal> {
         let found = self.module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name));
-        found
-            .and_then(|(handle, _)| types::members(self.module, handle))
-            .ok_or_else(|| self.refusal(&format!("the struct `{name}`")))
+        let members = found.and_then(|(handle, _)| types::members(self.module, handle));
+        let members = members.ok_or_else(|| self.refusal(&format!("the struct `{name}`")))?;
+        let styled =
+            |(name, ty): (String, ValueType)| (self.dialect.styled(&name, NameOf::Member), ty);
+        Ok(members.into_iter().map(styled).collect())
     }
 
     fn compose(
@@ -186,12 +187,11 @@ impl FunctionWriter<'_> {
                 let mut items = Vec::new();
                 for &component in components {
                     match self.type_of(component)? {
-                        ValueType::Vector(count, _) => {
+                        of @ ValueType::Vector(count, _) => {
                             let vector = self.simple(component)?;
-                            items.extend((0..count).map(|index| {
-                                let index = Term::primary(index.to_string());
-                                self.dialect.element(&vector, &index)
-                            }));
+                            let parts =
+                                (0..count).map(|index| self.dialect.part(&vector, index, &of));
+                            items.extend(parts);
                         }
                         _ => items.push(self.term(component)?),
                     }
@@ -209,6 +209,9 @@ impl FunctionWriter<'_> {
     /// A vector of one value.
     fn splat(&mut self, value: Term, ty: &ValueType) -> Result<Term, Refusal> {
         let ValueType::Vector(count, kind) = ty else { return Ok(value) };
+        if let Some(term) = self.dialect.splat(&value, ty) {
+            return Ok(term);
+        }
         let value = self.named_if_long(value, &ValueType::Scalar(*kind));
         Ok(self.dialect.list(&vec![value; *count], ty))
     }
@@ -243,7 +246,7 @@ impl FunctionWriter<'_> {
                 let member = members.into_iter().nth(index as usize).map(|(member, _)| member);
                 Ok(self.dialect.member(&term, &member.unwrap_or_default()))
             }
-            _ => Ok(self.dialect.element(&term, &Term::primary(index.to_string()))),
+            _ => Ok(self.dialect.part(&term, index as usize, &ty)),
         }
     }
 
@@ -253,7 +256,7 @@ impl FunctionWriter<'_> {
         left: Handle<Expression>,
         right: Handle<Expression>,
     ) -> Result<Term, Refusal> {
-        let types = [self.type_of(left)?, self.type_of(right)?];
+        let mut types = [self.type_of(left)?, self.type_of(right)?];
         let is_matrix = |ty: &ValueType| matches!(ty, ValueType::Matrix(..));
         if types.iter().any(is_matrix) {
             let mut operands = vec![self.term(left)?, self.term(right)?];
@@ -276,7 +279,10 @@ impl FunctionWriter<'_> {
                 (BinaryOperator::Subtract, ..) => "matrix_minus_matrix",
                 _ => return Err(self.refusal("an operation of matrices")),
             };
-            return self.helper(helper, &operands);
+            if helper == "matrix_times_scalar" && is_matrix(&types[1]) {
+                types.reverse();
+            }
+            return self.whole(helper, &types, &operands);
         }
         let operation = match operator {
             BinaryOperator::Add => "+",
@@ -315,11 +321,21 @@ impl FunctionWriter<'_> {
             }
         };
         let term = self.term(argument)?;
-        if ty.is_composite() { self.helper(helper, &[term]) } else { Ok(term) }
+        if ty.is_composite() { self.whole(helper, &[ty], &[term]) } else { Ok(term) }
     }
 
     /// Calls a helper function on whole values.
-    fn helper(&mut self, name: &'static str, operands: &[Term]) -> Result<Term, Refusal> {
+    fn whole(
+        &mut self,
+        name: &'static str,
+        types: &[ValueType],
+        operands: &[Term],
+    ) -> Result<Term, Refusal> {
+        let mut helpers = self.shared.helpers.borrow_mut();
+        if let Some(term) = self.dialect.typed(name, types, operands, &mut helpers) {
+            return Ok(term);
+        }
+        drop(helpers);
         if self.dialect.helper(name).is_none() {
             return Err(self.refusal(&format!("`{name}`")));
         }
@@ -350,7 +366,9 @@ impl FunctionWriter<'_> {
         };
         if let Some(helper) = whole {
             let terms = operands.iter().map(|&it| self.term(it)).collect::<Result<Vec<_>, _>>()?;
-            return self.helper(helper, &terms);
+            let types =
+                operands.iter().map(|&it| self.type_of(it)).collect::<Result<Vec<_>, _>>()?;
+            return self.whole(helper, &types, &terms);
         }
         let name = format!("{function:?}").to_lowercase();
         self.operation(&name, operands)
@@ -401,6 +419,11 @@ impl FunctionWriter<'_> {
             drop(helpers);
             return found.ok_or_else(|| self.refusal(&format!("`{operation}`")));
         };
+        let mut helpers = self.shared.helpers.borrow_mut();
+        if let Some(term) = self.dialect.typed(operation, &types, &terms, &mut helpers) {
+            return Ok(term);
+        }
+        drop(helpers);
         let ValueType::Vector(count, _) = vector else { return Err(self.refusal("a vector")) };
         for (term, ty) in terms.iter_mut().zip(&types) {
             if !is_vector(ty) {
@@ -424,7 +447,7 @@ impl FunctionWriter<'_> {
 }
 
 /// Kind of an operation's result.
-fn result_kind(operation: &str, kind: Kind) -> Kind {
+pub(super) fn result_kind(operation: &str, kind: Kind) -> Kind {
     match operation {
         "==" | "!=" | "<" | "<=" | ">" | ">=" | "&&" | "||" | "!" | "to_bool" => Kind::Bool,
         "to_float" | "bits_to_float" => Kind::Float,

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use naga::valid::FunctionInfo;
 use naga::{Block, Expression, Function, Handle, LocalVariable, Module, Statement, SwitchValue};
 
-use super::dialect::{Dialect, Head, Term, ValueType};
+use super::dialect::{Dialect, Head, NameOf, Term, ValueType};
 use super::module::ModuleWriter;
 use super::names::Names;
 use super::types;
@@ -55,11 +55,13 @@ impl<'a> FunctionWriter<'a> {
                 return Err(named("a pointer among its parameters"));
             }
             let ty = types::of(module, argument.ty).ok_or_else(|| named("a parameter's type"))?;
-            parameters.push((names.give(argument.name.as_deref().unwrap_or("x")), ty));
+            let name = dialect.styled(argument.name.as_deref().unwrap_or("x"), NameOf::Value);
+            parameters.push((names.give(&name), ty));
         }
         let mut variables = HashMap::new();
         for (handle, variable) in function.local_variables.iter() {
-            variables.insert(handle, names.give(variable.name.as_deref().unwrap_or("value")));
+            let name = dialect.styled(variable.name.as_deref().unwrap_or("value"), NameOf::Value);
+            variables.insert(handle, names.give(&name));
         }
         Ok(Self {
             module,
@@ -112,14 +114,15 @@ impl<'a> FunctionWriter<'a> {
 
     /// Declares a value under a name like `wanted`.
     pub(super) fn declare_value(&mut self, wanted: &str, ty: &ValueType, value: &Term) -> Term {
-        let name = self.names.give(wanted);
+        let name = self.names.give(&self.dialect.styled(wanted, NameOf::Value));
         let line = self.dialect.declare(&name, ty, value, false);
         self.line(&line);
         Term::primary(name)
     }
 
-    fn line(&mut self, line: &str) {
-        self.lines.push(format!("{}{line}", self.dialect.indent().repeat(self.indent)));
+    fn line(&mut self, text: &str) {
+        let indent = self.dialect.indent().repeat(self.indent);
+        self.lines.extend(text.lines().map(|line| format!("{indent}{line}")));
     }
 
     fn inside(

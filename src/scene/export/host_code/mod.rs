@@ -5,9 +5,11 @@
 //! comments and structure stay, floats become 64 bits wide, and constants are read at that width as
 //! [`interp`](crate::interp) reads them. A language is a file and a row of [`HOST_LANGUAGES`].
 
+mod csharp;
 mod dialect;
 mod expressions;
 mod function;
+mod gdscript;
 mod javascript;
 mod module;
 mod names;
@@ -46,8 +48,30 @@ pub const PYTHON: HostLanguage =
 /// Rust.
 pub const RUST: HostLanguage = HostLanguage { slug: "rust", label: "Rust", dialect: &rust::Rust };
 
+/// GDScript, the language of Godot 4: static functions of a script.
+pub const GDSCRIPT: HostLanguage =
+    HostLanguage { slug: "gdscript", label: "GDScript", dialect: &gdscript::GdScript };
+
+/// C#, as Unity has it. The text are members of a static class, and needs `using System;` before
+/// it.
+pub const CSHARP: HostLanguage =
+    HostLanguage { slug: "csharp", label: "C#", dialect: &csharp::CSharp };
+
 /// All languages of host code.
-pub const HOST_LANGUAGES: [&HostLanguage; 3] = [&JAVASCRIPT, &PYTHON, &RUST];
+pub const HOST_LANGUAGES: [&HostLanguage; 5] = [&JAVASCRIPT, &PYTHON, &RUST, &GDSCRIPT, &CSHARP];
+
+impl HostLanguage {
+    /// Name that a function of WGSL has in the language.
+    pub fn function_name(&self, name: &str) -> String {
+        let name = self.dialect.styled(name, dialect::NameOf::Function);
+        if self.dialect.keywords().contains(&name.as_str()) { name + "_" } else { name }
+    }
+
+    /// Name that a member of a struct of WGSL has in the language.
+    pub fn member_name(&self, name: &str) -> String {
+        self.dialect.styled(name, dialect::NameOf::Member)
+    }
+}
 
 /// Functions of a WGSL source by their names, with all that they call, in a language.
 ///

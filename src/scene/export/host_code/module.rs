@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use naga::{Handle, Module};
 
-use super::dialect::{Dialect, Helpers, Kind, MemberSource, Term, ValueType};
+use super::dialect::{Dialect, Helpers, Kind, MemberSource, NameOf, Term, ValueType};
 use super::function::{FunctionWriter, Refusal};
 use super::names::Names;
 use super::types;
@@ -86,15 +86,18 @@ pub(super) fn write(
     let declared = |kind: DeclarationKind| {
         scanned.declarations.iter().filter(move |declaration| declaration.kind == kind)
     };
+    let mut named = |kind: DeclarationKind, of: NameOf| -> HashMap<String, String> {
+        let mut named = |name: &String| (name.clone(), names.give(&dialect.styled(name, of)));
+        declared(kind).map(|it| named(&it.name)).collect()
+    };
+    // Structs come first: where types are written, they are called by their own names.
+    let structures = named(DeclarationKind::Struct, NameOf::Structure);
+    let constants = named(DeclarationKind::Constant, NameOf::Constant);
     let mut functions = HashMap::new();
     for (handle, function) in module.functions.iter().filter(|(it, _)| wanted.contains(it)) {
-        functions.insert(handle, names.give(function.name.as_deref().unwrap_or("function")));
+        let name = function.name.as_deref().unwrap_or("function");
+        functions.insert(handle, names.give(&dialect.styled(name, NameOf::Function)));
     }
-    let mut named = |kind: DeclarationKind| -> HashMap<String, String> {
-        declared(kind).map(|it| (it.name.clone(), names.give(&it.name))).collect()
-    };
-    let (structures, constants) =
-        (named(DeclarationKind::Struct), named(DeclarationKind::Constant));
     names.reserve(HELPERS.iter().map(|name| (*name).to_owned()));
     let shared = ModuleWriter {
         module,
@@ -120,7 +123,8 @@ pub(super) fn write(
     let constants = constants_text(&shared, &scanned).map_err(|it| ("constants".to_owned(), it))?;
     let structures = structures_text(&shared, &scanned);
     let helpers = helpers_text(&shared);
-    let parts = [constants, structures, helpers, text];
+    let types = dialect.types_of(&[&*constants, &structures, &helpers, &text].concat());
+    let parts = [constants, structures, helpers, text, types];
     let mut whole = String::new();
     for part in parts.iter().filter(|part| !part.is_empty()) {
         if !whole.is_empty() {
@@ -240,6 +244,7 @@ fn global(shared: &ModuleWriter<'_>, handle: Handle<naga::Expression>) -> Option
             match types::of(shared.module, *ty)? {
                 ValueType::Struct(name) => {
                     let names = types::members(shared.module, *ty)?.into_iter().map(|it| it.0);
+                    let names = names.map(|name| dialect.styled(&name, NameOf::Member));
                     let members: Vec<_> = names.zip(items?).collect();
                     dialect.structure(&shared.structure(&name), &members)
                 }
@@ -248,7 +253,13 @@ fn global(shared: &ModuleWriter<'_>, handle: Handle<naga::Expression>) -> Option
         }
         Expression::Splat { size, value } => {
             let item = global(shared, *value)?;
-            let ty = ValueType::Vector(*size as usize, Kind::Float);
+            let kind = match &expressions[*value] {
+                Expression::Literal(Literal::U32(_)) => Kind::Unsigned,
+                Expression::Literal(Literal::I32(_)) => Kind::Signed,
+                Expression::Literal(Literal::Bool(_)) => Kind::Bool,
+                _ => Kind::Float,
+            };
+            let ty = ValueType::Vector(*size as usize, kind);
             dialect.list(&vec![item; *size as usize], &ty)
         }
         _ => return None,
@@ -267,7 +278,11 @@ fn structures_text(shared: &ModuleWriter<'_>, scanned: &Scan) -> String {
         };
         let members: Vec<MemberSource> = members
             .into_iter()
-            .map(|(name, ty)| MemberSource { doc: doc(&name), name, ty })
+            .map(|(name, ty)| MemberSource {
+                doc: doc(&name),
+                name: shared.dialect.styled(&name, NameOf::Member),
+                ty,
+            })
             .collect();
         let about = declaration.map(paragraph).unwrap_or_default();
         text += &shared.dialect.declare_structure(&shared.structure(name), &about, &members);

@@ -61,10 +61,15 @@ impl Dialect for Rust {
 
     fn structure(&self, name: &str, members: &[(String, Term)]) -> Term {
         let member = |(name, term): &(String, Term)| {
-            if *name == term.text { name.clone() } else { format!("{name}: {}", term.text) }
+            let name = member_name(name);
+            if name == term.text { name } else { format!("{name}: {}", term.text) }
         };
         let members: Vec<String> = members.iter().map(member).collect();
         Term::primary(format!("{name} {{ {} }}", members.join(", ")))
+    }
+
+    fn member(&self, base: &Term, name: &str) -> Term {
+        Term::primary(format!("{}.{}", base.at(Level::Primary), member_name(name)))
     }
 
     fn index(&self, index: &Term) -> Term {
@@ -146,7 +151,7 @@ impl Dialect for Rust {
             for line in self.doc(&member.doc) {
                 text += &format!("    {line}\n");
             }
-            text += &format!("    pub {}: {},\n", member.name, self.ty(&member.ty));
+            text += &format!("    pub {}: {},\n", member_name(&member.name), self.ty(&member.ty));
         }
         text + "}\n\n"
     }
@@ -158,6 +163,11 @@ impl Dialect for Rust {
     fn doc(&self, lines: &[String]) -> Vec<String> {
         lines.iter().map(|line| format!("/// {line}").trim_end().to_owned()).collect()
     }
+}
+
+/// A member's name: words of Rust that WGSL takes as names are written raw.
+fn member_name(name: &str) -> String {
+    if matches!(name, "box" | "dyn" | "gen" | "in") { format!("r#{name}") } else { name.to_owned() }
 }
 
 /// Name of a scalar's type.

@@ -1,6 +1,6 @@
 //! A look in JavaScript: shaders, bindings, parameters and host work as one object.
 //!
-//! The object is what docs/exports.md describes as `LOOK.json`, with two differences: a module
+//! The object is what docs/hosts.md describes as `LOOK.json`, with two differences: a module
 //! holds its shaders' texts, and in the place of `host` it has `prepare(state)`, which returns the
 //! bytes of its uniform `look`.
 

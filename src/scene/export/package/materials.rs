@@ -83,15 +83,13 @@ fn filled(template: &str, materials: &Materials<'_>, version: &str) -> String {
     let title = materials.title.replace('&', "and").replace(['<', '>', '*', '`', '{', '}'], "");
     let class = class_name(materials.stem);
     let ids = &materials.lights;
-    let is_typings = template.contains("export interface");
-    let parameters = if is_typings { members(materials) } else { list(materials) };
     template
         .replace("{{name}}", &title)
         .replace("{{class}}", &class)
         .replace("{{stem}}", materials.stem)
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{library}}", version)
-        .replace("{{parameters}}", &parameters)
+        .replace("{{parameters}}", &members(materials))
         .replace("{{table}}", &materials.table)
         .replace("{{light}}", &joined(ids, " | ", "never", |id| format!("\"{id}\"")))
         .replace("{{lights}}", &joined(ids, ", ", "none here", |id| format!("`{id}`")))
@@ -108,7 +106,7 @@ fn joined(ids: &[&str], between: &str, none: &str, write: impl Fn(&str) -> Strin
 }
 
 /// A class's name from the name of files: `rim-light` is `RimLight`.
-fn class_name(stem: &str) -> String {
+pub(super) fn class_name(stem: &str) -> String {
     let words = stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
     let name: String = words
         .map(|word| {
@@ -151,19 +149,6 @@ fn type_of(parameter: &MaterialParameter<'_>) -> String {
         }
         _ => "number".to_owned(),
     }
-}
-
-/// The parameters as a list of the README, a line each.
-fn list(materials: &Materials<'_>) -> String {
-    if materials.parameters.is_empty() {
-        return "  This look exposes none: expose some in Chiaro, or export with `--live`.\n"
-            .to_owned();
-    }
-    let line = |parameter: &MaterialParameter<'_>| {
-        let kind = type_of(parameter).replace("Numbers<", "").replace('>', "");
-        format!("  - `{}`: {kind}\n", parameter.name)
-    };
-    materials.parameters.iter().map(line).collect()
 }
 
 #[cfg(test)]

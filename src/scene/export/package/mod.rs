@@ -6,13 +6,18 @@
 //! players read.
 
 mod babylon;
+mod bevy_crate;
 mod blender;
+mod godot;
 mod javascript;
 mod materials;
 mod parameter_table;
 mod python;
+mod rust;
 mod three;
+mod unity;
 mod web;
+mod wgpu_crate;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -42,12 +47,23 @@ pub struct Package {
     pub help: &'static str,
     /// File to open after an export, where there is one.
     pub opens: Option<&'static str>,
+    /// Program and version that tests run the package with; `None` where the program itself was
+    /// never run.
+    pub run_with: Option<&'static str>,
     write: fn(&PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>>,
 }
 
 /// All packages, in the order in which the window lists them.
-pub const PACKAGES: [&Package; 4] =
-    [&web::PACKAGE, &three::PACKAGE, &babylon::PACKAGE, &blender::PACKAGE];
+pub const PACKAGES: &[&Package] = &[
+    &web::PACKAGE,
+    &three::PACKAGE,
+    &babylon::PACKAGE,
+    &wgpu_crate::PACKAGE,
+    &bevy_crate::PACKAGE,
+    &godot::PACKAGE,
+    &unity::PACKAGE,
+    &blender::PACKAGE,
+];
 
 /// The scene that a package shows the look in.
 #[derive(Clone, Debug)]
@@ -74,6 +90,8 @@ pub(super) struct PackageRequest<'a> {
     pub(super) look: &'a Look,
     /// Host work of the look.
     pub(super) work: &'a program::HostWork,
+    /// The look's modules, for packages that write them in a language of their own.
+    pub(super) modules: &'a modules::Modules,
     /// Shaders of the look's modules.
     pub(super) sources: &'a [javascript::Source],
     /// Description of the look.
@@ -108,7 +126,7 @@ impl PackageRequest<'_> {
 
 /// The package that `chiaro export --to` calls `slug`.
 pub fn package(slug: &str) -> Option<&'static Package> {
-    PACKAGES.into_iter().find(|package| package.slug == slug)
+    PACKAGES.iter().copied().find(|package| package.slug == slug)
 }
 
 /// Exports `look` as a package whose files' names begin with `stem`. Images and HCBTFs that the
@@ -157,6 +175,7 @@ pub fn export_package(
         javascript: &javascript,
         look,
         work: &work,
+        modules: &modules,
         sources: &sources,
         description: &description,
         textures: &carried,

@@ -45,7 +45,7 @@ struct LightFrame {
     origin: vec3f,
 }
 
-/// What surrounds an object at a time.
+/// Surroundings of an object at a time.
 struct Surroundings {
     /// Rotation from the illumination frame to the world.
     illumination: mat3x3f,

@@ -164,7 +164,7 @@ impl Settings {
         if members.is_empty() {
             members = "    nothing: f32,\n".to_owned();
         }
-        format!("/// What may be set.\nstruct Settings {{\n{members}}}\n\n")
+        format!("/// Values that may be set.\nstruct Settings {{\n{members}}}\n\n")
     }
 }
 

@@ -3,7 +3,8 @@
 //! `STEM.material.js` has the class, a few lines over a runtime that is the same for all looks and
 //! lies beside it as `chiaro.*.js`. WebGL engines are given the module's GLSL, WebGPU engines its
 //! WGSL, between what Babylon.js declares by itself. Uniforms are buffers with exactly the bytes of
-//! `LOOK.json`. Looks with passes before the picture, painted surfaces and shadow maps are refused.
+//! `LOOK.json`. Passes before the picture are render target textures of the material, which
+//! Babylon.js draws before each camera's picture, as it does mirrors.
 
 use super::super::ExportFile;
 use super::materials::Materials;
@@ -16,6 +17,7 @@ pub(super) const PACKAGE: Package = Package {
     label: "Babylon.js",
     help: "An ES module with a material for Babylon.js, by WebGL and WebGPU.",
     opens: None,
+    run_with: Some("Babylon.js 9.35.0 in Chromium, both engines"),
     write,
 };
 
@@ -23,33 +25,27 @@ pub(super) const PACKAGE: Package = Package {
 const VERSION: &str = "9.35.0";
 
 /// Files of the runtime: names in this folder, and texts.
-const RUNTIME: [(&str, &str); 3] = [
+const RUNTIME: [(&str, &str); 13] = [
     ("runtime.js", include_str!("runtime.js")),
+    ("module.js", include_str!("module.js")),
+    ("targets.js", include_str!("targets.js")),
+    ("passes.js", include_str!("../shared/passes.js")),
+    ("scene.js", include_str!("scene.js")),
+    ("shaders.js", include_str!("shaders.js")),
+    ("textures.js", include_str!("textures.js")),
+    ("frames.js", include_str!("../shared/frames.js")),
+    ("ktx2.js", include_str!("../shared/ktx2.js")),
+    ("math.js", include_str!("../shared/math.js")),
+    ("shadows.js", include_str!("../shared/shadows.js")),
     ("values.js", include_str!("../shared/values.js")),
     ("uniforms.js", include_str!("../shared/uniforms.js")),
 ];
 
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
-    let description = request.description;
-    let before = description.passes.iter().find(|pass| pass.name != "draw");
-    if let Some(pass) = before {
-        return Err(vec![refusal(&format!("draws the pass `{}` before its picture", pass.name))]);
-    }
-    if description.images.iter().any(|image| image.kind == "hcbtf") {
-        return Err(vec![refusal("reads a painted surface, an array of textures")]);
-    }
     let mut files = vec![request.module()];
     files.extend(files_of(&Materials::of(request)));
     files.extend(request.textures.iter().cloned());
     Ok(files)
-}
-
-fn refusal(what: &str) -> Diagnostic {
-    Diagnostic::error(
-        "not-in-package",
-        format!("the look {what}, which the package babylon does not carry"),
-    )
-    .hint("`--to web` and `--to three` carry it; without curvature, edges and shadows it fits here")
 }
 
 /// The files of the package beside the look's own module and images.

@@ -1,9 +1,22 @@
 # The add-on: properties, the panel in the sidebar of the 3D viewport, and what draws in it.
 
-# The name under which the scene keeps the look's settings, and objects that they wear it.
-# Blender takes names of ASCII alone, below 64 letters.
-STORED = "chiaro_" + (re.sub(r"[^a-z0-9]+", "_", LOOK["name"].lower()).strip("_")[:32] or "look")
-SUBTYPES = {"radians": "ANGLE", "angle": "ANGLE"}
+SUBTYPES = {"rad": "ANGLE", "px": "PIXEL", "pixels": "PIXEL"}
+
+
+def members_of(prefix, keys):
+    """Names of properties for keys: Blender takes ASCII alone, and no name twice."""
+    found = {}
+    for key in keys:
+        member = prefix + re.sub(r"[^a-zA-Z0-9_]", "_", key)[:48]
+        while member in found.values():
+            member += "_"
+        found[key] = member
+    return found
+
+
+# The properties of parameters and lights in the scene's `STORED`.
+PARAMETER_MEMBERS = members_of("p_", [one["key"] for one in LOOK["parameters"]])
+LIGHT_MEMBERS = members_of("light_", [one["id"] for one in LOOK["lights"]])
 
 
 def redraw(_owner=None, _context=None):
@@ -15,7 +28,7 @@ def redraw(_owner=None, _context=None):
 
 def member_of(key):
     """The name of a parameter's property."""
-    return "p_" + re.sub(r"\W", "_", key)
+    return PARAMETER_MEMBERS[key]
 
 
 def property_of(parameter):
@@ -23,7 +36,9 @@ def property_of(parameter):
     own, kind = parameter["default"], parameter["type"]
     common = {
         "name": parameter.get("label") or parameter["key"],
-        "description": parameter.get("help") or "",
+        "description": " ".join(
+            filter(None, [parameter.get("help"), f"({parameter['key']})"])
+        ),
         "update": redraw,
         "options": {"ANIMATABLE"},
     }
@@ -42,9 +57,9 @@ def property_of(parameter):
         return None
     ends = {}
     if low is not None:
-        ends["soft_min"] = int(low) if kind == "int" else low
+        ends["min"] = min(int(low), own) if kind == "int" else min(low, own)
     if high is not None:
-        ends["soft_max"] = int(high) if kind == "int" else high
+        ends["max"] = max(int(high), own) if kind == "int" else max(high, own)
     if kind == "int":
         return bpy.props.IntProperty(default=int(own), **ends, **common)
     subtype = SUBTYPES.get(parameter.get("unit"), "NONE")
@@ -65,8 +80,9 @@ def settings_annotations():
         ),
         "fit": bpy.props.BoolProperty(
             name="Fit to unit size",
-            description="Bring what wears the look to the size that Chiaro shows it in, so that "
-            "curvature and widths of lines are as they were designed",
+            description="Measure what wears the look as if it had radius 1, for which looks are "
+            "made. It counts where a look has lengths: curvature, widths of lines, patterns in "
+            "space, distances of lights",
             default=True,
             update=redraw,
         ),
@@ -75,8 +91,8 @@ def settings_annotations():
         made = property_of(parameter) if parameter.get("live", True) else None
         if made is not None:
             found[member_of(parameter["key"])] = made
-    for number, light in enumerate(LOOK["lights"]):
-        found[f"light_{number}"] = bpy.props.PointerProperty(
+    for light in LOOK["lights"]:
+        found[LIGHT_MEMBERS[light["id"]]] = bpy.props.PointerProperty(
             name=light.get("label") or light["id"],
             description="A light of the scene that this one follows; none for the look's own",
             type=bpy.types.Object,
@@ -87,30 +103,30 @@ def settings_annotations():
 
 
 def options_of(scene):
-    """What a scene's settings say."""
-    settings = getattr(scene, STORED)
-    values = {}
+    """What a scene's settings say; those of the look where the add-on is not registered."""
+    settings = getattr(scene, STORED, None)
+    options = {
+        "parameters": {},
+        "lights": {},
+        "fit": True if settings is None else settings.fit,
+        "time": (scene.frame_current - scene.frame_start) / scene.render.fps,
+        "frame": float(scene.frame_current - scene.frame_start),
+    }
+    if settings is None:
+        return options
     for parameter in LOOK["parameters"]:
         member = member_of(parameter["key"])
         if member in settings_type.__annotations__:
             value = getattr(settings, member)
             is_list = isinstance(parameter["default"], list)
-            values[parameter["key"]] = list(value) if is_list else value
-    lights = {
-        light["id"]: getattr(settings, f"light_{number}")
-        for number, light in enumerate(LOOK["lights"])
-    }
-    return {
-        "parameters": values,
-        "lights": lights,
-        "fit": settings.fit,
-        "time": (scene.frame_current - scene.frame_start) / scene.render.fps,
-        "frame": float(scene.frame_current - scene.frame_start),
-    }
+            options["parameters"][parameter["key"]] = list(value) if is_list else value
+    lights = {key: getattr(settings, member) for key, member in LIGHT_MEMBERS.items()}
+    options["lights"] = checked_lights(lights)
+    return options
 
 
 class CHIARO_OT_wear(bpy.types.Operator):
-    """Puts the look on the selected meshes, or takes it off"""
+    """Puts the look on the selected objects with faces, or takes it off"""
 
     bl_idname = f"object.{STORED}_wear"
     bl_label = "Put on selected"
@@ -118,27 +134,49 @@ class CHIARO_OT_wear(bpy.types.Operator):
     takes_off: bpy.props.BoolProperty(name="Take off", options={"SKIP_SAVE"})
 
     def execute(self, context):
-        meshes = [thing for thing in context.selected_objects if thing.type == "MESH"]
-        if not meshes:
+        things = [thing for thing in context.selected_objects if thing.type in WEARERS]
+        if not things:
             self.report({"WARNING"}, "Select a mesh first")
             return {"CANCELLED"}
-        for thing in meshes:
-            if not self.takes_off:
-                thing[STORED] = True
-            elif STORED in thing:
-                del thing[STORED]
+        for thing in things:
+            wear(thing, not self.takes_off)
         if not self.takes_off:
             getattr(context.scene, STORED).is_shown = True
-        redraw()
+        try_again()
         return {"FINISHED"}
 
 
-class CHIARO_PT_look(bpy.types.Panel):
-    bl_idname = f"CHIARO_PT_{STORED}"
-    bl_label = LOOK["name"]
+class CHIARO_OT_try_again(bpy.types.Operator):
+    """Draws again what could not be drawn"""
+
+    bl_idname = f"object.{STORED}_try_again"
+    bl_label = "Try again"
+
+    def execute(self, _context):
+        try_again()
+        return {"FINISHED"}
+
+
+def try_again():
+    global PLAYER
+    if FAILURE:
+        PLAYER = None
+    FAILURE.clear()
+    PROBLEMS.clear()
+    redraw()
+
+
+class LookPanel:
+    """A panel in the sidebar of the 3D viewport."""
+
     bl_space_type = "VIEW_3D"
     bl_region_type = "UI"
     bl_category = "Chiaro"
+
+
+class CHIARO_PT_look(LookPanel, bpy.types.Panel):
+    bl_idname = f"CHIARO_PT_{STORED}"
+    bl_label = LOOK["name"]
 
     def draw(self, context):
         settings = getattr(context.scene, STORED)
@@ -149,26 +187,47 @@ class CHIARO_PT_look(bpy.types.Panel):
         row = self.layout.row(align=True)
         row.operator(CHIARO_OT_wear.bl_idname, text="Put on selected")
         row.operator(CHIARO_OT_wear.bl_idname, text="Take off").takes_off = True
-        if FAILURE:
-            self.layout.label(text=FAILURE[-1], icon="ERROR")
-        group = None
-        for parameter in LOOK["parameters"]:
-            member = member_of(parameter["key"])
-            if member not in settings_type.__annotations__:
-                continue
-            if parameter.get("group") != group or group is None:
-                group = parameter.get("group")
-                box = self.layout.column()
-                box.use_property_split = True
-                if group:
-                    box.label(text=group)
-            box.prop(settings, member)
-        if LOOK["lights"]:
-            box = self.layout.column()
-            box.use_property_split = True
-            box.label(text="Lights")
-            for number in range(len(LOOK["lights"])):
-                box.prop(settings, f"light_{number}")
+        told = FAILURE + [f"{name}: {problem}" for name, problem in PROBLEMS.items()]
+        for text in told:
+            self.layout.label(text=text, icon="ERROR")
+        if told:
+            self.layout.operator(CHIARO_OT_try_again.bl_idname)
+
+
+def panel_of(number, label, members):
+    """A panel within the look's own, with properties of the scene's settings."""
+
+    def draw(self, context):
+        settings = getattr(context.scene, STORED)
+        column = self.layout.column()
+        column.use_property_split = True
+        for member in members:
+            column.prop(settings, member)
+
+    name = f"CHIARO_PT_{STORED}_{number}"
+    closed = {"DEFAULT_CLOSED"} if number else set()
+    about = {
+        "bl_idname": name,
+        "bl_label": label,
+        "bl_parent_id": CHIARO_PT_look.bl_idname,
+        "bl_options": closed,
+        "draw": draw,
+    }
+    return type(name, (LookPanel, bpy.types.Panel), about)
+
+
+def panels():
+    """A panel for each group of parameters, the first one open, and one for the lights."""
+    groups = {}
+    for parameter in LOOK["parameters"]:
+        member = member_of(parameter["key"])
+        if member in settings_type.__annotations__:
+            groups.setdefault(parameter.get("group") or "Parameters", []).append(member)
+    if LOOK["lights"]:
+        groups["Lights to follow"] = groups.pop("Lights to follow", []) + list(
+            LIGHT_MEMBERS.values()
+        )
+    return [panel_of(number, *group) for number, group in enumerate(groups.items())]
 
 
 settings_type = type(
@@ -201,8 +260,10 @@ void main() {
 }
 """
 SHOWING = []
-FAILURE = []
 HANDLERS = []
+# Why nothing is drawn, and why an object is not, by its name.
+FAILURE = []
+PROBLEMS = {}
 
 
 def showing_shader():
@@ -253,7 +314,6 @@ def draw_viewport():
     if settings is None or not settings.is_shown or FAILURE:
         return
     things = [thing for thing in context.visible_objects if thing.get(STORED)]
-    things = [thing for thing in things if thing.type == "MESH"]
     if not things:
         return
     region = context.region_data
@@ -262,7 +322,9 @@ def draw_viewport():
         depsgraph = context.evaluated_depsgraph_get()
         size = (viewport[2], viewport[3])
         view, projection = region.view_matrix.copy(), region.window_matrix.copy()
-        player().draw(things, depsgraph, view, projection, size, options_of(scene))
+        # Objects that failed are told in the panel and tried when they change, not at each frame.
+        things = [thing for thing in things if thing.name not in PROBLEMS]
+        player().draw(things, depsgraph, view, projection, size, options_of(scene), PROBLEMS)
         show(True)
     except Exception as problem:
         # Told once in the panel, and in full in the console; not again and again while drawing.
@@ -272,46 +334,61 @@ def draw_viewport():
 
 @bpy.app.handlers.persistent
 def after_load(*_):
-    """Meshes of another file may have the names of those before."""
+    """Objects of another file may have the ids of those before."""
+    PROBLEMS.clear()
     if PLAYER is not None:
         PLAYER.bodies.clear()
 
 
 @bpy.app.handlers.persistent
 def after_change(_scene, depsgraph):
-    if PLAYER is None:
-        return
+    """Meshes that were edited, or that a new frame deforms, are read again."""
     for update in depsgraph.updates:
         if isinstance(update.id, bpy.types.Object) and update.is_updated_geometry:
-            PLAYER.forget(update.id.name_full)
+            PROBLEMS.pop(update.id.name, None)
+            if PLAYER is not None:
+                PLAYER.forget(update.id.original)
 
 
-CLASSES = (settings_type, CHIARO_OT_wear, CHIARO_PT_look)
+CLASSES = (settings_type, CHIARO_OT_wear, CHIARO_OT_try_again, CHIARO_PT_look, *panels())
+LISTENERS = (
+    (bpy.app.handlers.depsgraph_update_post, after_change),
+    (bpy.app.handlers.frame_change_post, after_change),
+    (bpy.app.handlers.load_post, after_load),
+)
 
 
 def register():
+    # The add-on may be installed and run in the text editor as well: the last one counts.
+    earlier = bpy.app.driver_namespace.pop(STORED, None)
+    if earlier is not None:
+        earlier()
     for one in CLASSES:
         bpy.utils.register_class(one)
     setattr(bpy.types.Scene, STORED, bpy.props.PointerProperty(type=settings_type))
-    bpy.app.handlers.depsgraph_update_post.append(after_change)
-    bpy.app.handlers.load_post.append(after_load)
+    for listeners, listener in LISTENERS:
+        listeners.append(listener)
     if not bpy.app.background:
         handler = bpy.types.SpaceView3D.draw_handler_add(draw_viewport, (), "WINDOW", "POST_VIEW")
         HANDLERS.append(handler)
+    bpy.app.driver_namespace[STORED] = unregister
 
 
 def unregister():
+    if not settings_type.is_registered:
+        return
+    if bpy.app.driver_namespace.get(STORED) is unregister:
+        del bpy.app.driver_namespace[STORED]
     while HANDLERS:
         bpy.types.SpaceView3D.draw_handler_remove(HANDLERS.pop(), "WINDOW")
-    if after_change in bpy.app.handlers.depsgraph_update_post:
-        bpy.app.handlers.depsgraph_update_post.remove(after_change)
-    if after_load in bpy.app.handlers.load_post:
-        bpy.app.handlers.load_post.remove(after_load)
-    if hasattr(bpy.types.Scene, STORED):
-        delattr(bpy.types.Scene, STORED)
+    for listeners, listener in LISTENERS:
+        if listener in listeners:
+            listeners.remove(listener)
+    delattr(bpy.types.Scene, STORED)
     for one in reversed(CLASSES):
         bpy.utils.unregister_class(one)
     FAILURE.clear()
+    PROBLEMS.clear()
 
 
 if __name__ == "__main__":

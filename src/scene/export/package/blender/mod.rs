@@ -2,7 +2,8 @@
 //! scripts.
 //!
 //! The add-on is one file: the look's shaders and host work ([`super::python`]), then `player.py`,
-//! which draws with Blender's GPU module, and `addon.py`, the panel.
+//! which draws with Blender's GPU module, and `addon.py`, the panel. `__init__.py` and
+//! `blender_manifest.toml` make an extension of the whole folder, which carries images along.
 
 use super::super::ExportFile;
 use super::{Package, PackageRequest, python};
@@ -14,6 +15,7 @@ pub(super) const PACKAGE: Package = Package {
     label: "Blender add-on",
     help: "An add-on for Blender 5 that draws the look in the viewport, with a panel.",
     opens: None,
+    run_with: Some("Blender 5.0.1, as the Python module bpy"),
     write,
 };
 
@@ -23,6 +25,12 @@ const PLAYER: &str = include_str!("player.py");
 /// The text of the panel.
 const ADDON: &str = include_str!("addon.py");
 
+/// The file by which the folder is an extension.
+const EXTENSION: &str = include_str!("extension.py");
+
+/// The extension's description.
+const MANIFEST: &str = include_str!("blender_manifest.toml");
+
 /// The text of one screen for whoever gets the folder.
 const README: &str = include_str!("README.md");
 
@@ -31,23 +39,38 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     let look = python::write(request).map_err(|problem| vec![problem])?;
     let (title, version) = (request.title, env!("CARGO_PKG_VERSION"));
     let name = serde_json::Value::from(title);
+    let numbers = concat!(
+        env!("CARGO_PKG_VERSION_MAJOR"),
+        ", ",
+        env!("CARGO_PKG_VERSION_MINOR"),
+        ", ",
+        env!("CARGO_PKG_VERSION_PATCH")
+    );
+    let stored = stored_name(request.stem);
     let text = format!(
         "# {title}: made by Chiaro {version}, an add-on for Blender 5.\n\
          # Install it as README.md says, or run it in Blender's text editor.\n\n\
          bl_info = {{\n    \
              \"name\": {name},\n    \
+             \"author\": \"Chiaro\",\n    \
+             \"version\": ({numbers}),\n    \
              \"blender\": (5, 0, 0),\n    \
              \"category\": \"3D View\",\n    \
              \"location\": \"3D Viewport, Sidebar, Chiaro\",\n    \
              \"description\": \"Draws the look in the viewport\",\n\
          }}\n\n\
-         import copy\nimport math\nimport os\nimport re\nimport struct\nimport traceback\n\n\
+         import copy\nimport math\nimport os\nimport re\nimport struct\nimport traceback\n\
+         import zlib\n\n\
          import bpy\nimport gpu\nimport numpy as np\nfrom mathutils import Matrix, Vector\n\n\
+         # Name of the look's settings in a scene, and of the mark of what wears the look.\n\
+         STORED = \"{stored}\"\n\n\
          {look}\n\n{PLAYER}\n\n{ADDON}"
     );
     let mut files = vec![
         ExportFile::text(format!("{}.py", module_name(request.stem)), text),
-        ExportFile::text("README.md".to_owned(), readme(request)),
+        ExportFile::text("__init__.py".to_owned(), filled(EXTENSION, request)),
+        ExportFile::text("blender_manifest.toml".to_owned(), filled(MANIFEST, request)),
+        ExportFile::text("README.md".to_owned(), filled(README, request)),
     ];
     files.extend(request.textures.iter().cloned());
     Ok(files)
@@ -56,16 +79,18 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
 /// Refuses what the add-on cannot draw.
 fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
     let refusal = |message: &str, help: &str| {
-        Err(vec![Diagnostic::error("blender-package", message).hint(help)])
+        Err(vec![Diagnostic::error("not-in-package", message).hint(help)])
     };
-    if request.textures.iter().any(|file| file.name.ends_with(".ktx2")) {
+    if request.textures.iter().any(is_in_blocks) {
         return refusal(
-            "Blender's scripts read no KTX2 files, in which painted surfaces are",
-            "export the look to `web` or `three`, or take the HCBTF node out of it",
+            "the look's painted surface lies in BC7 blocks, which Blender's scripts cannot show",
+            "store it without blocks, or export the look to `web` or `three`",
         );
     }
     let described = serde_json::json!(request.description);
-    let images = described["images"].as_array().cloned().unwrap_or_default();
+    let mut images = described["images"].as_array().cloned().unwrap_or_default();
+    // Painted surfaces are read texel by texel.
+    images.retain(|image| image["kind"] != "hcbtf");
     let sampling = |image: &serde_json::Value| [image["wrap"].clone(), image["filter"].clone()];
     if images.iter().any(|image| sampling(image) != sampling(&images[0])) {
         return refusal(
@@ -83,19 +108,61 @@ fn module_name(stem: &str) -> String {
     if name.starts_with(|c: char| c.is_ascii_digit()) { format!("look_{name}") } else { name }
 }
 
-fn readme(request: &PackageRequest<'_>) -> String {
-    let parameters = &request.description.parameters;
-    let names: Vec<String> =
-        parameters.iter().filter_map(|it| Some(format!("`{}`", it.name.as_ref()?))).collect();
-    let listed = if names.is_empty() {
-        "The look has no parameters: expose some in Chiaro and export again.".to_owned()
-    } else {
-        format!("The look has these parameters: {}.", names.join(", "))
-    };
-    README
+/// Name of the look's settings in a scene. Blender takes small letters of ASCII, below 64.
+fn stored_name(stem: &str) -> String {
+    let name = module_name(stem).to_ascii_lowercase();
+    format!("chiaro_{}", name.get(..32).unwrap_or(&name))
+}
+
+/// Id of the extension: words between single underscores, as Blender wants it.
+fn extension_id(stem: &str) -> String {
+    let name = module_name(stem).to_ascii_lowercase();
+    let words: Vec<&str> = name.split('_').filter(|word| !word.is_empty()).collect();
+    words.join("_")
+}
+
+/// True for a KTX2 file whose texels lie in blocks: its format is not Vulkan's 37, RGBA of 8 bits.
+fn is_in_blocks(file: &ExportFile) -> bool {
+    file.name.ends_with(".ktx2") && file.bytes.get(12..16) != Some(&[37, 0, 0, 0][..])
+}
+
+/// A template with its places filled.
+fn filled(template: &str, request: &PackageRequest<'_>) -> String {
+    let description = request.description;
+    let lights: Vec<String> =
+        description.lights.iter().map(|light| format!("`{}`", light.id.as_str())).collect();
+    let lights = if lights.is_empty() { "none here".to_owned() } else { lights.join(", ") };
+    let light = description.lights.first().map_or("NAME", |light| light.id.as_str());
+    let mut floats = description.parameters.iter().filter(|it| it.live && it.ty == "float");
+    let parameter = floats.find_map(|it| Some(it.name.as_ref()?.as_str())).unwrap_or("NAME");
+    let camera = &request.scene.camera;
+    // Blender's axes have z up.
+    let place = |[x, y, z]: [f64; 3]| format!("({x:.2}, {:.2}, {y:.2})", -z);
+    template
+        .replace("{{quoted}}", &serde_json::Value::from(request.title).to_string())
         .replace("{{title}}", request.title)
         .replace("{{stem}}", &module_name(request.stem))
+        .replace("{{id}}", &extension_id(request.stem))
+        .replace("{{stored}}", &stored_name(request.stem))
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
-        .replace("{{parameters}}", &listed)
+        .replace("{{lights}}", &lights)
+        .replace("{{light}}", light)
+        .replace("{{parameter}}", parameter)
+        .replace("{{eye}}", &place(camera.eye))
+        .replace("{{target}}", &place(camera.target))
+        .replace("{{fov}}", &format!("{:.0}", camera.fov.to_degrees()))
         .replace("{{table}}", &request.parameter_table())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_such_as_blender_takes() {
+        assert_eq!(module_name("2-rim"), "look_2_rim");
+        assert_eq!(stored_name("Rim-Light"), "chiaro_rim_light");
+        assert_eq!(extension_id("-Rim--Light"), "rim_light");
+        assert!(stored_name(&"long".repeat(40)).len() < 40);
+    }
 }

@@ -64,14 +64,17 @@ export const withLook = (Base, THREE) =>
       this.values.illumination = Array.from(matrix.elements);
     }
 
-    /** Lets a light of three.js drive a light of the look; `null` brings the look's own back. */
-    follow(id, light) {
+    /**
+     * Lets a light of three.js drive where a light of the look shines from, and its color and
+     * intensity where that is asked for; `null` brings the look's own back.
+     */
+    follow(id, light, { color = false, intensity = false } = {}) {
       const own = this.lights[id];
       if (!own) {
         const known = Object.keys(this.lights).join(", ");
         throw new TypeError(`${this.look.name} has no light "${id}", but ${known || "none"}`);
       }
-      if (light) this.followed.set(id, light);
+      if (light) this.followed.set(id, { light, color, intensity });
       else if (this.followed.delete(id)) for (const field in own) own[field] = undefined;
       return this;
     }

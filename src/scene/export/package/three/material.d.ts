@@ -42,15 +42,21 @@ export class {{type}} extends {{base}} {
   encoding: "auto" | "none" | "display" | "linear";
   /** Resolves when the look's images are there. */
   readonly ready: Promise<this>;
-  /** Lets a light of three.js drive a light of the look; `null` ends that. */
-  follow(id: {{light}}, light: Light | null): this;
+  /** Everything about the look. */
+  readonly look: typeof look;
+  /** Lets a light of three.js drive where a light of the look shines from; `null` ends that. */
+  follow(id: {{light}}, light: Light | null, options?: {
+    /** Whether its color and its intensity count, too: false. */
+    color?: boolean;
+    intensity?: boolean;
+  }): this;
 }
 
 /** Everything about the look: `look.parameters` has labels, ranges, units and defaults. */
 export const look: {
   name: string;
   parameters: { key: string; label: string; type: string; default: unknown;
-    min?: number; max?: number }[];
+    min?: number; max?: number; group?: string; help?: string; unit?: string }[];
   [field: string]: unknown;
 };
 

@@ -25,6 +25,7 @@ pub(super) const PACKAGE: Package = Package {
     label: "three.js",
     help: "ES modules with a material for each of three.js's renderers, and a page that shows it.",
     opens: None,
+    run_with: Some("three.js 0.187.0 in Chromium, both renderers"),
     write,
 };
 
@@ -32,34 +33,27 @@ pub(super) const PACKAGE: Package = Package {
 const VERSION: &str = "0.187.0";
 
 /// Files of the runtime: names in this folder, and texts.
-const RUNTIME: [(&str, &str); 8] = [
+const RUNTIME: [(&str, &str); 13] = [
     ("webgl.js", include_str!("webgl.js")),
     ("webgpu.js", include_str!("webgpu.js")),
     ("look.js", include_str!("look.js")),
     ("scene.js", include_str!("scene.js")),
     ("textures.js", include_str!("textures.js")),
     ("values.js", include_str!("../shared/values.js")),
+    ("passes.js", include_str!("../shared/passes.js")),
+    ("shadows.js", include_str!("../shared/shadows.js")),
     ("uniforms.js", include_str!("../shared/uniforms.js")),
+    ("mirror.js", include_str!("mirror.js")),
+    ("frames.js", include_str!("../shared/frames.js")),
+    ("math.js", include_str!("../shared/math.js")),
     ("ktx2.js", include_str!("../shared/ktx2.js")),
 ];
 
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
-    let description = request.description;
-    if let Some(pass) = description.passes.iter().find(|pass| pass.draws == "lights") {
-        return Err(vec![no_shadow_maps(pass.name)]);
-    }
     let mut files = vec![request.module()];
     files.extend(files_of(&Materials::of(request)));
     files.extend(request.textures.iter().cloned());
     Ok(files)
-}
-
-fn no_shadow_maps(pass: &str) -> Diagnostic {
-    Diagnostic::error(
-        "not-in-package",
-        format!("the look draws shadow maps (pass `{pass}`), which the package three cannot"),
-    )
-    .hint("take *Cast shadow* out of the look, or export it `--to web`")
 }
 
 /// The files of the package beside the look's own module and images.

@@ -1,14 +1,9 @@
-// What a look asks of a camera, an object and a scene of three.js. Nothing is imported: both builds
-// of three.js use this.
+// What a look asks of a camera, an object and a scene of three.js. Nothing of three.js is imported:
+// both of its builds use this.
 
-const columns = ({ elements: m }) => [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]];
-
-const normalized = ([x, y, z], otherwise) => {
-  const length = Math.hypot(x, y, z);
-  return length > 1e-12 ? [x / length, y / length, z / length] : otherwise;
-};
-
-const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
+import { lightFrame, objectAxes } from "./frames.js";
+import { shadowMaps, sphereAround } from "./shadows.js";
+import { linear3, normalize, subtract, transformPoint, transpose3, turn } from "./math.js";
 
 /** The parts of a look's state that a camera, an object and a picture's size give. */
 export const placeOf = (camera, object, viewport) =>
@@ -18,25 +13,23 @@ export const placeOf = (camera, object, viewport) =>
 function cameraState(camera) {
   const world = camera.matrixWorld.elements;
   return {
-    rotation: columns(camera.matrixWorldInverse),
+    rotation: linear3(camera.matrixWorldInverse.elements),
     eye: [world[12], world[13], world[14]],
     parallel: camera.isOrthographicCamera === true,
-    toward: normalized([world[8], world[9], world[10]], [0, 0, 1]),
+    toward: normalize([world[8], world[9], world[10]], [0, 0, 1]),
   };
 }
 
 /** Part `object` of the state of a look: `id` counts the objects of a program. */
 function objectState(object) {
-  const m = object.matrixWorld.elements;
-  const x = normalized([m[0], m[1], m[2]], [1, 0, 0]);
-  const along = x[0] * m[4] + x[1] * m[5] + x[2] * m[6];
-  const y = normalized([m[4] - along * x[0], m[5] - along * x[1], m[6] - along * x[2]], [0, 1, 0]);
+  const world = object.matrixWorld.elements;
   const { geometry } = object;
   if (!geometry.boundingBox) geometry.computeBoundingBox();
   const { min, max } = geometry.boundingBox;
-  const [a, b, c] = ["x", "y", "z"].map((axis) => (min[axis] + max[axis]) / 2);
-  const middle = [0, 1, 2].map((row) => m[row] * a + m[row + 4] * b + m[row + 8] * c + m[row + 12]);
-  return { id: objectId(object), axes: [...x, ...y, ...cross(x, y)], middle };
+  const middle = ["x", "y", "z"].map((axis) => (min[axis] + max[axis]) / 2);
+  return {
+    id: objectId(object), axes: objectAxes(world), middle: transformPoint(world, middle),
+  };
 }
 
 const ids = new WeakMap();
@@ -110,22 +103,21 @@ export function checkAttributes(look, object) {
 
 /** Lets lights of three.js drive lights of the look; see `follow` of the materials. */
 export function followLights(followed, values, state, look) {
-  for (const [id, source] of followed) {
+  for (const [id, { light: source, color, intensity }] of followed) {
     const { space } = look.lights.find((light) => light.id === id);
-    const { rotation, origin } = spaceOf(space, state);
-    const own = ([x, y, z]) =>
-      [0, 3, 6].map((c) => rotation[c] * x + rotation[c + 1] * y + rotation[c + 2] * z);
+    const { rotation, origin } = lightFrame(space, state);
+    const own = (vector) => turn(transpose3(rotation), vector);
     const at = positionOf(source);
     const aim = source.target ? positionOf(source.target) : [0, 0, 0];
-    const toward = [0, 1, 2].map((i) => at[i] - aim[i]);
+    const toward = subtract(at, aim);
     const light = values.lights[id];
     const fields = {
-      direction: own(normalized(toward, [0, 1, 0])),
-      position: own([0, 1, 2].map((i) => at[i] - origin[i])),
-      aim: own(normalized(toward.map((x) => -x), [0, -1, 0])),
-      color: source.color,
-      intensity: source.visible ? source.intensity : 0,
+      direction: own(normalize(toward, [0, 1, 0])),
+      position: own(subtract(at, origin)),
+      aim: own(normalize(toward.map((x) => -x), [0, -1, 0])),
     };
+    if (color) fields.color = source.color;
+    if (intensity) fields.intensity = source.visible ? source.intensity : 0;
     if (source.isSpotLight) {
       fields.outer = source.angle;
       fields.inner = source.angle * (1 - source.penumbra);
@@ -134,20 +126,10 @@ export function followLights(followed, values, state, look) {
   }
 }
 
-const positionOf = ({ matrixWorld: { elements: m } }) => [m[12], m[13], m[14]];
-
-/** Rotation to the world, as columns, and origin of a light's own frame. */
-function spaceOf(space, { camera, object, illumination }) {
-  const r = camera.rotation;
-  const transposed = [r[0], r[3], r[6], r[1], r[4], r[7], r[2], r[5], r[8]];
-  const identity = [1, 0, 0, 0, 1, 0, 0, 0, 1];
-  const zero = [0, 0, 0];
-  return {
-    illumination: { rotation: illumination, origin: zero },
-    world: { rotation: identity, origin: zero },
-    camera: { rotation: transposed, origin: camera.eye },
-    object: { rotation: object.axes, origin: object.middle },
-  }[space];
+/** Place of an object in the world; lights need not be in the scene. */
+function positionOf(object) {
+  object.updateWorldMatrix(true, false);
+  return object.matrixWorld.elements.slice(12, 15);
 }
 
 /** Whether the passes of a look can draw an object: meshes that nothing but their matrix moves. */
@@ -156,17 +138,55 @@ const isDrawable = (object) =>
   !(object.isSkinnedMesh || object.isInstancedMesh || object.isBatchedMesh) &&
   (Array.isArray(object.material) || object.material.visible);
 
+/** Whether an object casts shadows: what wears a look does. */
+export const castsShadow = ({ castShadow, material }) =>
+  castShadow || [material].flat().some((one) => one.look !== undefined);
+
+/** The sphere about an object, in world space. */
+function sphereOf({ geometry, matrixWorld }) {
+  if (!geometry.boundingSphere) geometry.computeBoundingSphere();
+  const { center, radius } = geometry.boundingSphere;
+  const place = transformPoint(matrixWorld.elements, center.toArray());
+  return { center: place, radius: radius * matrixWorld.getMaxScaleOnAxis() };
+}
+
+/** The shadow maps of a look for a picture of this height, in pixels; */
+export function shadowMapsOf(look, state, scene, height, { isReversed, isWebGL }) {
+  const spheres = [];
+  scene.traverseVisible((object) => {
+    if (isDrawable(object) && castsShadow(object)) spheres.push(sphereOf(object));
+  });
+  const ends = [isWebGL && !isReversed ? -1 : 0, 1];
+  const [near, far] = isReversed ? ends.reverse() : ends;
+  const sphere = sphereAround(spheres);
+  return shadowMaps(look, state, sphere, height, { near, far, flipsRows: isWebGL });
+}
+
+/** Values of the uniform of an object that casts shadows; objects count from 1. */
+export const casterValues = (object) =>
+  ({ world_from_object: object.matrixWorld.elements, number: objectId(object) + 1 });
+
+/** A state in which lights know the places of their shadow maps. */
+export function withShadows(state, shadows) {
+  const lights = { ...state.lights };
+  for (const [id, place] of Object.entries(shadows?.places ?? {})) {
+    lights[id] = { ...lights[id], shadow_map: place };
+  }
+  return { ...state, lights };
+}
+
 /**
  * Runs `draw` while the scene shows its meshes alone, each with the material that `choose` gives
- * for it. Everything is as before afterwards.
+ * for it, if any. Everything is as before afterwards.
  */
 export function withMaterials(scene, choose, draw) {
   const restore = [];
   scene.traverseVisible((object) => {
-    if (isDrawable(object)) {
+    const chosen = isDrawable(object) && choose(object);
+    if (chosen) {
       const { material } = object;
       restore.push(() => (object.material = material));
-      object.material = choose(object);
+      object.material = chosen;
     } else if (object.isMesh || object.isLine || object.isPoints || object.isSprite) {
       const { mask } = object.layers;
       restore.push(() => (object.layers.mask = mask));

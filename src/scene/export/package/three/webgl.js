@@ -2,10 +2,13 @@
 
 import * as THREE from "three";
 import { optionsOf, withLook } from "./look.js";
+import { arePassesShared, passesBefore, sourceOf } from "./passes.js";
 import {
-  checkAttributes, curvatureValues, objectValues, placeOf, viewValues, withMaterials,
+  casterValues, castsShadow, checkAttributes, curvatureValues, objectValues, placeOf, shadowMapsOf,
+  viewValues, withMaterials, withShadows,
 } from "./scene.js";
-import { UniformMirror } from "./uniforms.js";
+import { layersOf } from "./shadows.js";
+import { UniformMirror } from "./mirror.js";
 
 /** What a look's colors are turned into: `chiaro_encoding` of the shader. */
 const ENCODINGS = { none: 0, display: 1, linear: 2 };
@@ -24,17 +27,20 @@ vec3 chiaro_decoded(vec3 x) {
 const BLOCK = /layout\(std140\) uniform (\w+) \{ (\w+) (\w+); \};/g;
 
 /** The module's shaders as three.js takes them, and the name of the uniform in each block. */
-function shadersOf({ glsl, attributes }, isPicture) {
+function shadersOf({ glsl, attributes }, pass) {
   const blocks = new Map();
+  // Rows of Chiaro's pictures run downward; layers of shadow maps are drawn upside down.
+  const downward = (text) =>
+    (pass.draws === "lights" ? text : text.replace(/\bdFdy\(/g, "-dFdy("));
   const [vertex, fragment] = [glsl.vertex, glsl.fragment].map((text) =>
-    text.replace(/^#version.*\n/, "").replace(BLOCK, (_, block, type, name) => {
+    downward(text).replace(/^#version.*\n/, "").replace(BLOCK, (_, block, type, name) => {
       blocks.set(block, name);
       return `uniform ${type} ${name};`;
     }),
   );
   return {
     vertexShader: attributes.reduce(withAttribute, vertex),
-    fragmentShader: isPicture ? withEncoding(fragment) : fragment,
+    fragmentShader: pass.name === "draw" ? withEncoding(fragment) : fragment,
     blocks,
   };
 }
@@ -63,7 +69,7 @@ void main() {
 class ModuleMaterial extends THREE.RawShaderMaterial {
   constructor(look, pass, options) {
     const module = look.modules[pass.module];
-    const { blocks, ...shaders } = shadersOf(module, pass.name === "draw");
+    const { blocks, ...shaders } = shadersOf(module, pass);
     super({ glslVersion: THREE.GLSL3, ...shaders, ...options });
     this.feeds = module.bindings.map((binding) => {
       const name = blocks.get(binding.glsl?.name) ?? binding.glsl?.name;
@@ -81,7 +87,7 @@ class ModuleMaterial extends THREE.RawShaderMaterial {
   }
 
   /** Sets all uniforms for an object. `frame` has the picture's numbers and the passes' targets. */
-  fill({ camera, object, height, samples, state, targets, images, flipV }) {
+  fill({ camera, object, height, samples, state, targets, images, flipV, layer }) {
     const values = {
       view: () => {
         this.clip.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
@@ -94,14 +100,12 @@ class ModuleMaterial extends THREE.RawShaderMaterial {
         return this.mirror.value;
       },
       image: ({ image }) => images[image].texture,
-      pass: ({ pass, output }) => targets.get(`${pass}.${output}`),
-      inputs: (_, name) => {
-        const input = this.pass.inputs.find(({ binding }) => binding === name);
-        return targets.get(`${input.pass}.${input.output}`);
-      },
+      light_layer: () => layer,
+      light_caster: () => casterValues(object),
     };
+    const drawn = (feed, name) => targets.get(sourceOf(this.pass, { feed, name }));
     for (const { feed, name, uniform } of this.feeds) {
-      if (uniform) uniform.value = values[feed.from](feed, name);
+      if (uniform) uniform.value = (values[feed.from] ?? drawn)(feed, name);
     }
     this.uniforms.chiaro_flip_v.value = flipV ? 1 : 0;
     this.uniformsNeedUpdate = true;
@@ -121,19 +125,26 @@ class Passes {
     this.frame = -1;
     const screen = new THREE.BufferGeometry();
     screen.setAttribute("position", new THREE.BufferAttribute(new Float32Array(9), 3));
-    this.steps = look.passes.filter(({ name }) => name !== "draw").map((pass) => {
+    this.steps = passesBefore(look).map((pass) => {
       const options = { blending: THREE.NoBlending, toneMapped: false };
       const [format, ...others] = pass.outputs.map((output) => FORMATS[output.format]);
       if (!format || others.length) {
         throw new Error(`Chiaro: ${look.name}: the pass ${pass.name} has a target unknown here`);
       }
       const isScreen = pass.draws === "screen";
-      const target = new THREE.WebGLRenderTarget(1, 1, {
+      const layers = pass.draws === "lights" ? Math.max(layersOf(look), 2) : 0;
+      const settings = {
         format, type: THREE.FloatType,
         minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter,
         depthBuffer: !isScreen, generateMipmaps: false,
-      });
+      };
+      const target = layers ? new THREE.WebGLArrayRenderTarget(1, 1, layers, settings)
+        : new THREE.WebGLRenderTarget(1, 1, settings);
       this.targets.set(`${pass.name}.${pass.outputs[0].name}`, target.texture);
+      if (layers) {
+        const both = new ModuleMaterial(look, pass, { ...options, side: THREE.DoubleSide });
+        return { target, layers, both };
+      }
       if (!isScreen) {
         const front = new ModuleMaterial(look, pass, options);
         const both = new ModuleMaterial(look, pass, { ...options, side: THREE.DoubleSide });
@@ -146,6 +157,7 @@ class Passes {
       return { target, triangle, scene: new THREE.Scene().add(triangle) };
     });
     this.camera = new THREE.OrthographicCamera();
+    this.light = new THREE.Camera();
     this.viewport = new THREE.Vector4();
     this.size = new THREE.Vector2();
     this.color = new THREE.Color();
@@ -167,7 +179,14 @@ class Passes {
     xr.enabled = false;
     shadowMap.autoUpdate = false;
     try {
-      for (const step of this.steps) this.run(step, scene, camera, frame);
+      if (this.steps.some(({ layers }) => layers)) {
+        const clip = { isReversed: camera.reversedDepth, isWebGL: true };
+        this.shadows = shadowMapsOf(this.look, frame.state, scene, frame.height, clip);
+      }
+      for (const step of this.steps) {
+        if (step.layers) this.runLayers(step, scene, camera, frame);
+        else this.run(step, scene, camera, frame);
+      }
     } finally {
       Object.assign(renderer, { autoClear });
       xr.enabled = hasXr;
@@ -203,6 +222,23 @@ class Passes {
     withMaterials(scene, choose, () => renderer.render(scene, camera));
   }
 
+  /** Draws the layers of a pass over shadow maps. */
+  runLayers({ target, layers, both }, scene, camera, frame) {
+    const { renderer, light, shadows } = this;
+    target.setSize(shadows.side, shadows.side, layers);
+    light.layers.mask = camera.layers.mask;
+    light._reversedDepth = camera.reversedDepth;
+    shadows.layers.forEach((layer, index) => {
+      // The camera only decides what is left out.
+      light.projectionMatrix.fromArray(layer.clip_from_world);
+      both.onBeforeRender = (...given) =>
+        both.fill({ ...frame, camera, object: given[4], layer, targets: this.targets });
+      renderer.setRenderTarget(target, index);
+      const choose = (object) => castsShadow(object) && both;
+      withMaterials(scene, choose, () => renderer.render(scene, light));
+    });
+  }
+
   dispose() {
     for (const { target, front, both, triangle } of this.steps) {
       target.dispose();
@@ -211,14 +247,21 @@ class Passes {
   }
 }
 
-/** The passes of looks, shared by all materials of a look. */
+/** The passes of looks, shared by all materials of a look where its values do not count. */
 const passesOf = new WeakMap();
 
-function passesFor(look, renderer) {
-  if (!passesOf.has(renderer)) passesOf.set(renderer, new Map());
+function passesFor(material, renderer) {
+  const { look } = material;
+  if (look.passes.length === 1) return null;
+  if (!passesOf.has(renderer)) passesOf.set(renderer, new WeakMap());
   const known = passesOf.get(renderer);
-  if (!known.has(look)) known.set(look, new Passes(look, renderer));
-  return known.get(look);
+  const owner = arePassesShared(look) ? look : material;
+  if (!known.has(owner)) {
+    const passes = new Passes(look, renderer);
+    known.set(owner, passes);
+    if (owner === material) material.addEventListener("dispose", () => passes.dispose());
+  }
+  return known.get(owner);
 }
 
 /** A look as a material for WebGLRenderer. Use the class of the look, which is made from this. */
@@ -243,9 +286,10 @@ export class LookMaterial extends withLook(ModuleMaterial, THREE) {
       size, height: size[1], samples: Math.max(samples, 1), state, images: this.images,
       flipV: this.flipV,
     };
-    const passes = this.look.passes.length > 1 && passesFor(this.look, renderer);
-    if (passes) passes.update(scene, camera, frame);
-    this.fill({ ...frame, camera, object, targets: passes?.targets });
+    const passes = passesFor(this, renderer);
+    passes?.update(scene, camera, frame);
+    const lit = withShadows(state, passes?.shadows);
+    this.fill({ ...frame, state: lit, camera, object, targets: passes?.targets });
     this.uniforms.chiaro_encoding.value = ENCODINGS[this.encodingFor(renderer, target)];
   }
 

@@ -5,9 +5,12 @@ import {
   attribute, code, frontFacing, screenCoordinate, texture, uint, varying, vertexIndex, wgslFn,
 } from "three/tsl";
 import { optionsOf, withLook } from "./look.js";
+import { arePassesShared, passesBefore, sourceOf } from "./passes.js";
 import {
-  checkAttributes, curvatureValues, objectValues, placeOf, viewValues, withMaterials,
+  casterValues, castsShadow, checkAttributes, curvatureValues, objectValues, placeOf, shadowMapsOf,
+  viewValues, withMaterials, withShadows,
 } from "./scene.js";
+import { layersOf } from "./shadows.js";
 import { write } from "./uniforms.js";
 
 /** What a look's colors are turned into: `chiaro_target` of the shader. */
@@ -57,7 +60,9 @@ function moduleCode(module) {
     const declaration = new RegExp(
       String.raw`@group\(\d+\)\s*@binding\(\d+\)\s*var(?:<uniform>)?\s+${binding.name}` +
       String.raw`\s*:\s*([^;]+);`);
-    const type = declaration.exec(text)[1].trim();
+    const named = declaration.exec(text)[1].trim();
+    // Nodes want the types of textures themselves.
+    const type = new RegExp(`alias ${named} = (texture_[^;]+);`).exec(text)?.[1] ?? named;
     binding.type = type;
     const isUniform = binding.kind === "uniform";
     text = text.replace(declaration, isUniform ? `var<private> ${binding.name}: ${type};` : "");
@@ -204,9 +209,10 @@ class ModuleMaterial extends THREE.NodeMaterial {
   }
 
   fillBlock({ feed, members }, floats, { object, camera }) {
-    const { size, samples, state } = this.frame;
+    const { size, samples, state, shadows, layer } = this.frame;
     if (feed.from === "look") {
-      floats.set(new Float32Array(this.module.prepare(state(object, camera))));
+      const lit = withShadows(state(object, camera), shadows);
+      floats.set(new Float32Array(this.module.prepare(lit)));
       return;
     }
     const values = {
@@ -217,6 +223,8 @@ class ModuleMaterial extends THREE.NodeMaterial {
       object: () => objectValues(object, this.normal, 0),
       // Screen passes have no camera of their own: what counts is the picture's.
       curvature: () => curvatureValues(this.frame.camera, size[1], false, samples),
+      light_layer: () => layer,
+      light_caster: () => casterValues(object),
     };
     write(floats, members, values[feed.from]());
   }
@@ -229,18 +237,20 @@ const FORMATS = {
 /** The passes before a look's picture, for one renderer. */
 class Passes {
   constructor(look) {
+    this.look = look;
     this.targets = new Map();
     this.camera = new THREE.OrthographicCamera();
     const screen = new THREE.BufferGeometry();
     screen.setAttribute("position", new THREE.BufferAttribute(new Float32Array(9), 3));
-    this.steps = look.passes.filter(({ name }) => name !== "draw").map((pass) => {
+    this.steps = passesBefore(look).map((pass) => {
       const [format, ...others] = pass.outputs.map((output) => FORMATS[output.format]);
       if (!format || others.length) {
         throw new Error(`Chiaro: ${look.name}: the pass ${pass.name} has a target unknown here`);
       }
       const isScreen = pass.draws === "screen";
+      const layers = pass.draws === "lights" ? Math.max(layersOf(look), 2) : 1;
       const target = new THREE.RenderTarget(1, 1, {
-        format, type: THREE.FloatType,
+        format, type: THREE.FloatType, depth: layers,
         minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter,
         depthBuffer: !isScreen, generateMipmaps: false, samples: 0,
       });
@@ -251,7 +261,10 @@ class Passes {
         return made;
       };
       const step = { target };
-      if (isScreen) {
+      if (layers > 1) {
+        step.both = material({ side: THREE.DoubleSide });
+        step.cameras = Array.from({ length: layersOf(look) }, () => new THREE.Camera());
+      } else if (isScreen) {
         step.triangle = new THREE.Mesh(screen, material({ depthTest: false, depthWrite: false }));
         step.triangle.frustumCulled = false;
         step.scene = new THREE.Scene().add(step.triangle);
@@ -274,7 +287,7 @@ class Passes {
   }
 
   /** Draws the passes for a picture of the scene, once for each call of `render`. */
-  update({ renderer, scene, camera, renderId }, frame) {
+  update({ renderer, scene, camera, object, renderId }, frame) {
     if (this.renderId === renderId && this.renderer === renderer) return;
     Object.assign(this, { renderId, renderer });
     const before = THREE.RendererUtils.resetRendererState(renderer);
@@ -284,7 +297,17 @@ class Passes {
     renderer.setClearColor(0, 0);
     renderer.autoClear = true;
     try {
-      for (const { target, front, both, triangle, scene: screen } of this.steps) {
+      if (this.steps.some(({ cameras }) => cameras)) {
+        const clip = { isReversed: camera.reversedDepth, isWebGL: false };
+        const state = frame.state(object, camera);
+        this.shadows = shadowMapsOf(this.look, state, scene, frame.size[1], clip);
+      }
+      for (const step of this.steps) {
+        const { target, front, both, triangle, scene: screen } = step;
+        if (step.cameras) {
+          this.updateLayers(step, renderer, scene, { ...frame, camera });
+          continue;
+        }
         target.setSize(...frame.size);
         renderer.setRenderTarget(target);
         for (const material of [front, both, triangle?.material]) {
@@ -305,6 +328,24 @@ class Passes {
     }
   }
 
+  /** Draws the layers of a pass over shadow maps. */
+  updateLayers({ target, both, cameras }, renderer, scene, frame) {
+    const { side, layers } = this.shadows;
+    target.setSize(side, side, target.depth);
+    layers.forEach((layer, index) => {
+      // The camera only decides what is left out. WebGPURenderer keeps a list for each.
+      const light = cameras[index];
+      light.layers.mask = frame.camera.layers.mask;
+      light.coordinateSystem = renderer.coordinateSystem;
+      light._reversedDepth = frame.camera.reversedDepth;
+      light.projectionMatrix.fromArray(layer.clip_from_world);
+      both.frame = { ...frame, layer };
+      renderer.setRenderTarget(target, index);
+      withMaterials(scene, (object) => castsShadow(object) && both,
+        () => renderer.render(scene, light));
+    });
+  }
+
   dispose() {
     for (const { target, front, both, triangle } of this.steps) {
       target.dispose();
@@ -316,18 +357,17 @@ class Passes {
 /** Gives a material's textures that come from passes the passes' targets. */
 function connectTargets(material, targets) {
   for (const { binding, node } of material.textures) {
-    const { feed, name } = binding;
-    const isInput = feed.from === "inputs";
-    const input = isInput && material.pass.inputs.find(({ binding: own }) => own === name);
-    const source = feed.from === "pass" ? feed : input;
-    if (source) node.value = targets.get(`${source.pass}.${source.output}`);
+    const source = targets.get(sourceOf(material.pass, binding));
+    if (source) node.value = source;
   }
 }
 
-/** The passes of looks, shared by all materials of a look. */
+/** The passes of looks, shared by all materials of a look where its values do not count. */
 const passesOf = new WeakMap();
 
 function passesFor(look) {
+  if (look.passes.length === 1) return null;
+  if (!arePassesShared(look)) return new Passes(look);
   if (!passesOf.has(look)) passesOf.set(look, new Passes(look));
   return passesOf.get(look);
 }
@@ -363,7 +403,11 @@ export class LookNodeMaterial extends withLook(ModuleMaterial, THREE) {
       take();
       image.ready.then(take, () => {});
     }
-    if (look.passes.length > 1) connectTargets(this, passesFor(look).targets);
+    this.passes = passesFor(look);
+    if (this.passes) connectTargets(this, this.passes.targets);
+    if (this.passes && !arePassesShared(look)) {
+      this.addEventListener("dispose", () => this.passes.dispose());
+    }
     this.fragmentNode = new EachRenderNode(this.fragmentNode, (frame) => this.beginRender(frame));
   }
 
@@ -378,7 +422,8 @@ export class LookNodeMaterial extends withLook(ModuleMaterial, THREE) {
     const state = (drawn, seen) => this.stateOf(placeOf(seen, drawn, size));
     this.frame = { size, samples, camera, state };
     this.target[0] = ENCODINGS[this.encodingFor(renderer, target)];
-    if (this.look.passes.length > 1) passesFor(this.look).update(nodeFrame, this.frame);
+    this.passes?.update(nodeFrame, this.frame);
+    this.frame.shadows = this.passes?.shadows;
   }
 
   /** WebGPURenderer draws light, and encodes the picture for the canvas if it does at all. */

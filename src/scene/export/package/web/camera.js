@@ -11,7 +11,7 @@ const NEAREST = 1e-3;
  *   in width. 0 for any.
  * @param size width and height of the picture, in pixels.
  * @param sphere `center` and `radius` of what is drawn, in world space.
- * @param clip clip space of the API: `depthFromZero` (0 to 1, else -1 to 1), `flipsRows`.
+ * @param clip clip space of the API, as `forClipSpace` takes it.
  */
 function viewOf(camera, size, sphere, clip) {
   const backward = normalize(subtract(camera.eye, camera.target));
@@ -64,13 +64,6 @@ function perspective(half, aspect, near, far) {
 function orthographic(halfWidth, halfHeight, near, far) {
   const depth = 1 / (near - far);
   return [1 / halfWidth, 0, 0, 0, 0, 1 / halfHeight, 0, 0, 0, 0, depth, 0, 0, 0, near * depth, 1];
-}
-
-/** A projection for depths from -1 to 1, or with the first row of the picture at the top in GL. */
-function forClipSpace(projection, clip) {
-  const y = clip.flipsRows ? -1 : 1;
-  const [z, w] = clip.depthFromZero ? [1, 0] : [2, -1];
-  return multiply4([1, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0, 0, 0, w, 1], projection);
 }
 
 /** Turns the camera around its target: to the right and up, in radians. */

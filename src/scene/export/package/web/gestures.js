@@ -137,7 +137,7 @@ class Gestures {
   turnLight(id, turned, view) {
     const { player } = this;
     const light = player.lightNow(id);
-    const worldFromOwn = player.worldFromLight(light, view);
+    const { rotation: worldFromOwn } = lightFrame(light.space, player.state(view, [1, 1]));
     const ownTurn = multiply3(transpose3(worldFromOwn), multiply3(turned, worldFromOwn));
     if (light.type === "directional") {
       player.light(id, { direction: turn(ownTurn, normalize(light.direction)) });

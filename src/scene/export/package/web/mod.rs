@@ -7,7 +7,7 @@
 //! have several exports and names of its own. The player and the page are written as several files
 //! each, which lie in this folder, and are joined into one script here. They fetch nothing.
 //!
-//! The player draws as `docs/exports.md` says, by either of two executors with the same methods,
+//! The player draws as `docs/hosts.md` says, by either of two executors with the same methods,
 //! `webgpu.js` and `webgl2.js`. In WebGL it draws with y turned over and shows the picture upside
 //! down, so that derivatives are those of WebGPU.
 
@@ -29,6 +29,7 @@ pub(super) const PACKAGE: Package = Package {
     label: "Web page",
     help: "A page that opens from a file, by WebGPU or WebGL 2, with sliders for what is exposed.",
     opens: Some("index.html"),
+    run_with: Some("Chromium, by WebGPU and WebGL 2"),
     write,
 };
 
@@ -42,13 +43,18 @@ const README: &str = include_str!("README.md");
 const STYLE: &str = include_str!("style.css");
 
 /// Parts of the player, in the order in which they are joined.
-const PLAYER: [&str; 12] = [
+const PLAYER: [&str; 17] = [
+    include_str!("../shared/math.js"),
+    include_str!("../shared/frames.js"),
+    include_str!("../shared/shadows.js"),
+    include_str!("../shared/passes.js"),
+    include_str!("../shared/uniforms.js"),
+    include_str!("../shared/ktx2.js"),
     include_str!("math.js"),
     include_str!("camera.js"),
     include_str!("assets.js"),
     include_str!("geometry.js"),
     include_str!("uniforms.js"),
-    include_str!("shadows.js"),
     include_str!("webgpu.js"),
     include_str!("webgl2.js"),
     include_str!("checks.js"),
@@ -105,9 +111,30 @@ fn made(title: &str, what: &str) -> String {
     format!("{title}: made by Chiaro {}. This is {what}.", env!("CARGO_PKG_VERSION"))
 }
 
-/// Scripts joined into one that keeps its names to itself.
+/// Scripts joined into one that keeps its names to itself. What other packages have as modules
+/// loses its imports and exports.
 fn joined(parts: &[&str], made: &str) -> String {
-    format!("// {made}\n(() => {{\n\"use strict\";\n\n{}}})();\n", parts.join("\n"))
+    let plain: Vec<String> = parts.iter().map(|part| without_modules(part)).collect();
+    format!("// {made}\n(() => {{\n\"use strict\";\n\n{}}})();\n", plain.join("\n"))
+}
+
+/// A module's text as a part of a script.
+fn without_modules(module: &str) -> String {
+    let mut text = String::new();
+    let mut is_import = false;
+    for line in module.lines() {
+        is_import |= line.starts_with("import ");
+        if is_import {
+            is_import = !line.ends_with(';');
+            continue;
+        }
+        // The line after the imports is blank, as is the one before them.
+        if !(line.is_empty() && text.ends_with("\n\n")) {
+            text += line.strip_prefix("export ").unwrap_or(line);
+            text.push('\n');
+        }
+    }
+    text
 }
 
 /// A template with its places filled.
@@ -166,6 +193,12 @@ mod tests {
             assert_ne!(look_name(&own.to_uppercase()).to_lowercase(), own);
         }
         assert_eq!(look_name("clay"), "clay");
+    }
+
+    #[test]
+    fn modules_become_parts_of_a_script() {
+        let module = "// Title.\n\nimport {\n  a,\n} from \"./a.js\";\n\nexport const b = a;\n";
+        assert_eq!(without_modules(module), "// Title.\n\nconst b = a;\n");
     }
 
     #[test]

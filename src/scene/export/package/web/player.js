@@ -1,12 +1,6 @@
 // The player: draws a look on a canvas, and draws again when something has changed. A page at rest
 // costs nothing.
 
-/** The image that a texture of a pass reads: the output of an earlier pass. */
-function sourceOf(pass, { name }) {
-  const input = pass.inputs?.find(({ binding }) => binding === name);
-  return input && `${input.pass}.${input.output}`;
-}
-
 /** True for an image whose numbers the sampler turns into linear light. */
 const isDecodedBySampling = (look, index) =>
   look.colorSpace === "linear" && look.images[index].encoding === "color"
@@ -165,12 +159,7 @@ class Player extends EventTarget {
 
   /** A light as it is now: with the look's values, those of parameters, and those that are set. */
   lightNow(id) {
-    const light = { ...this.look.lights.find((one) => one.id === id) };
-    for (const { key, target } of this.look.parameters) {
-      const [kind, of, field] = target?.split(".") ?? [];
-      if (kind === "lights" && of === id && key in this.values) light[field] = this.values[key];
-    }
-    return { ...light, ...this.lights[id] };
+    return lightNow(this.look, { parameters: this.values, lights: this.lights }, id);
   }
 
   /** Gives everything, or one parameter, the value that it has in the look. The view stays. */
@@ -221,13 +210,6 @@ class Player extends EventTarget {
     return this.look.colorSpace === "linear" ? [decode(r), decode(g), decode(b), a] : [r, g, b, a];
   }
 
-  /** The rotation from a light's own frame to the world. */
-  worldFromLight({ space }, view) {
-    if (space === "camera") return transpose3(view.rotation);
-    if (space === "object") return objectAxes(this.mesh.worldFromObject);
-    return space === "world" ? identity3 : this.illumination;
-  }
-
   /** True where the picture changes with time. */
   get isAnimated() {
     const bytes = (time) => {
@@ -243,26 +225,15 @@ class Player extends EventTarget {
   // Frames.
 
   view(size, camera = this.camera) {
-    const clip = this.executor?.clip ?? { depthFromZero: true };
+    const clip = this.executor?.clip ?? { near: 0, far: 1 };
     return viewOf(camera, size, this.mesh.sphere, clip);
   }
 
   /** The shadow maps of a picture; `null` for a look that asks for none. */
   shadows(view, size) {
     if (!this.look.passes.some(({ draws }) => draws === "lights")) return null;
-    const asks = ({ fields }) => fields?.includes("light.shadow_map") ?? true;
-    const lights = this.look.lights.filter(asks).map(({ id }) => {
-      const light = this.lightNow(id);
-      const worldFromOwn = this.worldFromLight(light, view);
-      const origin = light.space === "object" ? this.middle : [0, 0, 0];
-      return {
-        id,
-        isLamp: light.type !== "directional",
-        toward: turn(worldFromOwn, normalize(light.direction)),
-        position: add(origin, turn(worldFromOwn, light.position)),
-      };
-    });
-    return shadowMaps(lights, this.mesh.sphere, size[1], this.executor.clip);
+    const state = this.state(view, size);
+    return shadowMaps(this.look, state, this.mesh.sphere, size[1], this.executor.clip);
   }
 
   /** The middle of the mesh's box, in world space. */

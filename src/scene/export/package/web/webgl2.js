@@ -29,7 +29,7 @@ void main() {
 
 class WebGl2Executor {
   label = "WebGL 2";
-  clip = { depthFromZero: false, flipsRows: true };
+  clip = { near: -1, far: 1, flipsRows: true };
 
   /** An executor that draws on `canvas`. Rejects, with the reason, where WebGL 2 is missing. */
   static async create(canvas, content) {
@@ -159,7 +159,7 @@ class WebGl2Executor {
     gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
     gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
     const flat = isDecodedBySampling(this.look, index) ? gl.SRGB8_ALPHA8 : gl.RGBA8;
-    if (image.blocks) {
+    if (image.isBlocks) {
       const blocks = gl.getExtension("EXT_texture_compression_bptc");
       if (!blocks) throw new Error("this graphics card does not read textures in BC7 blocks");
       const format = blocks.COMPRESSED_RGBA_BPTC_UNORM_EXT;

@@ -24,7 +24,7 @@ fn fs_main(@builtin(position) at: vec4f) -> @location(0) vec4f {
 
 class WebGpuExecutor {
   label = "WebGPU";
-  clip = { depthFromZero: true, flipsRows: false };
+  clip = { near: 0, far: 1, flipsRows: false };
 
   /** An executor that draws on `canvas`. Rejects, with the reason, where WebGPU is missing. */
   static async create(canvas, content) {
@@ -69,15 +69,15 @@ class WebGpuExecutor {
   }
 
   uploadImage(image, index) {
-    if (image.blocks && !this.device.features.has("texture-compression-bc")) {
+    if (image.isBlocks && !this.device.features.has("texture-compression-bc")) {
       throw new Error("this graphics card does not read textures in BC7 blocks");
     }
     const isDecoded = isDecodedBySampling(this.look, index);
     const flat = isDecoded ? "rgba8unorm-srgb" : "rgba8unorm";
-    const format = image.blocks ? "bc7-rgba-unorm" : flat;
+    const format = image.isBlocks ? "bc7-rgba-unorm" : flat;
     const size = [image.width, image.height, image.layers ?? 1];
     const { TEXTURE_BINDING, COPY_DST, RENDER_ATTACHMENT } = GPUTextureUsage;
-    const drawn = image.blocks ? 0 : RENDER_ATTACHMENT;
+    const drawn = image.isBlocks ? 0 : RENDER_ATTACHMENT;
     const texture = this.device.createTexture({
       size, format, usage: TEXTURE_BINDING | COPY_DST | drawn,
     });
@@ -87,7 +87,7 @@ class WebGpuExecutor {
     } else {
       // Four texels are 16 bytes, and so are the sixteen of a block.
       const bytesPerRow = 4 * image.width;
-      const rowsPerImage = image.blocks ? image.height / 4 : image.height;
+      const rowsPerImage = image.isBlocks ? image.height / 4 : image.height;
       const layout = { bytesPerRow, rowsPerImage };
       this.device.queue.writeTexture({ texture }, image.bytes, layout, size);
     }

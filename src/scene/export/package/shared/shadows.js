@@ -1,5 +1,10 @@
-// Shadow maps: what lights see of the mesh, a layer for a directional light and six for a lamp, as
-// docs/exports.md says. The mesh casts shadows onto itself.
+// Shadow maps: what lights see of the meshes, a layer for a directional light and six for a lamp,
+// as docs/hosts.md says.
+
+import { lightFrame, lightNow } from "./frames.js";
+import {
+  add, clamp, dot, forClipSpace, identity3, length, normalize, scale, subtract, turn,
+} from "./math.js";
 
 /** Least and greatest side of a layer, in texels. */
 const SIDES = [256, 2048];
@@ -14,18 +19,44 @@ const WIDENED = 1 + 1 / 32;
 /** Least distance of a lamp's near plane, as a share of the far plane's. */
 const NEAREST_TO_LAMP = 1e-4;
 
+/** A state in which every frame is that of the world. */
+const NOWHERE = {
+  parameters: {}, lights: {}, illumination: identity3, camera: { rotation: identity3 },
+  object: { axes: identity3, middle: [0, 0, 0] },
+};
+
+/** The lights of a look that ask for shadow maps, in world space. */
+function mappedLights(look, state) {
+  const asks = ({ fields }) => fields?.includes("light.shadow_map") ?? true;
+  return look.lights.filter(asks).map(({ id }) => {
+    const light = lightNow(look, state, id);
+    const { rotation, origin } = lightFrame(light.space, state);
+    return {
+      id,
+      isLamp: light.type !== "directional",
+      toward: turn(rotation, normalize(light.direction)),
+      position: add(origin, turn(rotation, light.position)),
+    };
+  });
+}
+
+/** Number of layers in the shadow maps of a look. */
+export const layersOf = (look) => mappedLights(look, NOWHERE).reduce(
+  (sum, { isLamp }) => sum + (isLamp ? 6 : 1), 0);
+
 /**
- * The layers of a picture, each with the values of its uniform, and the places of lights' maps in
- * them, by the lights' ids.
+ * The shadow maps of a picture: the side of a layer in texels, the layers, each with the values of
+ * its uniform, and the places of lights' maps in them, by the lights' ids.
  *
- * @param lights `id`, `isLamp`, and in world space `toward` or `position`.
- * @param sphere `center` and `radius` of the mesh, in world space.
+ * @param state the state of the look, as `prepare` takes it.
+ * @param sphere `center` and `radius` of the meshes, in world space.
  * @param height height of the picture, in pixels.
+ * @param clip clip space, as `forClipSpace` takes it.
  */
-function shadowMaps(lights, sphere, height, clip) {
+export function shadowMaps(look, state, sphere, height, clip) {
   const layers = [];
   const places = {};
-  for (const { id, isLamp, toward, position } of lights) {
+  for (const { id, isLamp, toward, position } of mappedLights(look, state)) {
     const first = layers.length;
     const place = isLamp
       ? lampLayers(layers, position, sphere, clip)
@@ -89,4 +120,15 @@ function mapAxes([x, y, z]) {
   const a = -1 / (side + z);
   const b = x * y * a;
   return [[1 + side * x * x * a, side * b, -side * x], [b, side + y * y * a, -y]];
+}
+
+/** The sphere about spheres of several meshes, around the middle of their box. */
+export function sphereAround(spheres) {
+  if (spheres.length === 1) return spheres[0];
+  const end = (most, sign) => [0, 1, 2].map((i) =>
+    most(...spheres.map(({ center, radius }) => center[i] + sign * radius)));
+  const [least, greatest] = [end(Math.min, -1), end(Math.max, 1)];
+  const center = scale(add(least, greatest), 0.5);
+  const reach = ({ center: own, radius }) => length(subtract(own, center)) + radius;
+  return { center, radius: Math.max(0, ...spheres.map(reach)) };
 }

@@ -1,0 +1,145 @@
+//! The look's shader for Bevy: WGSL with its preprocessor's words.
+
+use std::fmt::Write as _;
+
+use serde_json::Value;
+
+use super::super::super::header;
+use super::super::{PackageRequest, javascript};
+use crate::document::ColorSpace;
+
+/// Functions that take camera and object from Bevy; words in capitals are places.
+const ENTRIES: &str = "
+/// The camera, as Bevy has it.
+fn view_of_camera() -> View {
+    let is_parallel = mesh_view_bindings::view.clip_from_view[3].w == 1.0;
+    let eye = vec4f(mesh_view_bindings::view.world_position, 1.0);
+    let toward = vec4f(mesh_view_bindings::view.world_from_view[2].xyz, 0.0);
+    return View(
+        mesh_view_bindings::view.clip_from_world,
+        mesh_view_bindings::view.view_from_world,
+        select(eye, toward, is_parallel),SCREEN
+    );
+}
+
+/// The place of a mesh, as Bevy has it.
+fn object_of_mesh(instance: u32) -> Object {
+    let world_from_object = mesh_functions::get_world_from_local(instance);
+    let x = world_from_object[0].xyz;
+    let y = world_from_object[1].xyz;
+    let z = world_from_object[2].xyz;
+    let cofactors = mat3x3f(cross(y, z), cross(z, x), cross(x, y));
+    return Object(world_from_object, cofactors * (1.0 / dot(x, cofactors[0])), 0.0MATERIAL);
+}
+";
+
+/// The entry point of fragments for looks whose colors are as shown: Bevy's targets encode.
+const DISPLAY: &str = "
+/// Linear light of a color as shown: Bevy's targets encode what is drawn.
+fn linear_of_shown(color: vec3f) -> vec3f {
+    let high = pow((color + 0.055) / 1.055, vec3f(2.4));
+    return select(high, color / 12.92, color <= vec3f(0.04045));
+}
+
+@fragment
+fn fragment(PARAMETERS) -> @location(0) vec4f {
+    view = view_of_camera();
+    let shown = look_color(ARGUMENTS);
+    return vec4f(linear_of_shown(shown.rgb), shown.a);
+}
+";
+
+/// The entry point of fragments for looks in linear light.
+const LINEAR: &str = "
+@fragment
+fn fragment(PARAMETERS) -> @location(0) vec4f {
+    view = view_of_camera();
+    return look_color(ARGUMENTS);
+}
+";
+
+/// Bindings of an image and its sampler in the material's group, by the image's index.
+pub(super) fn places(image: usize) -> (usize, usize) {
+    (1 + 2 * image, 2 + 2 * image)
+}
+
+/// The shader; `None` where fragments read the object, which Bevy's do not know.
+pub(super) fn write(request: &PackageRequest<'_>, module: &Value) -> Option<String> {
+    let source = javascript::source(request.sources, "wgsl", "draw", ".wgsl");
+    // The header's lines are about the WGSL of other packages.
+    let (_, source) = source.split_once("\n\n")?;
+    let mut text = header::comment(&[
+        format!("{}: made by Chiaro {}, WGSL for Bevy.", request.title, env!("CARGO_PKG_VERSION")),
+        "Camera and object are Bevy's; the look's own bindings lie in the material's group."
+            .to_owned(),
+    ]);
+    text += "\n#import bevy_pbr::{mesh_functions, mesh_view_bindings}\n\n";
+    text += source;
+    for binding in module["bindings"].as_array().into_iter().flatten() {
+        let old = format!("@group(0) @binding({}) ", binding["wgsl"]["binding"]);
+        let image = binding["feed"]["image"].as_u64().unwrap_or_default() as usize;
+        let group = "@group(#{MATERIAL_BIND_GROUP})";
+        let new = match binding["feed"]["from"].as_str()? {
+            "view" | "object" => String::new(),
+            "look" => format!("{group} @binding(0) "),
+            "image" => format!("{group} @binding({}) ", places(image).0),
+            _ => format!("{group} @binding({}) ", places(image).1),
+        };
+        text = text.replacen(&old, &new, 1);
+    }
+    for name in ["view", "object"] {
+        text = text.replacen(&format!("var<uniform> {name}:"), &format!("var<private> {name}:"), 1);
+    }
+    let members = |feed: &str| {
+        let mut bindings = module["bindings"].as_array().into_iter().flatten();
+        let found = bindings.find(|binding| binding["feed"]["from"] == feed);
+        let members = found.and_then(|binding| binding["members"].as_array());
+        let has = |name: &str| members.is_some_and(|it| it.iter().any(|it| it["name"] == name));
+        (has("screen"), has("material"))
+    };
+    let (has_screen, has_material) = (members("view").0, members("object").1);
+    let entries = ENTRIES
+        .replace("SCREEN", if has_screen { "\n        vec4f(1.0, 1.0, 0.0, 0.0)," } else { "" })
+        .replace("MATERIAL", if has_material { ", 0.0" } else { "" });
+    let (before, after) = text.split_once("\n@vertex\n")?;
+    let (vertex, fragment) = after.split_once("\n@fragment\n")?;
+    // Only the vertex shader knows the object.
+    if fragment.contains("object.") || before.contains("object.") {
+        return None;
+    }
+    let before = before.replacen(
+        "struct Vertex {\n",
+        "struct Vertex {\n    @builtin(instance_index) instance: u32,\n",
+        1,
+    );
+    let vertex = vertex
+        .replacen("fn vs_main(", "fn vertex(", 1)
+        .replacen(
+            "{\n",
+            "{\n    view = view_of_camera();\n    object = object_of_mesh(vertex.instance);\n",
+            1,
+        )
+        .replace("vertex.uv", "vec2f(vertex.uv.x, 1.0 - vertex.uv.y)")
+        .replace("vertex.", "corner.")
+        .replace("(vertex: Vertex)", "(corner: Vertex)");
+    let rest = fragment.strip_prefix("fn fs_main(")?;
+    let (parameters, body) = rest.split_once(") -> @location(0) vec4f {")?;
+    let plain: Vec<&str> = parameters
+        .split(", ")
+        .map(|parameter| parameter.rsplit_once(") ").map_or(parameter, |(_, plain)| plain))
+        .collect();
+    let arguments: Vec<&str> =
+        plain.iter().map(|it| it.split(':').next().unwrap_or_default()).collect();
+    let is_linear = request.description.color_space == ColorSpace::Linear;
+    let entry = if is_linear { LINEAR } else { DISPLAY };
+    let entry = entry.replace("PARAMETERS", parameters).replace("ARGUMENTS", &arguments.join(", "));
+    let mut whole = before.to_owned();
+    let _infallible = write!(
+        whole,
+        "{entries}\n@vertex\n{vertex}\n/// The look's color: straight RGBA.\n\
+         fn look_color({}) -> vec4f {{{}\n{entry}",
+        plain.join(", "),
+        body.trim_end()
+    );
+    Some(whole)
+}

@@ -1,0 +1,87 @@
+// {{title}}: made by Chiaro {{version}}, for Unity 6 and the Universal Render Pipeline 17.
+
+using System;
+using UnityEngine;
+using UnityEngine.Rendering;
+{{using}}
+
+namespace Chiaro
+{
+    /// <summary>The look "{{title}}" on a renderer.</summary>
+    /// <remarks>Gives the renderer a material, and sets the material's numbers for each camera that
+    /// draws.</remarks>
+    [ExecuteAlways, DisallowMultipleComponent, RequireComponent(typeof(Renderer))]
+    [AddComponentMenu("Chiaro/{{title}}")]
+    public sealed class {{class}}Look : MonoBehaviour
+    {
+{{fields}}
+        [Header("Drawing")]
+        [Tooltip("Axes that the look's lights turn with; none for those of the world.")]
+        public Transform illumination;
+
+        [Tooltip("Draw both sides of triangles, as open meshes need it.")]
+        public bool bothSides = {{both}};
+
+        // Kept with the scene, so that builds have the shader.
+        [SerializeField, HideInInspector] Shader shader;
+        [SerializeField, HideInInspector] Material[] wornBefore;
+
+        Renderer wearer;
+        Material material;
+
+{{own_lights}}
+{{properties}}
+        void Reset()
+        {
+            shader = Shader.Find("Chiaro/{{title}}");
+        }
+
+        void OnEnable()
+        {
+            if (shader == null)
+            {
+                Reset();
+            }
+            wearer = GetComponent<Renderer>();
+            material = new Material(shader)
+            {
+                name = "{{title}}",
+                hideFlags = HideFlags.DontSave,
+            };
+            wornBefore = wearer.sharedMaterials;
+            var worn = new Material[Math.Max(wornBefore.Length, 1)];
+            for (int part = 0; part < worn.Length; part++)
+            {
+                worn[part] = material;
+            }
+            wearer.sharedMaterials = worn;
+            RenderPipelineManager.beginCameraRendering += BeforeCamera;
+        }
+
+        void OnDisable()
+        {
+            RenderPipelineManager.beginCameraRendering -= BeforeCamera;
+            wearer.sharedMaterials = wornBefore;
+            if (Application.isPlaying)
+            {
+                Destroy(material);
+            }
+            else
+            {
+                DestroyImmediate(material);
+            }
+        }
+
+        void BeforeCamera(ScriptableRenderContext context, Camera camera)
+        {
+{{set}}
+            material.SetFloat("_Cull", (float)(bothSides ? CullMode.Off : CullMode.Back));
+        }
+
+{{settings}}
+{{around}}
+{{follow}}
+{{property}}
+    }
+{{work}}
+}

@@ -1,0 +1,223 @@
+//! The look in HLSL without bindings: what the exporter writes, made fit to be included.
+//!
+//! Uniform blocks become variables of the file, which the shader's entry points fill from what
+//! Unity has bound; entry points become functions. Names that Unity's includes have are changed.
+
+use crate::diag::Diagnostic;
+use crate::export::header;
+use crate::export::package::PackageRequest;
+use crate::wgsl::rename_identifiers;
+
+/// The look's text.
+#[derive(Clone, Debug)]
+pub(super) struct Source {
+    /// The whole file.
+    pub(super) text: String,
+    /// Attributes of a vertex.
+    pub(super) attributes: Vec<Field>,
+    /// Name of the type that the vertex function returns, and its members.
+    pub(super) varyings: (String, Vec<Field>),
+    /// Name of the type that the fragment function takes, and its members.
+    pub(super) inputs: (String, Vec<Field>),
+    /// True if the fragment asks for its place in the picture.
+    pub(super) reads_pixel: bool,
+    /// Uniform blocks: name and type.
+    pub(super) blocks: Vec<(String, String)>,
+}
+
+/// A member of a struct.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Field {
+    /// Type without an array's length.
+    pub(super) ty: String,
+    pub(super) name: String,
+    /// Semantic; empty where the member has none.
+    pub(super) semantic: String,
+}
+
+/// Names of types and macros of Unity's includes that a look may have, too.
+const TAKEN: [&str; 14] = [
+    "Light",
+    "InputData",
+    "SurfaceData",
+    "Attributes",
+    "Interpolators",
+    "PI",
+    "TWO_PI",
+    "FOUR_PI",
+    "HALF_PI",
+    "INV_PI",
+    "INFINITY",
+    "real",
+    "real3",
+    "real4",
+];
+
+impl Source {
+    /// The source of the look's picture.
+    ///
+    /// # Errors
+    /// - `export-failed`: the look cannot be written as HLSL, or not in the form that is sought.
+    pub(super) fn of(request: &PackageRequest<'_>) -> Result<Self, Diagnostic> {
+        let lost = |what: &str| {
+            Diagnostic::error("export-failed", format!("the look's HLSL has no {what}"))
+                .hint("please report the look; `--to hlsl` may still carry it")
+        };
+        let module = request.modules.modules.iter().find(|module| module.is_draw());
+        let module = module.ok_or_else(|| lost("picture"))?;
+        let hlsl = crate::export::language("hlsl").ok_or_else(|| lost("language"))?;
+        let written = hlsl.write(module, request.title, request.stem)?;
+        let file = written.files.first().ok_or_else(|| lost("file"))?;
+        let text = String::from_utf8_lossy(&file.bytes).into_owned();
+        let body = text.split_once("\n\n").map_or(text.as_str(), |(_, body)| body);
+        let body = free_names(body);
+        let vertex = head(&body, "vs_main").ok_or_else(|| lost("function `vs_main`"))?;
+        let fragment = head(&body, "fs_main").ok_or_else(|| lost("function `fs_main`"))?;
+        let named = |name: &str| structure(&body, name).ok_or_else(|| lost(name));
+        let attributes = named(vertex.parameter)?;
+        let varyings = (vertex.result.to_owned(), named(vertex.result)?);
+        let inputs = (fragment.parameter.to_owned(), named(fragment.parameter)?);
+        let reads_pixel = body.contains("in_.clip_");
+        let (body, blocks) = without_bindings(&body);
+        let lines = [
+            format!("{}: made by Chiaro {}, HLSL.", request.title, env!("CARGO_PKG_VERSION")),
+            format!("The look itself; {}.shader includes this file.", request.stem),
+        ];
+        let text = format!("{}\n{}\n", header::comment(&lines), body.trim_end());
+        Ok(Self { text, attributes, varyings, inputs, reads_pixel, blocks })
+    }
+
+    /// Members of a type of the look, without those that fill up space.
+    pub(super) fn members(&self, name: &str) -> Option<Vec<Field>> {
+        let mut members = structure(&self.text, name)?;
+        let is_filling =
+            |field: &Field| field.name.starts_with("_pad") || field.name.starts_with("_end_pad");
+        members.retain(|field| !is_filling(field));
+        Some(members)
+    }
+}
+
+/// The text with other names for what Unity calls so.
+fn free_names(text: &str) -> String {
+    rename_identifiers(text, |name| {
+        let is_loud = name.chars().all(|c| c.is_ascii_uppercase() || c == '_');
+        TAKEN.contains(&name).then(|| match name.chars().next() {
+            Some(first) if first.is_ascii_lowercase() => format!("{name}_of_look"),
+            _ if is_loud => format!("LOOK_{name}"),
+            _ => format!("Look{name}"),
+        })
+    })
+}
+
+/// Head of a function.
+struct FunctionHead<'a> {
+    result: &'a str,
+    parameter: &'a str,
+}
+
+/// Types of a function's result and of its first parameter.
+fn head<'a>(text: &'a str, name: &str) -> Option<FunctionHead<'a>> {
+    let line = text.lines().find(|line| line.contains(&format!(" {name}(")))?;
+    let (result, rest) = line.split_once(' ')?;
+    let (_, parameters) = rest.split_once('(')?;
+    Some(FunctionHead { result, parameter: parameters.split_whitespace().next()? })
+}
+
+/// Members of a struct.
+fn structure(text: &str, name: &str) -> Option<Vec<Field>> {
+    let (_, body) = text.split_once(&format!("struct {name} {{\n"))?;
+    let (body, _) = body.split_once("\n}")?;
+    let lines = body.lines().map(str::trim).filter(|line| !line.starts_with("//"));
+    lines
+        .map(|line| {
+            let line = line.strip_suffix(';')?;
+            let (declared, semantic) = line.split_once(" : ").unwrap_or((line, ""));
+            let (ty, name) = declared.rsplit_once(' ')?;
+            let name = name.split('[').next().unwrap_or_default();
+            Some(Field { ty: ty.to_owned(), name: name.to_owned(), semantic: semantic.to_owned() })
+        })
+        .collect()
+}
+
+/// The text with variables for uniform blocks and without semantics, and the blocks.
+fn without_bindings(text: &str) -> (String, Vec<(String, String)>) {
+    let mut blocks = Vec::new();
+    let mut result = String::with_capacity(text.len());
+    for line in text.lines() {
+        // cbuffer look : register(b2) { Look look; }
+        let block = line.strip_prefix("cbuffer ").and_then(|rest| {
+            let (_, inner) = rest.split_once("{ ")?;
+            inner.strip_suffix("; }")?.split_once(' ')
+        });
+        match block {
+            Some((ty, name)) => {
+                if blocks.is_empty() {
+                    result += "// Filled by the shader's entry points.\n";
+                }
+                blocks.push((name.to_owned(), ty.to_owned()));
+                result += &format!("static {ty} {name};");
+            }
+            None => result += &without_semantic(line),
+        }
+        result.push('\n');
+    }
+    (result, blocks)
+}
+
+/// A line without ` : LOC0` or ` : SV_Position`.
+fn without_semantic(line: &str) -> String {
+    for mark in [" : LOC", " : SV_"] {
+        if let Some((before, after)) = line.split_once(mark) {
+            let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
+            return format!("{before}{}", after.trim_start_matches(is_part));
+        }
+    }
+    line.to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = "\
+struct Look {
+    /// How much.
+    float warmth;
+    int _end_pad_0;
+    Light lights[2];
+};
+
+cbuffer look : register(b2) { Look look; }
+
+struct Vertex {
+    float3 position : LOC0;
+};
+
+Varyings vs_main(Vertex vertex)
+float4 fs_main(Inputs inputs) : SV_Target0
+";
+
+    #[test]
+    fn structs_are_read() {
+        let fields = structure(TEXT, "Look").expect("a struct");
+        let names: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
+        assert_eq!(names, ["warmth", "_end_pad_0", "lights"]);
+        assert_eq!(structure(TEXT, "Vertex").expect("a struct")[0].semantic, "LOC0");
+        let head = head(TEXT, "fs_main").expect("a function");
+        assert_eq!((head.result, head.parameter), ("float4", "Inputs"));
+    }
+
+    #[test]
+    fn bindings_and_semantics_go() {
+        let (text, blocks) = without_bindings(TEXT);
+        assert_eq!(blocks, [("look".to_owned(), "Look".to_owned())]);
+        assert!(text.contains("static Look look;\n"), "{text}");
+        assert!(text.contains("    float3 position;\n"), "{text}");
+        assert!(text.contains("float4 fs_main(Inputs inputs)\n"), "{text}");
+    }
+
+    #[test]
+    fn names_of_unity_are_left_to_it() {
+        assert_eq!(free_names("Light PI real a.PI"), "LookLight LOOK_PI real_of_look a.PI");
+    }
+}

@@ -1,0 +1,177 @@
+//! The package `wgpu`: a crate with the look as a material.
+//!
+//! Files of the crate are templates of `template/`, whose sections stay where a look needs them:
+//! nobody is given code that their look does not run. `look.rs` is the look itself, a table of its
+//! passes ([`tables`]); `host.rs` its host work, translated; `material.rs` what draws it. Uniforms
+//! of a frame lie in one buffer that is made anew, so that two pictures of one material may be
+//! drawn in one submission.
+
+mod scene;
+mod tables;
+
+use super::super::ExportFile;
+use super::rust::{HostModule, Lights, MATH, Parameters, Template, crate_name, plain, structure};
+use super::{Package, PackageRequest, javascript};
+use crate::diag::Diagnostic;
+use crate::document::ColorSpace;
+
+/// The package.
+pub(super) const PACKAGE: Package = Package {
+    slug: "wgpu",
+    label: "wgpu crate",
+    help: "A Rust crate with the look as a material for wgpu, and an example that draws it.",
+    opens: None,
+    run_with: Some("wgpu 30 on lavapipe"),
+    write,
+};
+
+/// Version of wgpu that the crate asks for.
+const VERSION: &str = "30";
+
+fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
+    refuse(request)?;
+    let one = |problem: Diagnostic| vec![problem];
+    let host = HostModule::of(request).map_err(one)?;
+    let (parameters, lights) = (Parameters::of(request), Lights::of(request));
+    let tables = tables::Tables::of(request);
+    let mut template = Template::default();
+    let title = plain(request.title);
+    let name = crate_name(request.stem);
+    template.place("title", title);
+    template.place("stem", request.stem);
+    template.place("crate", &name);
+    template.place("module", name.replace('-', "_"));
+    template.place("version", env!("CARGO_PKG_VERSION"));
+    template.place("library", VERSION);
+    template.section("wgpu", true);
+    template.section("look", host.is_some());
+    template.section("parameters", !parameters.is_empty());
+    template.section("lights", !lights.is_empty());
+    template.section("keyed", request.work.is_keyed && host.is_some());
+    template.section("linear", request.description.color_space == ColorSpace::Linear);
+    let reads = |surrounding: &str| host.as_ref().is_some_and(|host| host.reads(surrounding));
+    template.section("illumination", reads("illumination"));
+    template.section("time", reads("time") || reads("frame"));
+    fill_settings(&mut template, request, &parameters, &lights);
+    tables.fill(&mut template, request, &parameters);
+    fill_examples(&mut template, &parameters, &lights);
+
+    let mut files = vec![
+        template.file("Cargo.toml", include_str!("template/Cargo.toml.in")),
+        template.file("rustfmt.toml", include_str!("template/rustfmt.toml.in")),
+        template.file("README.md", include_str!("template/README.md.in")),
+        template.file("src/lib.rs", include_str!("template/lib.rs.in")),
+        template.file("src/error.rs", include_str!("template/error.rs.in")),
+        template.file("src/look.rs", include_str!("template/look.rs.in")),
+        template.file("src/material.rs", include_str!("template/material.rs.in")),
+        template.file("src/math.rs", MATH),
+        template.file("src/scene.rs", include_str!("template/scene.rs.in")),
+        template.file("src/uniforms.rs", include_str!("template/uniforms.rs.in")),
+        template.file("examples/show/main.rs", include_str!("template/main.rs.in")),
+    ];
+    files.extend(host.iter().map(|host| host.file("src/host.rs")));
+    if template.has("parameters") {
+        let text = parameters.fill(&mut template.clone());
+        files.push(ExportFile::text("src/parameters.rs".to_owned(), text));
+    }
+    if template.has("lights") {
+        let text = lights.fill(&mut template.clone());
+        files.push(ExportFile::text("src/lights.rs".to_owned(), text));
+    }
+    if template.has("images") {
+        files.push(template.file("src/images.rs", include_str!("template/images.rs.in")));
+    }
+    if template.has("passes") {
+        files.push(template.file("src/targets.rs", include_str!("template/targets.rs.in")));
+    }
+    for module in &request.description.modules {
+        let text = javascript::source(request.sources, "wgsl", module.name, ".wgsl");
+        files.push(ExportFile::text(format!("src/shaders/{}.wgsl", module.name), text));
+    }
+    let images = request.textures.iter().cloned();
+    files.extend(
+        images.map(|file| ExportFile { name: format!("src/images/{}", file.name), ..file }),
+    );
+    files.extend(scene::files(request, template));
+    Ok(files)
+}
+
+/// Refuses what the crate cannot draw.
+fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
+    let refusal = |message: String, help: &str| {
+        Err(vec![Diagnostic::error("not-in-package", message).hint(help)])
+    };
+    let description = request.description;
+    if let Some(pass) = description.passes.iter().find(|pass| pass.draws == "lights") {
+        return refusal(
+            format!("the look draws shadow maps (pass `{}`), which the crate cannot", pass.name),
+            "take *Cast shadow* out of the look, or export it `--to web`",
+        );
+    }
+    for image in &description.images {
+        let Some(file) = &image.file else {
+            return refusal(
+                format!("the image `{}` cannot be read, and a crate is built with it", image.path),
+                "put the file where the look says, and export again",
+            );
+        };
+        if tables::image_feature(file).is_none() && !file.ends_with(".ktx2") {
+            return refusal(
+                format!("the crate reads PNG and JPEG files, and `{}` is neither", image.path),
+                "save the image as PNG, with 8 bits a channel",
+            );
+        }
+    }
+    Ok(())
+}
+
+/// Members of the host work's settings and surroundings.
+fn fill_settings(
+    template: &mut Template,
+    request: &PackageRequest<'_>,
+    parameters: &Parameters<'_>,
+    lights: &Lights<'_>,
+) {
+    let mut settings = parameters.settings(request, "self.parameters");
+    settings.extend(lights.settings("self.lights"));
+    if settings.is_empty() {
+        settings.push("nothing: 0.0".to_owned());
+    }
+    template.lines("settings", structure("host::Settings", &settings, "", 8));
+    let (mut members, mut defaults, mut around) = (Vec::new(), Vec::new(), Vec::new());
+    for (id, member) in &request.work.near {
+        members.push(format!("    /// Distance from the object's middle to that of `{id}`, which"));
+        members.push("    /// drives keys, in scene units.".to_owned());
+        members.push(format!("    pub {member}: f64,"));
+        defaults.push(format!("            {member}: 1e6,"));
+        around.push(format!("            {member}: self.{member},"));
+    }
+    template.lines("near", members);
+    template.lines("near_default", defaults);
+    template.lines("near_surroundings", around);
+}
+
+/// Statements that set something, for the example and the text at the top of the crate.
+fn fill_examples(template: &mut Template, parameters: &Parameters<'_>, lights: &Lights<'_>) {
+    let parameter = parameters.example();
+    let set = parameter.map(|(name, value)| format!("material.parameters.{name} = {value};"));
+    let set = set.or_else(|| lights.example("material.lights"));
+    template.place("mut", "mut ");
+    template.lines("doc_set", set.iter().map(|line| format!("//! {line}")).collect());
+    template.lines("example_set", set.iter().map(|line| format!("    {line}")).collect());
+    let readme = set.iter().cloned().collect();
+    template.lines("readme_set", readme);
+    let listed = if parameters.is_empty() {
+        vec![
+            "  - This look exposes none: expose some in Chiaro, or export with `--live`."
+                .to_owned(),
+        ]
+    } else {
+        parameters.listed()
+    };
+    template.lines("readme_parameters", listed);
+    let types: Vec<&str> = if lights.is_empty() { Vec::new() } else { lights.types() };
+    template.place("light_types", types.join(", "));
+    let names: Vec<String> = lights.names().iter().map(|name| format!("`{name}`")).collect();
+    template.place("light_names", names.join(", "));
+}

@@ -1,0 +1,101 @@
+//! The numbers that a frame's shaders read, in one buffer.
+
+use wgpu::util::DeviceExt as _;
+
+use crate::math;
+use crate::scene::{Camera, Object};
+
+/// Place of a uniform in the frame's buffer.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    offset: u64,
+    size: u64,
+}
+
+impl Place {
+    pub(crate) fn of(self, buffer: &wgpu::Buffer) -> wgpu::BindingResource<'_> {
+        let size = wgpu::BufferSize::new(self.size);
+        wgpu::BindingResource::Buffer(wgpu::BufferBinding { buffer, offset: self.offset, size })
+    }
+}
+
+/// Uniforms of a frame, collected until all are known.
+pub(crate) struct Uniforms {
+    bytes: Vec<u8>,
+    alignment: usize,
+}
+
+impl Uniforms {
+    pub(crate) fn new(device: &wgpu::Device) -> Self {
+        let alignment = device.limits().min_uniform_buffer_offset_alignment as usize;
+        Self { bytes: Vec::new(), alignment }
+    }
+
+    /// Adds the bytes of a uniform.
+    pub(crate) fn add(&mut self, bytes: &[u8]) -> Place {
+        self.bytes.resize(self.bytes.len().next_multiple_of(self.alignment), 0);
+        let place = Place { offset: self.bytes.len() as u64, size: bytes.len() as u64 };
+        self.bytes.extend_from_slice(bytes);
+        place
+    }
+
+    pub(crate) fn upload(&self, device: &wgpu::Device) -> wgpu::Buffer {
+        device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: Some("uniforms"),
+            contents: &self.bytes,
+            usage: wgpu::BufferUsages::UNIFORM,
+        })
+    }
+}
+
+/// Bytes of numbers, filled up with zeros to a multiple of 16.
+pub(crate) fn bytes(numbers: impl IntoIterator<Item = f64>) -> Vec<u8> {
+    let words = numbers.into_iter().flat_map(|number| (number as f32).to_le_bytes());
+    let mut bytes: Vec<u8> = words.collect();
+    bytes.resize(bytes.len().next_multiple_of(16), 0);
+    bytes
+}
+
+/// Columns of three numbers, each on 16 bytes.
+fn columns(matrix: math::Matrix3) -> impl Iterator<Item = f64> {
+    matrix.into_iter().flat_map(|[x, y, z]| [x, y, z, 0.0])
+}
+
+/// Bytes of the uniform `view`.
+pub(crate) fn view(camera: &Camera) -> Vec<u8> {
+    let clip_from_world = math::product(&camera.clip_from_camera, &camera.camera_from_world);
+    let ([x, y, z], w) =
+        if camera.is_parallel() { (camera.toward(), 0.0) } else { (camera.eye(), 1.0) };
+    let matrices = [clip_from_world, camera.camera_from_world].into_iter().flatten().flatten();
+    // The last four say that rows are counted from the top.
+    bytes(matrices.chain([x, y, z, w]).chain([1.0, 1.0, 0.0, 0.0]))
+}
+
+/// Bytes of the uniform `object`. `id` counts objects from 0, `material` the parts of one.
+pub(crate) fn object(object: &Object<'_>, id: usize, material: usize) -> Vec<u8> {
+    let world_from_object = object.matrix();
+    let world_from_normal = math::inverse_transpose(&math::linear(&world_from_object));
+    let matrices = world_from_object.into_iter().flatten().chain(columns(world_from_normal));
+    bytes(matrices.chain([id as f64, material as f64]))
+}
+
+/// Bytes of the uniform of passes over the picture.
+pub(crate) fn numbers(camera: &Camera, height: u32, samples: u32) -> Vec<u8> {
+    let perspective = f64::from(u8::from(!camera.is_parallel()));
+    let rows_up = 0.0;
+    let numbers = [camera.pixel(height), perspective, height.into(), rows_up, samples.into()];
+    bytes(numbers)
+}
+
+/// Bytes of the look's own numbers, one for each four bytes; `integers` are those that are read as
+/// integers.
+pub(crate) fn look<const N: usize>(numbers: [f64; N], integers: &[usize]) -> Vec<u8> {
+    let word = |(index, number): (usize, f64)| {
+        if integers.contains(&index) {
+            return (number as i32).to_le_bytes();
+        }
+        let number = if number.is_nan() { 0.0 } else { number };
+        (number.clamp(f32::MIN.into(), f32::MAX.into()) as f32).to_le_bytes()
+    };
+    numbers.into_iter().enumerate().flat_map(word).collect()
+}

@@ -1,0 +1,253 @@
+//! The package `godot` in Godot 4.6: its official web build, in Chromium.
+//!
+//! Packages lie in folders of a project, as users put them there. What the editor does with images
+//! when it imports them is done here: an image of four bytes a pixel, and its place in the
+//! `.import` file.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use crate::pictures::{Difference, SIZE, Trial, soak_trials};
+use crate::support::chromium::from_base64;
+use crate::support::files;
+use crate::support::godot::Godot;
+use crate::table;
+
+/// Files of a package below a folder of the project, imported.
+fn packed(package: &Path, folder: &str) -> Vec<(String, Vec<u8>)> {
+    let mut packed = Vec::new();
+    for path in files::below(package) {
+        let name = path.file_name().expect("a file").to_string_lossy().into_owned();
+        let bytes = std::fs::read(&path).expect("a file of a package");
+        // The test has a project of its own.
+        if name == "project.godot" || name == "expected.png" {
+            continue;
+        }
+        let Some(image) = name.strip_suffix(".import") else {
+            packed.push((format!("{folder}/{name}"), bytes));
+            continue;
+        };
+        let imported = format!("{folder}/{image}.ctex");
+        let text = String::from_utf8(bytes).expect("text");
+        let head = "type=\"CompressedTexture2D\"\n";
+        assert!(text.contains(head), "{text}");
+        let text = text.replace(head, &format!("{head}path=\"res://{imported}\"\n"));
+        packed.push((format!("{folder}/{name}"), text.into_bytes()));
+        let pixels = image::open(package.join(image)).expect("an image").to_rgba8();
+        packed.push((imported, texture(&pixels)));
+    }
+    packed
+}
+
+/// An image as Godot's importer keeps it without compression.
+fn texture(pixels: &image::RgbaImage) -> Vec<u8> {
+    let (width, height) = pixels.dimensions();
+    let mut bytes = b"GST2".to_vec();
+    // Version, size, flags, limit of levels, and words for later.
+    for word in [1, width, height, 0, 0, 0, 0, 0] {
+        bytes.extend(word.to_le_bytes());
+    }
+    // The form of the data, size, number of further levels, format RGBA8.
+    bytes.extend(0_u32.to_le_bytes());
+    bytes.extend((width as u16).to_le_bytes());
+    bytes.extend((height as u16).to_le_bytes());
+    bytes.extend(0_u32.to_le_bytes());
+    bytes.extend(5_u32.to_le_bytes());
+    bytes.extend(pixels.as_raw());
+    bytes
+}
+
+/// A project with packages, running.
+struct Stage {
+    godot: Godot,
+    stems: Vec<String>,
+}
+
+impl Stage {
+    /// `None`, told on standard error, where a tool is missing.
+    fn new(trials: &[&Trial]) -> Option<Self> {
+        let (mut files, mut stems) = (Vec::new(), Vec::new());
+        for (place, trial) in trials.iter().enumerate() {
+            let package = trial.package("godot");
+            let names = files::below(&package);
+            let stem = names.iter().find_map(|path| {
+                let name = path.file_name()?.to_string_lossy().into_owned();
+                Some(name.strip_suffix(".gdshader")?.to_owned())
+            });
+            stems.push(stem.expect("a shader"));
+            files.extend(packed(&package, &format!("look{place}")));
+        }
+        let godot = Godot::start(&files).expect("Godot starts")?;
+        Some(Self { godot, stems })
+    }
+
+    /// Pictures of a package's scene, each after a step of GDScript in which `mesh` is the object
+    /// that wears the look and `scene` what is around it: straight RGBA, the top row first.
+    fn pictures(&mut self, place: usize, steps: &[&str]) -> Vec<Vec<u8>> {
+        let ([width, height], stem) = (SIZE, &self.stems[place]);
+        let mut script = format!(
+            "extends RefCounted\n\n\
+             func run(main: Node) -> Array:\n\
+             \tvar view := SubViewport.new()\n\
+             \tview.size = Vector2i({width}, {height})\n\
+             \tview.transparent_bg = true\n\
+             \tview.own_world_3d = true\n\
+             \tview.render_target_update_mode = SubViewport.UPDATE_ALWAYS\n\
+             \tmain.add_child(view)\n\
+             \tvar scene: Node = load(\"res://look{place}/{stem}.tscn\").instantiate()\n\
+             \tscene.get_node(\"Backdrop\").environment = null\n\
+             \tview.add_child(scene)\n\
+             \tvar mesh: Node = scene.get_node(\"Mesh\")\n\
+             \tvar pictures := []\n"
+        );
+        for step in steps {
+            for line in step.lines().chain([
+                "for i: int in 2:",
+                "\tawait main.get_tree().process_frame",
+                "await RenderingServer.frame_post_draw",
+                "var image := view.get_texture().get_image()",
+                "image.convert(Image.FORMAT_RGBA8)",
+                "pictures.append(Marshalls.raw_to_base64(image.get_data()))",
+            ]) {
+                let line = line.replace("var image :=", "image =");
+                script += &format!("\t{line}\n");
+            }
+        }
+        script = script.replace(
+            "\tvar pictures := []\n",
+            "\tvar pictures := []\n\tvar image: Image\n\tassert(mesh)\n",
+        );
+        script += "\tview.queue_free()\n\treturn pictures\n";
+        let answer = self.godot.run(&script).unwrap_or_else(|said| panic!("{stem}: {said}"));
+        let pictures = answer.as_array().expect("pictures");
+        let straight = |picture: &Value| {
+            let mut pixels = from_base64(picture.as_str().expect("base64")).expect("bytes");
+            for pixel in pixels.chunks_exact_mut(4) {
+                let alpha = f64::from(pixel[3]);
+                for channel in pixel[..3].iter_mut().filter(|_| alpha > 0.0) {
+                    *channel = (f64::from(*channel) * 255.0 / alpha).round().min(255.0) as u8;
+                }
+            }
+            pixels
+        };
+        pictures.iter().map(straight).collect()
+    }
+}
+
+/// Compares looks in Godot with our own pictures, and the differences with the table.
+fn compare(trials: &[(String, Trial)]) {
+    let Some(mut stage) = Stage::new(&trials.iter().map(|(_, trial)| trial).collect::<Vec<_>>())
+    else {
+        return;
+    };
+    let mut measured = BTreeMap::new();
+    for (place, (name, trial)) in trials.iter().enumerate() {
+        let ours = trial.ours();
+        let seen = ours.pixels().filter(|pixel| pixel.0[3] > 0).count();
+        assert!(seen > 2000, "{name}: {seen} pixels are covered");
+        let drawn = stage.pictures(place, &["pass"]);
+        if let Ok(folder) = std::env::var("CHIARO_GODOT_PICTURES") {
+            let path = Path::new(&folder).join(format!("{name}.png"));
+            let image = image::RgbaImage::from_raw(SIZE[0], SIZE[1], drawn[0].clone());
+            image.expect("a picture").save(path).expect("a file");
+        }
+        measured.insert(format!("godot compatibility {name}"), Difference::of(&drawn[0], &ours));
+    }
+    table::check(&measured);
+}
+
+/// An example in its cheapest tiers, which need no passes.
+fn fast(example: &str) -> Trial {
+    Trial::of(example).with(&[]).in_tier("fast")
+}
+
+fn named(examples: &[&str], trial: fn(&str) -> Trial) -> Vec<(String, Trial)> {
+    let name = |example: &&str| example.rsplit('/').next().unwrap_or_default().to_owned();
+    examples.iter().map(|example| (name(example), trial(example))).collect()
+}
+
+/// A look of each kind is drawn as we draw it: layers with keys, an image, many lights, and one of
+/// linear light that is transparent.
+#[test]
+fn godot_draws_what_we_draw() {
+    let mut trials = named(&["images/xtoon-orientation", "looks/string-of-lamps"], Trial::of);
+    trials.extend(named(&["looks/figure5-directional"], fast));
+    let linear = Trial::changed("looks/highlight-moves", |look| {
+        look["color_space"] = json!("linear");
+        look["nodes"][0]["values"]["color"] = json!([0.16, 0.3, 0.55, 0.4]);
+    });
+    trials.push(("linear-transparent".to_owned(), linear));
+    compare(&trials);
+}
+
+/// All example looks that one pass draws. `CHIARO_BLESS=1` writes their lines.
+#[test]
+#[ignore = "takes minutes; scripts/soak runs it"]
+fn soak_godot_draws_all_examples() {
+    let mut trials = soak_trials("godot", |trial| trial.in_tier("fast"));
+    assert!(trials.len() > 60, "{} looks are taken", trials.len());
+    while !trials.is_empty() {
+        let rest = trials.split_off(trials.len().min(12));
+        compare(&trials);
+        trials = rest;
+    }
+}
+
+/// A property of the inspector, and a light of the scene that a light of the look follows, change
+/// what they change in our own picture.
+#[test]
+fn properties_and_lights_change_what_they_change_with_us() {
+    let trial = Trial::of("looks/highlight-moves");
+    let Some(mut stage) = Stage::new(&[&trial]) else { return };
+    let before = trial.ours();
+    let turned = Trial::changed("looks/highlight-moves", |look| {
+        for node in look["nodes"].as_array_mut().into_iter().flatten() {
+            if node["id"] == "move" {
+                node["values"]["x"] = json!(0.3);
+            }
+        }
+        look["nodes"][0]["values"]["color"] = json!([0.6, 0.2, 0.1, 1.0]);
+    });
+    let lit = Trial::changed("looks/highlight-moves", |look| {
+        look["lights"]["key"]["direction"] = json!([0.7, 0.1, 0.7]);
+    });
+    let drawn = stage.pictures(
+        0,
+        &[
+            "pass",
+            "mesh.move_x = 0.3\nmesh.color_of_look = Color(0.6, 0.2, 0.1)",
+            "mesh.move_x = 0.0\nmesh.color_of_look = Color(0.16, 0.3, 0.55)\n\
+             var sun := DirectionalLight3D.new()\nscene.add_child(sun)\n\
+             sun.look_at_from_position(Vector3(0.7, 0.1, 0.7), Vector3.ZERO)\n\
+             mesh.key_light = sun",
+            "mesh.key_light = null",
+        ],
+    );
+    let (turned, lit) = (turned.ours(), lit.ours());
+    assert!(Difference::of(turned.as_raw(), &before).beyond > 500, "the values are seen");
+    assert!(Difference::of(lit.as_raw(), &before).beyond > 200, "the light is seen");
+    let mut measured = BTreeMap::new();
+    for (name, drawn, ours) in [
+        ("nothing", &drawn[0], &before),
+        ("properties", &drawn[1], &turned),
+        ("light", &drawn[2], &lit),
+        ("nothing-again", &drawn[3], &before),
+    ] {
+        let key = format!("godot compatibility highlight-moves-{name}");
+        measured.insert(key, Difference::of(drawn, ours));
+    }
+    assert!(measured.values().all(|found| found.beyond < 250), "{measured:?}");
+    table::check(&measured);
+}
+
+/// A look with passes before its picture is refused, with the tier that helps.
+#[test]
+fn looks_with_passes_are_refused_with_what_helps() {
+    let refusal = Trial::of("looks/figure1-layers").refusal("godot");
+    assert!(refusal.contains("several passes (normals, curvature)"), "{refusal}");
+    assert!(refusal.contains("--tier fast"), "{refusal}");
+    let refusal = Trial::of("hcbtf/grass-flat").refusal("godot");
+    assert!(refusal.contains("painted surface"), "{refusal}");
+}
