@@ -134,7 +134,7 @@ fn the_sides_to_draw_are_described() {
     }
 }
 
-/// What is told where a look takes the nearest tiers that an export carries.
+/// Warnings where a look takes the nearest tiers that an export carries.
 fn take_carried(look: &mut Look, library: &mut Library) -> Vec<Diagnostic> {
     let options = ExportOptions { takes_carried_tiers: true, ..ExportOptions::default() };
     options.apply(look, library, false).unwrap_or_else(|problems| panic!("{problems:?}"))

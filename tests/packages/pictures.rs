@@ -85,7 +85,7 @@ impl Trial {
         if output.status.success() { Ok(out) } else { Err(said) }
     }
 
-    /// What the program says of a look that a package does not take.
+    /// Words of the program about a look that a package does not take.
     pub(crate) fn refusal(&self, slug: &str) -> String {
         self.export(slug, &[]).expect_err("the package is refused")
     }
@@ -140,7 +140,7 @@ impl Trial {
 pub(crate) struct ExampleLook {
     /// Name of its file without ending.
     pub(crate) name: String,
-    /// Its place among the examples, such as `looks/clay`.
+    /// Place among the examples, such as `looks/clay`.
     place: String,
 }
 
@@ -160,8 +160,8 @@ pub(crate) fn example_looks() -> Vec<ExampleLook> {
 }
 
 /// Trials of all example looks that a package takes, each made fit by `fit`; the reasons of those
-/// that it refuses are compared with the table, or written there. Shadows are read from maps, for no
-/// package traces them.
+/// that it refuses are compared with the table, or written there. Shadows are read from maps, for
+/// no package traces them.
 pub(crate) fn soak_trials(slug: &str, fit: impl Fn(Trial) -> Trial) -> Vec<(String, Trial)> {
     let mut refused = BTreeMap::new();
     let mut taken = Vec::new();

@@ -26,12 +26,12 @@ const REFUSED: &str = " refused: ";
 /// Guards the file, which several tests write.
 static FILE: Mutex<()> = Mutex::new(());
 
-/// What became of a look in a package.
+/// Result of a look in a package.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Row {
-    /// It was drawn, with this difference.
+    /// Drawn, with this difference.
     Drawn(Difference),
-    /// It was refused for this reason.
+    /// Refused, for this reason.
     Refused(String),
 }
 

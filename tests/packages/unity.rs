@@ -1,6 +1,6 @@
 //! The package `unity`, as far as it goes without Unity: its shader by two compilers of HLSL and
-//! its component by Mono, both with stand-ins of our own for what Unity brings along, and the picture
-//! that both make together on Unity's matrices.
+//! its component by Mono, both with stand-ins of our own for what Unity brings along, and the
+//! picture that both make together on Unity's matrices.
 
 mod drawing;
 mod engine;

@@ -23,8 +23,8 @@ pub struct Godot {
 }
 
 impl Godot {
-    /// Godot with files, whose paths are those after `res://`. `None`, told on standard error, where
-    /// a tool is missing.
+    /// Godot with files, whose paths are those after `res://`. `None`, told on standard error,
+    /// where a tool is missing.
     ///
     /// # Errors
     /// Reasons why Godot does not start; missing tools where they are required.
@@ -57,7 +57,7 @@ impl Godot {
         Ok(Some(Self { browser, _server: server, _folder: folder }))
     }
 
-    /// What a script's function `run(main)` returns, as JSON; `main` is a node of the running scene.
+    /// Value of a script's function `run(main)`, as JSON; `main` is a node of the running scene.
     ///
     /// # Errors
     /// What Godot said: errors of the script, and any that it printed meanwhile.

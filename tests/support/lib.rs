@@ -1,7 +1,7 @@
 //! Helpers of several test programs that know no more of Chiaro than its words and its files:
 //! formulas in f64, random numbers, cases in files, ledgers and the sources that judge, a scanner
-//! of Rust, counted SPIR-V, outside validators, a browser and what it is served, Godot, waiting for a GPU,
-//! and the disk that documents are read from. Helpers that draw are in `tests/drawing`.
+//! of Rust, counted SPIR-V, outside validators, a browser and what it is served, Godot, waiting for
+//! a GPU, and the disk that documents are read from. Helpers that draw are in `tests/drawing`.
 
 use std::path::Path;
 

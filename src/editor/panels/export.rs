@@ -43,19 +43,19 @@ const GAP: f32 = 10.0;
 /// A look to be tried.
 struct TrialRequest {
     snapshot: RenderSnapshot,
-    asked: Asked,
+    asked: TrialSubject,
 }
 
-/// What a trial is of: a look as it was, and choices of the export.
+/// Subject of a trial: a look as it was, and choices of the export.
 #[derive(Clone, PartialEq)]
-struct Asked {
+struct TrialSubject {
     stamp: Stamp,
     options: ExportOptions,
 }
 
 /// Answers of the packages to a look.
 struct Trial {
-    asked: Asked,
+    asked: TrialSubject,
     needs: Result<LookNeeds, Vec<Diagnostic>>,
     /// By package, in the order of [`PACKAGES`].
     packages: Vec<PackageTrial>,
@@ -75,7 +75,7 @@ enum PackageTrial {
 pub(crate) struct ExportCards {
     worker: Worker<TrialRequest, Trial>,
     done: Option<Trial>,
-    asked: Option<Asked>,
+    asked: Option<TrialSubject>,
     options: ExportOptions,
 }
 
@@ -102,10 +102,10 @@ impl ExportCards {
         self.options
     }
 
-    /// What a trial of the look as it is now is of. A turn of the view or a later moment changes
+    /// Subject of a trial of the look as it is now. A turn of the view or a later moment changes
     /// nothing of an export.
-    fn current(&self, session: &Session) -> Asked {
-        Asked { stamp: session.stamp().without_view(), options: self.options }
+    fn current(&self, session: &Session) -> TrialSubject {
+        TrialSubject { stamp: session.stamp().without_view(), options: self.options }
     }
 
     /// Takes a finished trial, and asks for one of the look as it is while the panel is seen.

@@ -351,7 +351,7 @@ impl<'f> Reader<'f> {
         Err(error("import-circle", message, "unlink it in Blender, and export again"))
     }
 
-    /// What is seen: the surface of the material's output.
+    /// Color of the surface of the material's output.
     fn result(&mut self) -> Result<ForeignSource, Box<Diagnostic>> {
         let mut nodes = self.file.tree.nodes.iter();
         let output = nodes.find(|node| node.kind == "ShaderNodeOutputMaterial");

@@ -130,8 +130,8 @@ struct Builder<'a> {
     heights: HashMap<NodeId, f64>,
 }
 
-/// What a recipe is made for.
-struct Making<'a> {
+/// Node that a recipe is made for.
+struct RecipeNode<'a> {
     node: &'a ForeignNode,
     /// True where the last node's outputs are named, so that it has to be there.
     is_kept: bool,
@@ -150,7 +150,7 @@ impl<'a> Builder<'a> {
         self.made[index] = Some(match (twin, recipe) {
             (Some(twin), Some(recipe)) => {
                 self.tell_differences(node, twin, &recipe);
-                let making = Making { node, is_kept: !twin.outputs.is_empty() };
+                let making = RecipeNode { node, is_kept: !twin.outputs.is_empty() };
                 MadeNode { result: self.make(&recipe, &making, true), twin: Some(twin) }
             }
             _ => MadeNode { result: self.stand_in(node), twin: None },
@@ -193,7 +193,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Makes a recipe's nodes.
-    fn make(&mut self, recipe: &Recipe<'_>, making: &Making<'_>, is_last: bool) -> Source {
+    fn make(&mut self, recipe: &Recipe<'_>, making: &RecipeNode<'_>, is_last: bool) -> Source {
         match recipe {
             Recipe::Value(value) => Source::Value(value.clone()),
             Recipe::Input { name, words, otherwise } => {
@@ -384,7 +384,7 @@ impl<'a> Builder<'a> {
             let message = format!("`{}` of `{}`: {}", output, node.name, twin.told);
             self.tell(node, Diagnostic::note("import-differs", message));
         }
-        self.make(&recipe, &Making { node, is_kept: false }, false)
+        self.make(&recipe, &RecipeNode { node, is_kept: false }, false)
     }
 
     /// The node that holds a parameter of the material, exposed by its name.

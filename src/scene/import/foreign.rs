@@ -12,7 +12,7 @@ pub(super) struct ForeignGraph {
     pub(super) program: &'static str,
     /// All nodes, in the order of the file.
     pub(super) nodes: Vec<ForeignNode>,
-    /// What is seen on the surface.
+    /// Color of the surface.
     pub(super) result: ForeignSource,
     /// Problems of the file that the graph does without.
     pub(super) problems: Vec<Diagnostic>,

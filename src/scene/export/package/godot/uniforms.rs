@@ -192,7 +192,7 @@ impl<'a> Uniforms<'a> {
         result
     }
 
-    /// What a member's name and all that follows reads as, and the length of it.
+    /// Text of a member's name and all that follows, and the length of it.
     fn access(
         &mut self,
         members: &[Member],
@@ -390,7 +390,7 @@ pub(super) fn float(x: f64) -> String {
     format!("{:?}", if x == 0.0 { 0.0 } else { x })
 }
 
-/// Where a member lies.
+/// Place of a member.
 struct Place<'n> {
     name: &'n str,
     path: String,

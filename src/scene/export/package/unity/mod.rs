@@ -98,7 +98,7 @@ fn assembly(class: &str) -> String {
     pretty(&json!({"name": format!("Chiaro.{class}"), "rootNamespace": "Chiaro"}))
 }
 
-/// What Unity's package manager reads.
+/// File that Unity's package manager reads.
 fn manifest(class: &str, title: &str) -> String {
     pretty(&json!({
         "name": format!("com.chiaro.look.{}", class.to_lowercase()),

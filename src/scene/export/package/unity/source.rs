@@ -181,7 +181,7 @@ mod tests {
 
     const TEXT: &str = "\
 struct Look {
-    /// How much.
+    /// Amount.
     float warmth;
     int _end_pad_0;
     Light lights[2];
