@@ -13,16 +13,14 @@ static BABYLON: Library = Library {
     page: &["babylon.html", "babylon.core.js"],
 };
 
-/// Looks are drawn as we draw them: many lights, an image, keys, noise, passes, painted surfaces,
+/// Looks are drawn as we draw them: many lights, noise, passes, painted surfaces,
 /// shadow maps, and one of linear light.
 #[test]
 fn babylon_draws_what_we_draw() {
     let mut trials = examples(&[
         "looks/string-of-lamps",
         "looks/halftone-comic",
-        "images/xtoon-orientation",
         "looks/figure1-layers",
-        "looks/ink-outlines",
         "hcbtf/grass-flat",
     ]);
     let shadows = Trial::of("shadows/long-shadows").with(&["--tier", "balanced"]);

@@ -10,15 +10,13 @@ use crate::pictures::{Difference, Trial};
 static THREE: Library =
     Library { slug: "three", tool: Tool::Three, folder: three_folder, page: &["three.html"] };
 
-/// A look of each kind is drawn as we draw it: layers with curvature, keys, many passes, many
-/// lights, an image, painted surfaces, shadow maps, and one of linear light.
+/// A look of each kind is drawn as we draw it: layers with curvature, many passes, an image,
+/// painted surfaces, shadow maps, shadow maps, and one of linear light.
 #[test]
 fn three_draws_what_we_draw() {
     let mut trials = examples(&[
         "looks/figure1-layers",
-        "looks/figure5-directional",
         "looks/ink-outlines",
-        "looks/string-of-lamps",
         "hcbtf/grass-flat",
         "images/xtoon-orientation",
     ]);

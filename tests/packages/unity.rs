@@ -82,7 +82,7 @@ fn unity_packages_draw_what_we_draw() {
     if !has_tools() {
         return;
     }
-    let names = ["highlight-moves", "halftone-comic", "string-of-lamps", "lights-apart"];
+    let names = ["highlight-moves", "halftone-comic", "string-of-lamps"];
     let mut measured = std::collections::BTreeMap::new();
     for name in names {
         let trial = Trial::of(&format!("looks/{name}"));

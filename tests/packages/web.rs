@@ -50,15 +50,14 @@ fn compare(browser: &mut Chromium, trials: &[(String, Trial)]) {
     table::check(&measured);
 }
 
-/// A look of each kind is drawn as we draw it: layers with curvature, keys, a comic, parts that are
-/// cut away, painted surfaces, an image, shadows, a transparent look, and one of linear light.
+/// A look of each kind is drawn as we draw it: layers with curvature, keys, parts that are cut away,
+/// painted surfaces, an image, shadows, a transparent look, and one of linear light.
 #[test]
 fn pages_show_what_we_show() {
     let Some(mut browser) = Chromium::start().expect("Chromium") else { return };
     let examples = [
         "looks/figure1-layers",
         "looks/figure5-directional",
-        "looks/figure6-comics",
         "looks/technical-cutaway",
         "hcbtf/grass-flat",
         "images/xtoon-orientation",
@@ -233,7 +232,8 @@ fn a_canvas_of_ones_own_a_link_and_a_lost_device() {
         document.querySelector('.link').click();
         location.hash";
     let link = browser.evaluate(link).expect("a link");
-    let ending = format!("?api=webgl2{}", link.as_str().expect("a link"));
+    // Another address but for what follows #, or the browser would not load the page anew.
+    let ending = format!("?api=webgl2&panel=1{}", link.as_str().expect("a link"));
     browser.open_file_with(&package.join("index.html"), &ending).expect("the page opens");
     let set = "chiaro.ready.then((player) =>
         [player.get('move_x'), player.lightNow('key').intensity])";

@@ -1,4 +1,5 @@
-//! Programs that run a package's texts in Unity's place: Mono for the component, slangc for the shader.
+//! Programs that run a package's texts in Unity's place: Mono for the component, slangc for the
+//! shader.
 
 use std::collections::BTreeMap;
 use std::fs;
