@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use crate::support::chromium::{Chromium, from_base64};
+use crate::support::root;
 use serde_json::json;
 
 use crate::pictures::{Difference, SIZE, Trial, soak_trials};
@@ -251,6 +252,23 @@ fn a_canvas_of_ones_own_a_link_and_a_lost_device() {
     let told = "document.getElementById('problem').hidden
         && document.getElementById('api').textContent";
     assert_eq!(browser.evaluate(told), Ok(json!("WebGL 2")));
+}
+
+/// A page that was exported by the last release is drawn by the browsers of today, as this release
+/// draws the same look. With a release the folder is exported anew.
+#[test]
+fn a_page_of_the_last_release_still_runs() {
+    let Some(mut browser) = Chromium::start().expect("Chromium") else { return };
+    let kept = root().join("tests/packages/last_release");
+    let look = Trial::of("../tests/packages/last_release/highlight-moves");
+    let ours = look.with(&["--mesh", "shape:ball"]).ours();
+    let mut measured = BTreeMap::new();
+    for api in APIS {
+        open(&mut browser, &kept.join("page"), api);
+        let found = Difference::of(&picture(&mut browser), &ours);
+        measured.insert(format!("web {} last-release", api.0), found);
+    }
+    table::check(&measured);
 }
 
 /// All example looks, images and painted surfaces that are exported.

@@ -13,11 +13,21 @@ use crate::diag::Diagnostic;
 use crate::document::Storage;
 use crate::frame::{Assets, SetupLook};
 use crate::library::Library;
-use chiaro_scene::export::package::package;
+use chiaro_scene::export::package::{PACKAGES, package};
 use chiaro_scene::export::{self, ExportOptions};
 
 mod package;
 mod watch;
+
+/// Text below the options: examples, languages, and all packages.
+fn after_help() -> String {
+    let packages =
+        PACKAGES.iter().map(|package| format!("  {:<8} {}\n", package.slug, package.help));
+    format!(
+        "{EXAMPLES}\n\nPackages, folders that run where they arrive:\n{}",
+        packages.collect::<String>()
+    )
+}
 
 const EXAMPLES: &str = "\
 Examples:
@@ -38,7 +48,7 @@ for it runs in Chiaro's tests, and its files say so.";
 
 /// Arguments of `chiaro export`.
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = after_help())]
 pub(super) struct Arguments {
     /// A look
     look: PathBuf,

@@ -233,7 +233,11 @@ fn show_card(
         ui.set_min_size(size - vec2(24.0, 24.0));
         ui.set_max_size(size - vec2(24.0, 24.0));
         ui.spacing_mut().item_spacing.y = 6.0;
-        ui.label(RichText::new(package.label).strong().size(15.0));
+        let run_with = match package.run_with {
+            Some(program) => format!("Run with {program}"),
+            None => "The program itself was not run".to_owned(),
+        };
+        ui.label(RichText::new(package.label).strong().size(15.0)).on_hover_text(run_with);
         ui.label(RichText::new(package.help).color(colors.dim).size(theme::SMALL_TEXT + 1.0));
         let is_taken = match trial {
             None => {
