@@ -10,11 +10,11 @@ static BABYLON: Library = Library {
     slug: "babylon",
     tool: Tool::Babylon,
     folder: babylon_folder,
-    page: &["babylon.html", "babylon.core.js"],
+    page: &["babylon.html", "babylon.core.js", "gltf.js"],
 };
 
 /// Looks are drawn as we draw them: many lights, noise, passes, painted surfaces,
-/// shadow maps, and one of linear light.
+/// shadow maps, one of linear light, and one that shows both sides.
 #[test]
 fn babylon_draws_what_we_draw() {
     let mut trials = examples(&[
@@ -29,6 +29,9 @@ fn babylon_draws_what_we_draw() {
         look["color_space"] = json!("linear");
     });
     trials.push(("linear".to_owned(), linear));
+    // Back faces, seen where a parameter cuts parts away.
+    let cut = Trial::of("looks/technical-cutaway").live();
+    trials.push(("technical-cutaway".to_owned(), cut));
     compare(&BABYLON, &trials);
 }
 

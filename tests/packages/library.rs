@@ -105,8 +105,8 @@ impl Page {
 
     /// The mesh of the page as a file, with what else our own picture is to be drawn with.
     pub(crate) fn own_arguments(&mut self) -> [String; 4] {
-        let mesh = self.folder.path().join("knot.obj");
-        let text = self.evaluate("test.obj()");
+        let mesh = self.folder.path().join("knot.gltf");
+        let text = self.evaluate("test.gltf()");
         fs::write(&mesh, text.as_str().expect("a text")).expect("the mesh is written");
         let mesh = mesh.display().to_string();
         ["--mesh".to_owned(), mesh, "--camera".to_owned(), CAMERA.to_owned()]

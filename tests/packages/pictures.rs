@@ -20,6 +20,8 @@ pub(crate) struct Trial {
     arguments: &'static [&'static str],
     /// Tier of every node, where it is not the document's.
     tier: Option<&'static str>,
+    /// True to export every value of the look as a parameter.
+    is_live: bool,
     /// True to draw our own picture by the GPU that the test's environment names, else by that of
     /// Chromium.
     is_here: bool,
@@ -34,6 +36,7 @@ impl Trial {
             document,
             arguments: &[],
             tier: None,
+            is_live: false,
             is_here: false,
         }
     }
@@ -41,6 +44,11 @@ impl Trial {
     /// The trial with arguments of both `chiaro export` and `chiaro render`.
     pub(crate) fn with(self, arguments: &'static [&'static str]) -> Self {
         Self { arguments, ..self }
+    }
+
+    /// The trial with every value of the look a parameter of the package.
+    pub(crate) fn live(self) -> Self {
+        Self { is_live: true, ..self }
     }
 
     /// The trial with our own pictures drawn by the GPU that the test's environment names.
@@ -80,6 +88,7 @@ impl Trial {
         let mut command = chiaro();
         command.arg("export").arg(&self.document).args(["--to", slug, "-o"]).arg(&out);
         command.args(self.arguments).args(self.tier_arguments()).args(arguments);
+        command.args(self.is_live.then_some("--live"));
         let output = command.output().expect("the program starts");
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         if output.status.success() { Ok(out) } else { Err(said) }

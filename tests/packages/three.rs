@@ -7,11 +7,15 @@ use serde_json::json;
 use crate::library::{APIS, Library, Page, compare, compare_all, examples};
 use crate::pictures::{Difference, Trial};
 
-static THREE: Library =
-    Library { slug: "three", tool: Tool::Three, folder: three_folder, page: &["three.html"] };
+static THREE: Library = Library {
+    slug: "three",
+    tool: Tool::Three,
+    folder: three_folder,
+    page: &["three.html", "gltf.js"],
+};
 
 /// A look of each kind is drawn as we draw it: layers with curvature, many passes, an image,
-/// painted surfaces, shadow maps, shadow maps, and one of linear light.
+/// painted surfaces, shadow maps, one of linear light, and one that shows both sides.
 #[test]
 fn three_draws_what_we_draw() {
     let mut trials = examples(&[
@@ -26,6 +30,9 @@ fn three_draws_what_we_draw() {
     trials.push(("linear".to_owned(), linear));
     let shadows = Trial::of("shadows/long-shadows").with(&["--tier", "balanced"]);
     trials.push(("long-shadows".to_owned(), shadows));
+    // Back faces, and a parameter that GLSL has another word for: `output`.
+    let cut = Trial::of("looks/technical-cutaway").live();
+    trials.push(("technical-cutaway".to_owned(), cut));
     compare(&THREE, &trials);
 }
 

@@ -25,6 +25,8 @@ export class LookMaterial extends ShaderMaterial {
     this.lights = this.values.lights;
     // Where a parameter decides, it does so from here on.
     this.backFaceCulling = pass.sides !== "both" || pass.sides_parameter !== undefined;
+    // Without culling, Babylon.js tells fronts only to materials that light both sides.
+    this._twoSidedLighting = true;
     // Looks write depth where they are transparent, too.
     this.forceDepthWrite = true;
     this.passes = passesFor(scene, look);

@@ -46,6 +46,8 @@ class PassMaterial extends ShaderMaterial {
     super(name, scene, module.sources, { ...module.names, uniforms: [] });
     this.module = module;
     this.fill = fill;
+    // Without culling, Babylon.js tells fronts only to materials that light both sides.
+    this._twoSidedLighting = true;
     this.alphaMode = Constants.ALPHA_DISABLE;
     this.doNotSerialize = true;
   }

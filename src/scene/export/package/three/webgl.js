@@ -26,7 +26,7 @@ vec3 chiaro_decoded(vec3 x) {
 /** Uniform blocks as plain uniforms, which three.js can set for each object. */
 const BLOCK = /layout\(std140\) uniform (\w+) \{ (\w+) (\w+); \};/g;
 
-/** The module's shaders as three.js takes them, and the name of the uniform in each block. */
+/** The module's shaders as three.js takes them, and type and name of the uniform in each block. */
 function shadersOf({ glsl, attributes }, pass) {
   const blocks = new Map();
   // Rows of Chiaro's pictures run downward; layers of shadow maps are drawn upside down.
@@ -34,7 +34,7 @@ function shadersOf({ glsl, attributes }, pass) {
     (pass.draws === "lights" ? text : text.replace(/\bdFdy\(/g, "-dFdy("));
   const [vertex, fragment] = [glsl.vertex, glsl.fragment].map((text) =>
     downward(text).replace(/^#version.*\n/, "").replace(BLOCK, (_, block, type, name) => {
-      blocks.set(block, name);
+      blocks.set(block, { type, name });
       return `uniform ${type} ${name};`;
     }),
   );
@@ -72,7 +72,7 @@ class ModuleMaterial extends THREE.RawShaderMaterial {
     const { blocks, ...shaders } = shadersOf(module, pass);
     super({ glslVersion: THREE.GLSL3, ...shaders, ...options });
     this.feeds = module.bindings.map((binding) => {
-      const name = blocks.get(binding.glsl?.name) ?? binding.glsl?.name;
+      const name = blocks.get(binding.glsl?.name)?.name ?? binding.glsl?.name;
       if (name && binding.kind !== "sampler") this.uniforms[name] = { value: null };
       return { ...binding, uniform: this.uniforms[name] };
     });
@@ -80,7 +80,9 @@ class ModuleMaterial extends THREE.RawShaderMaterial {
     this.uniforms.chiaro_flip_v = { value: 0 };
     this.uniforms.chiaro_encoding = { value: 0 };
     const own = this.feeds.find(({ feed }) => feed.from === "look");
-    this.mirror = own && new UniformMirror(own);
+    const struct = blocks.get(own?.glsl?.name)?.type;
+    const text = shaders.vertexShader + shaders.fragmentShader;
+    this.mirror = own && new UniformMirror(own, struct, text);
     this.prepare = module.prepare;
     this.normal = new THREE.Matrix3();
     this.clip = new THREE.Matrix4();
