@@ -6,7 +6,7 @@
 
 mod lists;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
 
 use naga::back::hlsl;
@@ -19,9 +19,10 @@ use super::language::{
     TextFile,
 };
 use super::one_file::{NagaText, readable_text};
-use super::readable::WrittenText;
+use super::readable::{SourceComments, WrittenText};
 use super::reflect::{BindingType, BoundVariable};
-use crate::wgsl::ValidModule;
+use crate::diag::Diagnostic;
+use crate::wgsl::{self, ValidModule};
 
 pub(super) const LANGUAGE: Language = Language {
     slug: "hlsl",
@@ -92,6 +93,27 @@ fn write(request: &Request<'_>) -> Result<ExportedModule, String> {
         files: vec![ExportFile::text(file, format!("{header}\n{text}"))],
         described,
     })
+}
+
+/// Functions and types of WGSL without bindings as HLSL, with their names and comments.
+///
+/// # Errors
+/// - `export-failed`: what naga or the writer cannot take.
+pub(super) fn functions(source: &str) -> Result<String, Diagnostic> {
+    let lost = |message: String| {
+        Diagnostic::error("export-failed", format!("host work is no HLSL: {message}"))
+            .hint("please report the look; `--to hlsl` may still carry it")
+    };
+    let valid = wgsl::parse(source).map_err(|error| lost(error.message))?;
+    let options = hlsl::Options { force_loop_bounding: false, ..hlsl::Options::default() };
+    let write = |valid: &ValidModule| naga_text(valid, &options).map(|(text, _)| text);
+    let written = WrittenText {
+        text: lists::with_lists(&write(&valid).map_err(lost)?),
+        valid: &valid,
+        uniforms: BTreeSet::new(),
+        renamed: BTreeMap::new(),
+    };
+    written.readable(&SourceComments::of(source), write).map_err(lost)
 }
 
 /// The register of each binding: `b` buffers, `t` textures and `s` samplers are counted separately.

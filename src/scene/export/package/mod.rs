@@ -14,8 +14,10 @@ mod materials;
 mod parameter_table;
 mod python;
 mod rust;
+mod stable_id;
 mod three;
 mod unity;
+mod unreal;
 mod web;
 mod wgpu_crate;
 
@@ -62,6 +64,7 @@ pub const PACKAGES: &[&Package] = &[
     &bevy_crate::PACKAGE,
     &godot::PACKAGE,
     &unity::PACKAGE,
+    &unreal::PACKAGE,
     &blender::PACKAGE,
 ];
 

@@ -4,7 +4,7 @@ use crate::interp::{Scalar, Value};
 use crate::library::Type;
 
 /// A number of f64 that WGSL reads as f32 and the translator at its full width.
-pub(super) fn number(x: f64) -> String {
+pub(in crate::export) fn number(x: f64) -> String {
     let most = f64::from(f32::MAX);
     let x = if x.is_nan() { 0.0 } else { x.clamp(-most, most) };
     // The least numbers of f64 are no numbers of f32.
@@ -16,7 +16,7 @@ pub(super) fn number(x: f64) -> String {
 }
 
 /// A value of numbers; `None` for an array or a struct.
-pub(super) fn literal(value: &Value) -> Option<String> {
+pub(in crate::export) fn literal(value: &Value) -> Option<String> {
     let list = |numbers: &[f64]| numbers.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ");
     Some(match value {
         Value::Bool(x) => x.to_string(),
@@ -42,7 +42,7 @@ pub(super) fn literal(value: &Value) -> Option<String> {
 }
 
 /// A vector of three numbers.
-pub(super) fn vec3(v: [f64; 3]) -> String {
+pub(in crate::export) fn vec3(v: [f64; 3]) -> String {
     format!("vec3f({}, {}, {})", number(v[0]), number(v[1]), number(v[2]))
 }
 

@@ -23,6 +23,7 @@ use crate::interp::Value;
 use crate::library::Type;
 use crate::wgsl::scan;
 
+pub(super) use literal::{literal, number, vec3};
 pub(super) use settings::{LightSetting, ParameterSetting};
 
 /// Functions of the program that are the same for all looks.

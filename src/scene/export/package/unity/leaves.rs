@@ -12,22 +12,22 @@ use crate::export::reflect::Member;
 
 /// A property.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Leaf {
+pub(in crate::export::package) struct Leaf {
     /// Name of the property, such as `_key_direction`.
-    pub(super) property: String,
+    pub(in crate::export::package) property: String,
     /// The place in the look's variable, such as `look.key.direction`.
-    pub(super) place: String,
+    pub(in crate::export::package) place: String,
     /// Type of the place in HLSL: `float`, `float2` to `float4`, `int` or `uint`.
-    pub(super) ty: String,
+    pub(in crate::export::package) ty: String,
     /// The first of the uniform's words that are the property's.
-    pub(super) word: u32,
+    pub(in crate::export::package) word: u32,
     /// Number of words, 1 to 4.
-    pub(super) count: u32,
+    pub(in crate::export::package) count: u32,
 }
 
 impl Leaf {
     /// True for a whole number.
-    pub(super) fn is_integer(&self) -> bool {
+    pub(in crate::export::package) fn is_integer(&self) -> bool {
         self.ty == "int" || self.ty == "uint"
     }
 }
@@ -36,7 +36,7 @@ impl Leaf {
 ///
 /// # Errors
 /// - `export-failed`: a member that has another form in HLSL than is looked for.
-pub(super) fn leaves(
+pub(in crate::export::package) fn leaves(
     request: &PackageRequest<'_>,
     source: &Source,
 ) -> Result<Vec<Leaf>, Diagnostic> {

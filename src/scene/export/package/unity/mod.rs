@@ -10,16 +10,17 @@
 //! imported has x mirrored itself; shader and component mirror it back before the look sees it.
 
 mod component;
-mod leaves;
+pub(super) mod leaves;
 mod parameters;
-mod shader;
-mod source;
+pub(super) mod shader;
+pub(super) mod source;
 
 use serde_json::json;
 
 use super::super::ExportFile;
 use super::super::pretty::pretty;
 use super::materials::class_name;
+use super::stable_id::stable_id;
 use super::{Package, PackageRequest};
 use crate::diag::Diagnostic;
 
@@ -87,7 +88,7 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Diagnostic> {
 }
 
 /// A title without what would end a text of ShaderLab, C#, XML or a menu's entry.
-fn plain(title: &str) -> String {
+pub(super) fn plain(title: &str) -> String {
     let kept = |c: char| if "\"\\/<>&{}*`".contains(c) || c.is_control() { ' ' } else { c };
     let text: String = title.chars().map(kept).collect();
     text.split_whitespace().collect::<Vec<_>>().join(" ")
@@ -114,14 +115,7 @@ fn manifest(class: &str, title: &str) -> String {
 /// The file by which Unity knows another one: its id is the same in every export of the look, so
 /// that scenes that use it stay whole.
 fn meta(name: &str, stem: &str) -> ExportFile {
-    // Two rounds of FNV-1a, for 128 bits. Nothing hangs on their quality.
-    let hash = |salt: &str| {
-        let bytes = salt.bytes().chain(stem.bytes()).chain([0]).chain(name.bytes());
-        bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-        })
-    };
-    let text = format!("fileFormatVersion: 2\nguid: {:016x}{:016x}\n", hash("a"), hash("b"));
+    let text = format!("fileFormatVersion: 2\nguid: {}\n", stable_id(stem, name));
     ExportFile::text(format!("{name}.meta"), text)
 }
 

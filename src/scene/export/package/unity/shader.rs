@@ -64,7 +64,7 @@ pub(super) fn write(request: &PackageRequest<'_>, source: &Source, leaves: &[Lea
 }
 
 /// True if both sides of triangles are drawn: the look cuts parts away, or may.
-pub(super) fn draws_both_sides(request: &PackageRequest<'_>) -> bool {
+pub(in crate::export::package) fn draws_both_sides(request: &PackageRequest<'_>) -> bool {
     let draw = request.description.passes.iter().find(|pass| pass.module == "draw");
     draw.is_some_and(|pass| {
         pass.sides == Some(crate::export::description::DrawnSides::Both)

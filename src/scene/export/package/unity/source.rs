@@ -10,29 +10,29 @@ use crate::wgsl::rename_identifiers;
 
 /// The look's text.
 #[derive(Clone, Debug)]
-pub(super) struct Source {
+pub(in crate::export::package) struct Source {
     /// The whole file.
-    pub(super) text: String,
+    pub(in crate::export::package) text: String,
     /// Attributes of a vertex.
-    pub(super) attributes: Vec<Field>,
+    pub(in crate::export::package) attributes: Vec<Field>,
     /// Name of the type that the vertex function returns, and its members.
-    pub(super) varyings: (String, Vec<Field>),
+    pub(in crate::export::package) varyings: (String, Vec<Field>),
     /// Name of the type that the fragment function takes, and its members.
-    pub(super) inputs: (String, Vec<Field>),
+    pub(in crate::export::package) inputs: (String, Vec<Field>),
     /// True if the fragment asks for its place in the picture.
-    pub(super) reads_pixel: bool,
+    pub(in crate::export::package) reads_pixel: bool,
     /// Uniform blocks: name and type.
-    pub(super) blocks: Vec<(String, String)>,
+    pub(in crate::export::package) blocks: Vec<(String, String)>,
 }
 
 /// A member of a struct.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Field {
+pub(in crate::export::package) struct Field {
     /// Type without an array's length.
-    pub(super) ty: String,
-    pub(super) name: String,
+    pub(in crate::export::package) ty: String,
+    pub(in crate::export::package) name: String,
     /// Semantic; empty where the member has none.
-    pub(super) semantic: String,
+    pub(in crate::export::package) semantic: String,
 }
 
 /// Names of types and macros of Unity's includes that a look may have, too.
@@ -58,7 +58,7 @@ impl Source {
     ///
     /// # Errors
     /// - `export-failed`: the look cannot be written as HLSL, or not in the form that is sought.
-    pub(super) fn of(request: &PackageRequest<'_>) -> Result<Self, Diagnostic> {
+    pub(in crate::export::package) fn of(request: &PackageRequest<'_>) -> Result<Self, Diagnostic> {
         let lost = |what: &str| {
             Diagnostic::error("export-failed", format!("the look's HLSL has no {what}"))
                 .hint("please report the look; `--to hlsl` may still carry it")
@@ -88,7 +88,7 @@ impl Source {
     }
 
     /// Members of a type of the look, without those that fill up space.
-    pub(super) fn members(&self, name: &str) -> Option<Vec<Field>> {
+    pub(in crate::export::package) fn members(&self, name: &str) -> Option<Vec<Field>> {
         let mut members = structure(&self.text, name)?;
         let is_filling =
             |field: &Field| field.name.starts_with("_pad") || field.name.starts_with("_end_pad");

@@ -1,0 +1,100 @@
+//! The package `unreal`: a look as a material of Unreal Engine 5, without C++.
+//!
+//! - `STEM.ush` has the look and its host work as functions of HLSL, in a namespace of their own
+//!   ([`shader`], [`host`]).
+//! - `STEM.material.txt` is a material graph for the clipboard: a Custom node that calls the
+//!   functions, a parameter for each that is exposed, and what Unreal knows of the pixel ([`graph`]).
+//!
+//! Unreal's world is left-handed with z up, in centimeters. Chiaro's y and z are Unreal's z and y,
+//! as Unreal's own importers of glTF and FBX turn meshes: one reflection, which is its own inverse.
+
+mod arguments;
+mod graph;
+mod host;
+mod pieces;
+mod shader;
+
+use super::super::ExportFile;
+use super::materials::class_name;
+use super::unity::plain;
+use super::unity::shader::draws_both_sides;
+use super::{Package, PackageRequest};
+use crate::diag::Diagnostic;
+
+/// The package.
+pub(super) const PACKAGE: Package = Package {
+    slug: "unreal",
+    label: "Unreal Engine",
+    help: "Shader functions and a material graph to paste into Unreal Engine 5, without C++.",
+    opens: None,
+    run_with: None,
+    write,
+};
+
+/// The text of one screen for whoever gets the folder.
+const README: &str = include_str!("README.md");
+
+fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
+    refuse(request).map_err(|problem| vec![problem])?;
+    let one = |problem: Diagnostic| vec![problem];
+    let (stem, class) = (request.stem, class_name(request.stem));
+    let arguments = arguments::arguments(request);
+    let shader = shader::write(request, &class, &arguments).map_err(one)?;
+    let material = graph::write(request, &class, &arguments, &shader);
+    let readme = readme(request, shader.cuts);
+    Ok(vec![
+        ExportFile::text(format!("{stem}.ush"), shader.text),
+        ExportFile::text(format!("{stem}.material.txt"), material),
+        ExportFile::text("README.md".to_owned(), readme),
+    ])
+}
+
+/// Refuses what the package cannot draw.
+fn refuse(request: &PackageRequest<'_>) -> Result<(), Diagnostic> {
+    let refusal =
+        |message: String, help: &str| Err(Diagnostic::error("not-in-package", message).hint(help));
+    let mut passes = request.description.passes.iter();
+    if let Some(pass) = passes.find(|pass| pass.module != "draw") {
+        return refusal(
+            format!(
+                "the look draws passes before the picture (the first is `{}`), which the package \
+                 unreal does not",
+                pass.name
+            ),
+            "export with `--tier fast`, whose curvature needs none, or `--to web` or `three`",
+        );
+    }
+    if !request.description.images.is_empty() {
+        return refusal(
+            "the look reads images, which the package unreal does not carry yet".to_owned(),
+            "export the look `--to hlsl` and bind its images, or `--to web` or `three`",
+        );
+    }
+    if !request.work.near.is_empty() {
+        return refusal(
+            "keys of the look follow the distance of other objects, which a material does not know"
+                .to_owned(),
+            "drive the keys otherwise, or export `--to unity` or `web`",
+        );
+    }
+    Ok(())
+}
+
+fn readme(request: &PackageRequest<'_>, cuts: bool) -> String {
+    let is_opaque = request.description.opaque;
+    let (blend, opacity) = match (cuts, is_opaque) {
+        (true, _) => ("*Masked*", "*return* into *Emissive Color*, *Opacity* into *Opacity Mask*"),
+        (_, false) => ("*Translucent*", "*return* into *Emissive Color*, *Opacity* into *Opacity*"),
+        _ => ("*Opaque*", "*return* into *Emissive Color*"),
+    };
+    let sides = if draws_both_sides(request) { ", and *Two Sided* on" } else { "" };
+    README
+        .replace("{{name}}", &plain(request.title))
+        .replace("{{stem}}", request.stem)
+        .replace("{{version}}", env!("CARGO_PKG_VERSION"))
+        .replace("{{include}}", &graph::include_path(request))
+        .replace("{{blend}}", blend)
+        .replace("{{sides}}", sides)
+        .replace("{{links}}", opacity)
+        .replace("{{table}}\n", &request.parameter_table())
+}
