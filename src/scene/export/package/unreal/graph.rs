@@ -46,7 +46,7 @@ impl Output {
         if self == Self::Alpha { 4 } else { 0 }
     }
 
-    /// What an input says of the output beside its node.
+    /// Words of an input about the output beside its node.
     fn mask(self) -> &'static str {
         match self {
             Self::Whole => "",
@@ -149,7 +149,7 @@ fn parameter(request: &PackageRequest<'_>, index: usize, argument: &Argument<'_>
     Source { class, id: argument.name.to_owned(), properties, fed_by: None, takers }
 }
 
-/// What a parameter is for, with its unit.
+/// Help of a parameter, with its unit.
 fn help(argument: &Argument<'_>) -> String {
     let described = argument.described;
     let mut text =

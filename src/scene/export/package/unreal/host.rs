@@ -228,7 +228,8 @@ mod tests {
         let found = with_members(source, "draw", &leaves);
         for wanted in [
             "    v: vec2f,\n    x: f32,\n    b: u32,\n}",
-            "    numbers.v = v;\n    numbers.x = 1.5;\n    numbers.b = select(0u, 1u, b);\n    return",
+            "    numbers.v = v;\n    numbers.x = 1.5;\n    \
+             numbers.b = select(0u, 1u, b);\n    return",
             "}\n\nfn g() {}",
         ] {
             assert!(found.contains(wanted), "{found}");

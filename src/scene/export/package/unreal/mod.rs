@@ -3,7 +3,8 @@
 //! - `STEM.ush` has the look and its host work as functions of HLSL, in a namespace of their own
 //!   ([`shader`], [`host`]).
 //! - `STEM.material.txt` is a material graph for the clipboard: a Custom node that calls the
-//!   functions, a parameter for each that is exposed, and what Unreal knows of the pixel ([`graph`]).
+//!   functions, a parameter for each that is exposed, and what Unreal knows of the pixel
+//!   ([`graph`]).
 //!
 //! Unreal's world is left-handed with z up, in centimeters. Chiaro's y and z are Unreal's z and y,
 //! as Unreal's own importers of glTF and FBX turn meshes: one reflection, which is its own inverse.

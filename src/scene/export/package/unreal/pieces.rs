@@ -66,7 +66,7 @@ mod tests {
     use super::*;
 
     const TEXT: &str = "\
-/// How far.
+/// Distance.
 struct Look {
     float3 place;
 };
