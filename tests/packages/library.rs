@@ -6,9 +6,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::support::chromium::{Chromium, from_base64};
+use crate::support::root;
 use crate::support::served::Server;
 use crate::support::validators::Tool;
-use crate::support::root;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
