@@ -85,6 +85,7 @@ fn filled(template: &str, materials: &Materials<'_>, version: &str) -> String {
     let ids = &materials.lights;
     template
         .replace("{{name}}", &title)
+        .replace("{{package}}", &package_name(materials.stem))
         .replace("{{class}}", &class)
         .replace("{{stem}}", materials.stem)
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
@@ -118,6 +119,13 @@ pub(super) fn class_name(stem: &str) -> String {
         Some(first) if first.is_ascii_alphabetic() => name,
         _ => format!("Look{name}"),
     }
+}
+
+/// A package's name as npm takes it from the name of files: `Rim Light` is `look-rim-light`.
+fn package_name(stem: &str) -> String {
+    let stem = stem.to_ascii_lowercase();
+    let words = stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    words.fold("look".to_owned(), |name, word| name + "-" + word)
 }
 
 /// The parameters as members of an interface of TypeScript, a line each.
@@ -193,5 +201,7 @@ pub(super) mod tests {
         assert_eq!(class_name("2-rim"), "Look2Rim");
         assert_eq!(class_name("Ölbild"), "Lbild");
         assert_eq!(class_name("…"), "Look");
+        assert_eq!(package_name("2-Rim_light"), "look-2-rim-light");
+        assert_eq!(package_name("…"), "look");
     }
 }

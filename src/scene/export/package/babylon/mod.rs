@@ -55,6 +55,7 @@ fn files_of(materials: &Materials<'_>) -> Vec<ExportFile> {
         (format!("{}.material.js", materials.stem), include_str!("material.js").to_owned()),
         (format!("{}.material.d.ts", materials.stem), include_str!("material.d.ts").to_owned()),
         ("README.md".to_owned(), include_str!("README.md").to_owned()),
+        ("package.json".to_owned(), include_str!("package.json").to_owned()),
     ];
     materials.files(templates, &RUNTIME, VERSION)
 }

@@ -66,6 +66,7 @@ fn files_of(materials: &Materials<'_>) -> Vec<ExportFile> {
         (format!("{stem}.node-material.d.ts"), typings(&WEBGPU)),
         ("index.html".to_owned(), include_str!("index.html").to_owned()),
         ("README.md".to_owned(), include_str!("README.md").to_owned()),
+        ("package.json".to_owned(), include_str!("package.json").to_owned()),
     ];
     materials.files(templates, &RUNTIME, VERSION)
 }
