@@ -137,25 +137,34 @@ fn members(materials: &Materials<'_>) -> String {
             let help = parameter.help.replace("*/", "").replace(char::is_control, " ");
             let _infallible = writeln!(text, "  /** {help} */");
         }
-        let _infallible = writeln!(text, "  {name}: {};", type_of(parameter));
+        let (read, taken) = (type_read(parameter), type_taken(parameter));
+        let _infallible = writeln!(text, "  get {name}(): {read};");
+        let _infallible = writeln!(text, "  set {name}(value: {taken} | undefined);");
     }
     text
 }
 
-/// The type of a parameter in TypeScript.
-fn type_of(parameter: &MaterialParameter<'_>) -> String {
-    let vector = |size: u32| format!("Numbers<Vector{size}>");
+/// The type in TypeScript in which a parameter is read.
+fn type_read(parameter: &MaterialParameter<'_>) -> String {
     match parameter.ty {
         "switch" => "boolean".to_owned(),
-        "color" => format!("{} | Color", vector(4)),
-        "vec2" => vector(2),
-        "vec3" => vector(3),
-        "vec4" => vector(4),
+        "color" | "vec2" | "vec3" | "vec4" => "readonly number[]".to_owned(),
         _ if !parameter.options.is_empty() => {
             let words = parameter.options.iter().map(|word| format!("{word:?}"));
             words.collect::<Vec<_>>().join(" | ")
         }
         _ => "number".to_owned(),
+    }
+}
+
+/// The type in TypeScript in which a parameter is set.
+fn type_taken(parameter: &MaterialParameter<'_>) -> String {
+    match parameter.ty {
+        "color" => "ColorValue".to_owned(),
+        "vec2" => "Vector2 | readonly number[]".to_owned(),
+        "vec3" => "Vector3 | readonly number[]".to_owned(),
+        "vec4" => "Vector4 | readonly number[]".to_owned(),
+        _ => type_read(parameter),
     }
 }
 

@@ -70,6 +70,8 @@ mod tests {
         let files = files_of(&example());
         is_complete(&files);
         assert!(text(&files, "2-rim.material.js").contains("class Look2RimMaterial extends"));
-        assert!(text(&files, "2-rim.material.d.ts").contains("  \"warmth\": number;\n"));
+        let types = text(&files, "2-rim.material.d.ts");
+        assert!(types.contains("  get \"warmth\"(): number;\n"), "{types}");
+        assert!(types.contains("  set \"tint\"(value: ColorValue | undefined);\n"), "{types}");
     }
 }

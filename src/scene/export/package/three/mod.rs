@@ -115,8 +115,8 @@ mod tests {
         assert!(text(&files, "2-rim.material.js").starts_with("// Rim and light: a look"));
         let types = text(&files, "2-rim.node-material.d.ts");
         assert!(types.contains("class Look2RimNodeMaterial extends NodeMaterial"), "{types}");
-        assert!(types.contains("  \"warmth\": number;\n"), "{types}");
-        assert!(types.contains("  \"tint\": Numbers<Vector4> | Color;\n"), "{types}");
+        assert!(types.contains("  get \"warmth\"(): number;\n"), "{types}");
+        assert!(types.contains("  set \"tint\"(value: ColorValue | undefined);\n"), "{types}");
         assert!(types.contains("follow(id: \"key\", light"), "{types}");
     }
 }
