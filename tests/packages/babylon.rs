@@ -42,6 +42,17 @@ fn soak_babylon_draws_all_examples() {
     compare_all(&BABYLON);
 }
 
+/// Painted surfaces in BC7 blocks are refused by hosts that take no such layers.
+#[test]
+fn painted_surfaces_in_blocks_are_refused() {
+    for slug in ["babylon", "blender"] {
+        let refused = Trial::of("hcbtf/grass-flat").export(slug, &["--textures", "blocks"]);
+        let problem = refused.expect_err(slug);
+        assert!(problem.contains("not-in-package") && problem.contains("BC7"), "{problem}");
+        assert!(problem.contains("--textures compact"), "{problem}");
+    }
+}
+
 /// Parameters and lights that are set through the material change the same pixels as in Chiaro, in
 /// scenes of either hand.
 #[test]

@@ -78,10 +78,14 @@ fn parameters_and_lights_are_those_of_the_look() {
         page.evaluate("test.follow('key', null), true");
         page.evaluate("test.mesh.material.parameters.falloff = undefined");
         assert_eq!(before, page.pixels(), "{api}: the look's own values are back");
+        page.evaluate("test.mesh.material.lights.key.color = '#336699'");
+        let color = page.evaluate("test.mesh.material.lights.key.color");
+        assert_eq!(color, json!([0.2, 0.4, 0.6]), "{api}: colors in hex");
         for (wrong, told) in [
             ("follow('kee', null)", "no light \"kee\", but key"),
             ("parameters.falloff = 'wide'", "parameters.falloff is a number"),
             ("lights.key.direction = [1, 2]", "takes 3 numbers"),
+            ("lights.key.color = 'red'", "such as \"#40c070\""),
         ] {
             let error = page.browser.evaluate(&format!("test.mesh.material.{wrong}"));
             assert!(error.as_ref().is_err_and(|it| it.contains(told)), "{api}: {error:?}");

@@ -85,6 +85,7 @@ fn filled(template: &str, materials: &Materials<'_>, version: &str) -> String {
     let ids = &materials.lights;
     template
         .replace("{{name}}", &title)
+        .replace("{{package}}", &package_name(materials.stem))
         .replace("{{class}}", &class)
         .replace("{{stem}}", materials.stem)
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
@@ -120,6 +121,13 @@ pub(super) fn class_name(stem: &str) -> String {
     }
 }
 
+/// A package's name as npm takes it from the name of files: `Rim Light` is `look-rim-light`.
+fn package_name(stem: &str) -> String {
+    let stem = stem.to_ascii_lowercase();
+    let words = stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    words.fold("look".to_owned(), |name, word| name + "-" + word)
+}
+
 /// The parameters as members of an interface of TypeScript, a line each.
 fn members(materials: &Materials<'_>) -> String {
     let mut text = String::new();
@@ -129,25 +137,34 @@ fn members(materials: &Materials<'_>) -> String {
             let help = parameter.help.replace("*/", "").replace(char::is_control, " ");
             let _infallible = writeln!(text, "  /** {help} */");
         }
-        let _infallible = writeln!(text, "  {name}: {};", type_of(parameter));
+        let (read, taken) = (type_read(parameter), type_taken(parameter));
+        let _infallible = writeln!(text, "  get {name}(): {read};");
+        let _infallible = writeln!(text, "  set {name}(value: {taken} | undefined);");
     }
     text
 }
 
-/// The type of a parameter in TypeScript.
-fn type_of(parameter: &MaterialParameter<'_>) -> String {
-    let vector = |size: u32| format!("Numbers<Vector{size}>");
+/// The type in TypeScript in which a parameter is read.
+fn type_read(parameter: &MaterialParameter<'_>) -> String {
     match parameter.ty {
         "switch" => "boolean".to_owned(),
-        "color" => format!("{} | Color", vector(4)),
-        "vec2" => vector(2),
-        "vec3" => vector(3),
-        "vec4" => vector(4),
+        "color" | "vec2" | "vec3" | "vec4" => "readonly number[]".to_owned(),
         _ if !parameter.options.is_empty() => {
             let words = parameter.options.iter().map(|word| format!("{word:?}"));
             words.collect::<Vec<_>>().join(" | ")
         }
         _ => "number".to_owned(),
+    }
+}
+
+/// The type in TypeScript in which a parameter is set.
+fn type_taken(parameter: &MaterialParameter<'_>) -> String {
+    match parameter.ty {
+        "color" => "ColorValue".to_owned(),
+        "vec2" => "Vector2 | readonly number[]".to_owned(),
+        "vec3" => "Vector3 | readonly number[]".to_owned(),
+        "vec4" => "Vector4 | readonly number[]".to_owned(),
+        _ => type_read(parameter),
     }
 }
 
@@ -193,5 +210,7 @@ pub(super) mod tests {
         assert_eq!(class_name("2-rim"), "Look2Rim");
         assert_eq!(class_name("Ölbild"), "Lbild");
         assert_eq!(class_name("…"), "Look");
+        assert_eq!(package_name("2-Rim_light"), "look-2-rim-light");
+        assert_eq!(package_name("…"), "look");
     }
 }

@@ -111,6 +111,17 @@ impl PackageRequest<'_> {
         self.javascript_file("export const look = ")
     }
 
+    /// Refuses painted surfaces in BC7 blocks for a `reader` that takes none.
+    fn refuse_blocks(&self, reader: &str) -> Result<(), Vec<Diagnostic>> {
+        if !self.textures.iter().any(is_in_blocks) {
+            return Ok(());
+        }
+        let message =
+            format!("the look's painted surface lies in BC7 blocks, which {reader} cannot show");
+        let help = "export it with `--textures compact`, or choose that storage in its node";
+        Err(vec![Diagnostic::error("not-in-package", message).hint(help)])
+    }
+
     /// The exposed parameters as a table of Markdown, for the end of a README.
     fn parameter_table(&self) -> String {
         parameter_table::parameter_table(self.description)
@@ -125,6 +136,11 @@ impl PackageRequest<'_> {
         let text = format!("{}\n{declaration}{};\n", header::comment(&lines), self.javascript);
         ExportFile::text(format!("{}.js", self.stem), text)
     }
+}
+
+/// True for a KTX2 file whose texels lie in blocks: its format is not Vulkan's 37, RGBA of 8 bits.
+fn is_in_blocks(file: &ExportFile) -> bool {
+    file.name.ends_with(".ktx2") && file.bytes.get(12..16) != Some(&[37, 0, 0, 0][..])
 }
 
 /// The package that `chiaro export --to` calls `slug`.

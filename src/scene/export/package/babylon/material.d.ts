@@ -1,34 +1,49 @@
 // {{name}}: a look made with Chiaro {{version}}. Types of its material for Babylon.js.
 
-import type { Scene } from "@babylonjs/core";
-import { ShaderMaterial, Vector2, Vector3, Vector4 } from "@babylonjs/core";
+import type { Color3, Color4, Scene, Vector2, Vector3, Vector4 } from "@babylonjs/core";
+import { ShaderMaterial } from "@babylonjs/core";
 
-/** Numbers of a vector; reading gives an array that cannot be changed. */
-type Numbers<V> = V | readonly number[];
+/** A color: its numbers in the look's own space, or hex, such as `"#40c070"`. */
+type ColorValue = Color3 | Color4 | Vector3 | Vector4 | readonly number[] | string;
 
-/** A color is its numbers in the look's own space. */
-type Color = readonly number[];
+type VectorValue = Vector3 | readonly number[];
 
-/** What the look exposes. `undefined` brings the look's own value back. */
+/** Values for parameters, as a constructor takes them. */
+type Values<P> = {
+  [K in keyof P]?: P[K] extends readonly number[] ? Vector2 | VectorValue | ColorValue : P[K];
+};
+
+/**
+ * What the look exposes. `undefined` brings the look's own value back; vectors are read as arrays.
+ */
 export interface {{class}}Parameters {
 {{parameters}}}
 
-/** Fields of a light, in the light's own frame. */
+/** Fields of a light, in the light's own frame; `undefined` brings the look's own value back. */
 export interface {{class}}Light {
-  direction: Numbers<Vector3>;
-  position: Numbers<Vector3>;
-  aim: Numbers<Vector3>;
-  color: Numbers<Vector3>;
-  intensity: number;
-  inner: number;
-  outer: number;
-  half_distance: number;
-  range: number;
+  get direction(): readonly number[];
+  set direction(value: VectorValue | undefined);
+  get position(): readonly number[];
+  set position(value: VectorValue | undefined);
+  get aim(): readonly number[];
+  set aim(value: VectorValue | undefined);
+  get color(): readonly number[];
+  set color(value: ColorValue | undefined);
+  get intensity(): number;
+  set intensity(value: number | undefined);
+  get inner(): number;
+  set inner(value: number | undefined);
+  get outer(): number;
+  set outer(value: number | undefined);
+  get half_distance(): number;
+  set half_distance(value: number | undefined);
+  get range(): number;
+  set range(value: number | undefined);
 }
 
 export class {{class}}Material extends ShaderMaterial {
   constructor(name: string, scene: Scene, options?: {
-    parameters?: Partial<{{class}}Parameters>;
+    parameters?: Values<{{class}}Parameters>;
     /** Where the material draws: `display` on a canvas, `linear` before image processing. */
     encoding?: "display" | "linear";
   });
@@ -39,7 +54,14 @@ export class {{class}}Material extends ShaderMaterial {
   time: number;
   /** Resolves when the look's images are there. */
   readonly ready: Promise<this>;
+  /** Everything about the look. */
+  readonly look: typeof look;
 }
 
 /** Everything about the look: `look.parameters` has labels, ranges, units and defaults. */
-export const look: { name: string; [field: string]: unknown };
+export const look: {
+  name: string;
+  parameters: { key: string; label: string; type: string; default: unknown;
+    min?: number; max?: number; group?: string; help?: string; unit?: string }[];
+  [field: string]: unknown;
+};

@@ -42,6 +42,7 @@ const RUNTIME: [(&str, &str); 13] = [
 ];
 
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
+    request.refuse_blocks("Babylon.js")?;
     let mut files = vec![request.module()];
     files.extend(files_of(&Materials::of(request)));
     files.extend(request.textures.iter().cloned());
@@ -54,6 +55,7 @@ fn files_of(materials: &Materials<'_>) -> Vec<ExportFile> {
         (format!("{}.material.js", materials.stem), include_str!("material.js").to_owned()),
         (format!("{}.material.d.ts", materials.stem), include_str!("material.d.ts").to_owned()),
         ("README.md".to_owned(), include_str!("README.md").to_owned()),
+        ("package.json".to_owned(), include_str!("package.json").to_owned()),
     ];
     materials.files(templates, &RUNTIME, VERSION)
 }
@@ -68,6 +70,8 @@ mod tests {
         let files = files_of(&example());
         is_complete(&files);
         assert!(text(&files, "2-rim.material.js").contains("class Look2RimMaterial extends"));
-        assert!(text(&files, "2-rim.material.d.ts").contains("  \"warmth\": number;\n"));
+        let types = text(&files, "2-rim.material.d.ts");
+        assert!(types.contains("  get \"warmth\"(): number;\n"), "{types}");
+        assert!(types.contains("  set \"tint\"(value: ColorValue | undefined);\n"), "{types}");
     }
 }

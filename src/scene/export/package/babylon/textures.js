@@ -47,7 +47,7 @@ async function readArray(scene, url, filter) {
   const found = readLayers(await response.arrayBuffer(), url);
   if (found.isBlocks) {
     throw new Error(`${url} has blocks of BC7, which Babylon.js does not take in layers: ` +
-      "choose another storage for the painted surface, and export the look again");
+      "export the look again with --textures compact");
   }
   return arrayOf(scene, found, filter);
 }

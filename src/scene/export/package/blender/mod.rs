@@ -78,25 +78,17 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
 
 /// Refuses what the add-on cannot draw.
 fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
-    let refusal = |message: &str, help: &str| {
-        Err(vec![Diagnostic::error("not-in-package", message).hint(help)])
-    };
-    if request.textures.iter().any(is_in_blocks) {
-        return refusal(
-            "the look's painted surface lies in BC7 blocks, which Blender's scripts cannot show",
-            "store it without blocks, or export the look to `web` or `three`",
-        );
-    }
+    request.refuse_blocks("Blender's scripts")?;
     let described = serde_json::json!(request.description);
     let mut images = described["images"].as_array().cloned().unwrap_or_default();
     // Painted surfaces are read texel by texel.
     images.retain(|image| image["kind"] != "hcbtf");
     let sampling = |image: &serde_json::Value| [image["wrap"].clone(), image["filter"].clone()];
     if images.iter().any(|image| sampling(image) != sampling(&images[0])) {
-        return refusal(
-            "images of the look have different wraps or filters, and the add-on has one for all",
-            "give the look's image nodes the same wrap and the same filter",
-        );
+        let message =
+            "images of the look have different wraps or filters, and the add-on has one for all";
+        let help = "give the look's image nodes the same wrap and the same filter";
+        return Err(vec![Diagnostic::error("not-in-package", message).hint(help)]);
     }
     Ok(())
 }
@@ -119,11 +111,6 @@ fn extension_id(stem: &str) -> String {
     let name = module_name(stem).to_ascii_lowercase();
     let words: Vec<&str> = name.split('_').filter(|word| !word.is_empty()).collect();
     words.join("_")
-}
-
-/// True for a KTX2 file whose texels lie in blocks: its format is not Vulkan's 37, RGBA of 8 bits.
-fn is_in_blocks(file: &ExportFile) -> bool {
-    file.name.ends_with(".ktx2") && file.bytes.get(12..16) != Some(&[37, 0, 0, 0][..])
 }
 
 /// A template with its places filled.

@@ -2,8 +2,21 @@
 
 const isPlain = (value) => ["number", "boolean", "string"].includes(typeof value);
 
-/** Numbers of a value: an array, a vector or a color of three.js or Babylon.js. */
+const linearOf = (x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
+
+/** Numbers of a color such as `#40c070`, in the look's space. */
+function numbersOfHex(text, colorSpace) {
+  if (!/^#[0-9a-f]{6}$/i.test(text)) return undefined;
+  const shown = [1, 3, 5].map((at) => parseInt(text.slice(at, at + 2), 16) / 255);
+  return colorSpace === "display" ? shown : shown.map(linearOf);
+}
+
+/**
+ * Numbers of a value: an array, a vector, or a color of three.js, of Babylon.js or in hex.
+ * `colorSpace` is that of colors, and nothing for other values.
+ */
 function numbersOf(value, colorSpace) {
+  if (typeof value === "string") return colorSpace && numbersOfHex(value, colorSpace);
   if (value?.isColor && colorSpace === "display") {
     // Colors of three.js are linear; looks in display colors want what is shown.
     const shown = value.getRGB({}, "srgb");
@@ -28,11 +41,15 @@ function checked(name, value, example, colorSpace) {
     // Colors without alpha are opaque.
     if (numbers.length === 3 && example.length === 4) return Object.freeze([...numbers, 1]);
   }
-  throw new TypeError(`${name} takes ${example.length} numbers, such as [${example}]`);
+  const hex = colorSpace ? ", or a color such as \"#40c070\"" : "";
+  throw new TypeError(`${name} takes ${example.length} numbers, such as [${example}]${hex}`);
 }
 
-/** An object whose properties are values with defaults; other names cannot be set. */
-function settable(owner, fields, colorSpace, notify) {
+/**
+ * An object whose properties are values with defaults; other names cannot be set. `spaceOf` tells
+ * the space of the colors among them.
+ */
+function settable(owner, fields, spaceOf, notify) {
   const values = {};
   const object = {};
   for (const [key, example] of Object.entries(fields)) {
@@ -42,7 +59,7 @@ function settable(owner, fields, colorSpace, notify) {
       get: () => values[key] ?? original,
       set(value) {
         if (value === undefined) delete values[key];
-        else values[key] = checked(`${owner}${key}`, value, original, colorSpace);
+        else values[key] = checked(`${owner}${key}`, value, original, spaceOf(key));
         notify();
       },
     });
@@ -65,14 +82,17 @@ export class LookValues {
     const notify = () => this.version++;
     const space = look.colorSpace;
     const defaults = Object.fromEntries(look.parameters.map(({ key, default: own }) => [key, own]));
-    const parameters = settable("parameters.", defaults, space, notify);
+    const types = Object.fromEntries(look.parameters.map(({ key, type }) => [key, type]));
+    const spaceOf = (key) => (types[key] === "color" ? space : undefined);
+    const parameters = settable("parameters.", defaults, spaceOf, notify);
     this.parameters = parameters.object;
     this.lights = {};
     this.values = { parameters: parameters.values, lights: {} };
     for (const light of look.lights) {
       const names = LIGHT_FIELDS.filter((field) => light[field] !== undefined);
       const fields = Object.fromEntries(names.map((field) => [field, light[field]]));
-      const { object, values } = settable(`lights.${light.id}.`, fields, space, notify);
+      const { object, values } = settable(
+        `lights.${light.id}.`, fields, (field) => (field === "color" ? space : undefined), notify);
       this.lights[light.id] = object;
       this.values.lights[light.id] = values;
     }

@@ -3,29 +3,47 @@
 import type { BufferGeometry, Color, Light, Matrix3, Vector2, Vector3, Vector4 } from "three";
 import { {{base}} } from "{{module}}";
 
-/** Numbers of a vector; reading gives an array that cannot be changed. */
-type Numbers<V> = V | readonly number[];
+/** A color: its numbers in the look's own space, or hex, such as `"#40c070"`. */
+type ColorValue = Color | Vector3 | Vector4 | readonly number[] | string;
 
-/** What the look exposes. `undefined` brings the look's own value back. */
+type VectorValue = Vector3 | readonly number[];
+
+/** Values for parameters, as a constructor takes them. */
+type Values<P> = {
+  [K in keyof P]?: P[K] extends readonly number[] ? Vector2 | VectorValue | ColorValue : P[K];
+};
+
+/**
+ * What the look exposes. `undefined` brings the look's own value back; vectors are read as arrays.
+ */
 export interface {{class}}Parameters {
 {{parameters}}}
 
-/** Fields of a light, in the light's own frame. */
+/** Fields of a light, in the light's own frame; `undefined` brings the look's own value back. */
 export interface {{class}}Light {
-  direction: Numbers<Vector3>;
-  position: Numbers<Vector3>;
-  aim: Numbers<Vector3>;
-  color: Numbers<Vector3> | Color;
-  intensity: number;
-  inner: number;
-  outer: number;
-  half_distance: number;
-  range: number;
+  get direction(): readonly number[];
+  set direction(value: VectorValue | undefined);
+  get position(): readonly number[];
+  set position(value: VectorValue | undefined);
+  get aim(): readonly number[];
+  set aim(value: VectorValue | undefined);
+  get color(): readonly number[];
+  set color(value: ColorValue | undefined);
+  get intensity(): number;
+  set intensity(value: number | undefined);
+  get inner(): number;
+  set inner(value: number | undefined);
+  get outer(): number;
+  set outer(value: number | undefined);
+  get half_distance(): number;
+  set half_distance(value: number | undefined);
+  get range(): number;
+  set range(value: number | undefined);
 }
 
 export class {{type}} extends {{base}} {
   constructor(options?: {
-    parameters?: Partial<{{class}}Parameters>;
+    parameters?: Values<{{class}}Parameters>;
     /** True for geometries whose texture coordinates have v down, as those of GLTFLoader. */
     flipV?: boolean;
     [property: string]: unknown;

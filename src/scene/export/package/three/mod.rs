@@ -66,6 +66,7 @@ fn files_of(materials: &Materials<'_>) -> Vec<ExportFile> {
         (format!("{stem}.node-material.d.ts"), typings(&WEBGPU)),
         ("index.html".to_owned(), include_str!("index.html").to_owned()),
         ("README.md".to_owned(), include_str!("README.md").to_owned()),
+        ("package.json".to_owned(), include_str!("package.json").to_owned()),
     ];
     materials.files(templates, &RUNTIME, VERSION)
 }
@@ -114,8 +115,8 @@ mod tests {
         assert!(text(&files, "2-rim.material.js").starts_with("// Rim and light: a look"));
         let types = text(&files, "2-rim.node-material.d.ts");
         assert!(types.contains("class Look2RimNodeMaterial extends NodeMaterial"), "{types}");
-        assert!(types.contains("  \"warmth\": number;\n"), "{types}");
-        assert!(types.contains("  \"tint\": Numbers<Vector4> | Color;\n"), "{types}");
+        assert!(types.contains("  get \"warmth\"(): number;\n"), "{types}");
+        assert!(types.contains("  set \"tint\"(value: ColorValue | undefined);\n"), "{types}");
         assert!(types.contains("follow(id: \"key\", light"), "{types}");
     }
 }
