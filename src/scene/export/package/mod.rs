@@ -11,6 +11,7 @@ mod blender;
 mod godot;
 mod javascript;
 mod materials;
+mod materialx;
 mod parameter_table;
 mod python;
 mod rust;
@@ -63,6 +64,7 @@ pub const PACKAGES: &[&Package] = &[
     &godot::PACKAGE,
     &unity::PACKAGE,
     &blender::PACKAGE,
+    &materialx::PACKAGE,
 ];
 
 /// The scene that a package shows the look in.
