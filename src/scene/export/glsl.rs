@@ -112,7 +112,7 @@ fn stage_text(
 }
 
 /// The stage of an entry point, as naga writes it.
-fn written_text(
+pub(super) fn written_text(
     valid: &ValidModule,
     point: &naga::EntryPoint,
     options: &glsl::Options,

@@ -11,6 +11,7 @@ mod blender;
 mod godot;
 mod javascript;
 mod materials;
+mod materialx;
 mod parameter_table;
 mod python;
 mod rust;
@@ -66,6 +67,7 @@ pub const PACKAGES: &[&Package] = &[
     &unity::PACKAGE,
     &unreal::PACKAGE,
     &blender::PACKAGE,
+    &materialx::PACKAGE,
 ];
 
 /// The scene that a package shows the look in.

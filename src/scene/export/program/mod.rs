@@ -55,6 +55,29 @@ pub(super) struct ModuleNumbers {
     pub(super) function: String,
     /// Words that hold integers.
     pub(super) integers: Vec<usize>,
+    /// The same numbers as a struct, for languages that call the program in the shader itself.
+    pub(super) structure: StructFunction,
+}
+
+/// A function that makes the struct `Look` of a module's shader. The source of the program does not
+/// have the function: the struct is the shader's.
+#[derive(Clone, Debug)]
+pub(super) struct StructFunction {
+    /// Name of the function.
+    pub(super) name: String,
+    /// Statements of the function, which takes `settings` and `around`.
+    body: String,
+}
+
+impl StructFunction {
+    /// The function in WGSL.
+    pub(super) fn wgsl(&self) -> String {
+        format!(
+            "/// What is known before the fragment, of parameters and lights.\n\
+             fn {}(settings: Settings, around: Surroundings) -> Look {{\n{}}}\n",
+            self.name, self.body
+        )
+    }
 }
 
 /// Builds the program of a look.

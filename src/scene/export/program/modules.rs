@@ -8,7 +8,7 @@ use naga::{ArraySize, Handle, ScalarKind, TypeInner};
 use super::super::modules::{Host, ShaderModule};
 use super::literal::literal;
 use super::settings::{Settings, light_value, surrounding};
-use super::{ModuleNumbers, identifier, problem};
+use super::{ModuleNumbers, StructFunction, identifier, problem};
 use crate::compile::{HostStep, UniformMember};
 use crate::diag::Diagnostic;
 use crate::ids::LightId;
@@ -33,13 +33,23 @@ pub(super) fn write(
     let module_of_look = &host.shader.valid.module;
     let mut writer =
         WordWriter { module: module_of_look, text: String::new(), integers: Vec::new() };
+    let mut filled = String::new();
     for member in &host.shader.host.members {
         let mut value = steps.name(member.step);
         if member.ty == crate::library::Type::Bool {
             value = format!("select(0u, 1u, {value})");
         }
         writer.write(member.offset, type_of(host, member)?, &value)?;
+        let place = match &member.place {
+            None => member.name.clone(),
+            Some(place) => format!("{}[{}].{}", place.array, place.index, place.field),
+        };
+        let _ = writeln!(filled, "    numbers.{place} = {value};");
     }
+    let structure = StructFunction {
+        name: identifier(&format!("{}_look", module.name), &[]),
+        body: format!("{body}    var numbers: Look;\n{filled}    return numbers;\n"),
+    };
     let _ = write!(body, "    var numbers: array<f32, {words}>;\n{}", writer.text);
     let _ = write!(
         text,
@@ -48,7 +58,8 @@ pub(super) fn write(
          {body}    return numbers;\n}}\n\n",
         module.name
     );
-    Ok(Some(ModuleNumbers { module: module.name, function, integers: writer.integers }))
+    let integers = writer.integers;
+    Ok(Some(ModuleNumbers { module: module.name, function, integers, structure }))
 }
 
 /// Type of a member in the shader's uniform.
