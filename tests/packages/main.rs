@@ -16,5 +16,6 @@ mod pictures;
 mod table;
 mod three;
 mod unity;
+mod unreal;
 mod web;
 mod wgpu_crate;

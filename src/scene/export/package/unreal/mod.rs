@@ -82,9 +82,12 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Diagnostic> {
 
 fn readme(request: &PackageRequest<'_>, cuts: bool) -> String {
     let is_opaque = request.description.opaque;
-    let (blend, opacity) = match (cuts, is_opaque) {
+    let (blend, links) = match (cuts, is_opaque) {
         (true, _) => ("*Masked*", "*return* into *Emissive Color*, *Opacity* into *Opacity Mask*"),
-        (_, false) => ("*Translucent*", "*return* into *Emissive Color*, *Opacity* into *Opacity*"),
+        (_, false) => (
+            "*Translucent* (*Opaque* while colors are opaque)",
+            "*return* into *Emissive Color*, *Opacity* into *Opacity*",
+        ),
         _ => ("*Opaque*", "*return* into *Emissive Color*"),
     };
     let sides = if draws_both_sides(request) { ", and *Two Sided* on" } else { "" };
@@ -95,6 +98,6 @@ fn readme(request: &PackageRequest<'_>, cuts: bool) -> String {
         .replace("{{include}}", &graph::include_path(request))
         .replace("{{blend}}", blend)
         .replace("{{sides}}", sides)
-        .replace("{{links}}", opacity)
+        .replace("{{links}}", links)
         .replace("{{table}}\n", &request.parameter_table())
 }
