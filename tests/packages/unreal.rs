@@ -185,15 +185,15 @@ fn has_tools() -> bool {
     })
 }
 
-/// Looks are drawn as we draw them: parameters with their defaults, dots that count pixels, and
-/// many lights, with host work in the shader.
+/// Looks are drawn as we draw them: dots that count pixels, and many lights, with host work in the
+/// shader.
 #[test]
 fn unreal_packages_draw_what_we_draw() {
     if !has_tools() {
         return;
     }
     let mut measured = BTreeMap::new();
-    for name in ["highlight-moves", "halftone-comic", "string-of-lamps"] {
+    for name in ["halftone-comic", "string-of-lamps"] {
         let trial = Trial::of(&format!("looks/{name}"));
         let folder = trial.package("unreal");
         let (ours, found) = drawn_shader(&trial, &folder, Material::of(&folder).shader());
@@ -235,7 +235,7 @@ fn glslang_takes_the_functions_of_unreal() {
     if !has_tools() {
         return;
     }
-    for name in ["highlight-moves", "lights-apart", "stipple"] {
+    for name in ["mood", "lights-apart"] {
         let folder = Trial::of(&format!("looks/{name}")).package("unreal");
         let material = Material::of(&folder);
         let text = fs::read_to_string(folder.join(&material.file)).expect("the functions");

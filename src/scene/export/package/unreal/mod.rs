@@ -3,7 +3,8 @@
 //! - `STEM.ush` has the look and its host work as functions of HLSL, in a namespace of their own
 //!   ([`shader`], [`host`]).
 //! - `STEM.material.txt` is a material graph for the clipboard: a Custom node that calls the
-//!   functions, a parameter for each that is exposed, and what Unreal knows of the pixel ([`graph`]).
+//! - `STEM.material.txt` is a material graph for the clipboard: a Custom node that calls the
+//!   functions, a parameter for each that is exposed, and what Unreal knows of the pixel
 //!
 //! Unreal's world is left-handed with z up, in centimeters. Chiaro's y and z are Unreal's z and y,
 //! as Unreal's own importers of glTF and FBX turn meshes: one reflection, which is its own inverse.
@@ -38,7 +39,7 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     refuse(request).map_err(|problem| vec![problem])?;
     let one = |problem: Diagnostic| vec![problem];
     let (stem, class) = (request.stem, class_name(request.stem));
-    let arguments = arguments::arguments(request);
+    let arguments = arguments::arguments(request, &class);
     let shader = shader::write(request, &class, &arguments).map_err(one)?;
     let material = graph::write(request, &class, &arguments, &shader);
     let readme = readme(request, shader.cuts);
