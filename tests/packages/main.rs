@@ -17,5 +17,6 @@ mod pictures;
 mod table;
 mod three;
 mod unity;
+mod unreal;
 mod web;
 mod wgpu_crate;

@@ -2,7 +2,7 @@
 //! its component by Mono, both with stand-ins of our own for what Unity brings along, and the
 //! picture that both make together on Unity's matrices.
 
-mod drawing;
+pub(crate) mod drawing;
 mod engine;
 
 use std::path::{Path, PathBuf};
@@ -141,7 +141,7 @@ fn both_compilers_take_the_shaders() {
     }
 }
 
-fn glslang(folder: &Path, text: &str, function: &str, stage: &str) {
+pub(crate) fn glslang(folder: &Path, text: &str, function: &str, stage: &str) {
     let place = tempfile::tempdir().expect("a folder");
     let file = place.path().join("pass.hlsl");
     std::fs::write(&file, text).expect("a file");

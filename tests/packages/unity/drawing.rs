@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::path::{Path, PathBuf};
 
 use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
 use image::RgbaImage;
@@ -21,6 +22,15 @@ const CAMERA: &str = "eye=0.9,0.8,2.6;target=0,0.02,0;fov=38";
 /// Our own picture of a trial, and that of its package. `set` are statements that set fields of
 /// `look`, the component.
 pub(super) fn drawn(trial: &Trial, package: &Package, set: &str) -> (RgbaImage, Vec<u8>) {
+    drawn_with(trial, package, |scene| Engine::numbers(package, &scene.main(set)))
+}
+
+/// Our own picture of a trial, and that of a shader with a component's numbers, by property.
+fn drawn_with(
+    trial: &Trial,
+    package: &Package,
+    numbers: impl Fn(&UnityScene) -> BTreeMap<String, Vec<f32>>,
+) -> (RgbaImage, Vec<u8>) {
     let folder = tempfile::tempdir().expect("a folder");
     let ring = Ring::new();
     let mesh = folder.path().join("ring.obj");
@@ -28,8 +38,14 @@ pub(super) fn drawn(trial: &Trial, package: &Package, set: &str) -> (RgbaImage, 
     let mesh = mesh.display().to_string();
     let ours = trial.ours_with_arguments(&["--mesh", &mesh, "--camera", CAMERA]);
     let scene = UnityScene::new(&ring);
-    let numbers = Engine::numbers(package, &scene.main(set));
-    (ours, scene.pixels(package, &numbers))
+    (ours, scene.pixels(package, &numbers(&scene)))
+}
+
+/// Our own picture of a trial, and that of a text of ShaderLab in a folder, which has no component.
+pub(crate) fn drawn_shader(trial: &Trial, folder: &Path, shader: String) -> (RgbaImage, Vec<u8>) {
+    let component = PathBuf::new();
+    let package = Package { folder: folder.to_owned(), shader, component, class: String::new() };
+    drawn_with(trial, &package, |_| BTreeMap::new())
 }
 
 /// The scene as Unity has it: left-handed, x mirrored, the object turned and moved away from where

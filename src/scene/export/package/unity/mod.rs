@@ -43,7 +43,7 @@ const UNITY: &str = "6000.0";
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
     refuse(request).map_err(|problem| vec![problem])?;
     let one = |problem: Diagnostic| vec![problem];
-    let source = source::Source::of(request).map_err(one)?;
+    let source = source::Source::of(request, &source::TAKEN).map_err(one)?;
     let leaves = leaves::leaves(request, &source).map_err(one)?;
     let (stem, class) = (request.stem, class_name(request.stem));
     let component = component::write(request, &class, &leaves).map_err(one)?;

@@ -36,7 +36,7 @@ pub(in crate::export::package) struct Field {
 }
 
 /// Names of types and macros of Unity's includes that a look may have, too.
-const TAKEN: [&str; 14] = [
+pub(super) const TAKEN: [&str; 14] = [
     "Light",
     "InputData",
     "SurfaceData",
@@ -54,11 +54,14 @@ const TAKEN: [&str; 14] = [
 ];
 
 impl Source {
-    /// The source of the look's picture.
+    /// The source of the look's picture. Names of `taken` are the engine's own, and get others.
     ///
     /// # Errors
     /// - `export-failed`: the look cannot be written as HLSL, or not in the form that is sought.
-    pub(in crate::export::package) fn of(request: &PackageRequest<'_>) -> Result<Self, Diagnostic> {
+    pub(in crate::export::package) fn of(
+        request: &PackageRequest<'_>,
+        taken: &[&str],
+    ) -> Result<Self, Diagnostic> {
         let lost = |what: &str| {
             Diagnostic::error("export-failed", format!("the look's HLSL has no {what}"))
                 .hint("please report the look; `--to hlsl` may still carry it")
@@ -70,7 +73,7 @@ impl Source {
         let file = written.files.first().ok_or_else(|| lost("file"))?;
         let text = String::from_utf8_lossy(&file.bytes).into_owned();
         let body = text.split_once("\n\n").map_or(text.as_str(), |(_, body)| body);
-        let body = free_names(body);
+        let body = free_names(body, taken);
         let vertex = head(&body, "vs_main").ok_or_else(|| lost("function `vs_main`"))?;
         let fragment = head(&body, "fs_main").ok_or_else(|| lost("function `fs_main`"))?;
         let named = |name: &str| structure(&body, name).ok_or_else(|| lost(name));
@@ -97,11 +100,11 @@ impl Source {
     }
 }
 
-/// The text with other names for what Unity calls so.
-fn free_names(text: &str) -> String {
+/// The text with other names for what the engine calls so.
+fn free_names(text: &str, taken: &[&str]) -> String {
     rename_identifiers(text, |name| {
         let is_loud = name.chars().all(|c| c.is_ascii_uppercase() || c == '_');
-        TAKEN.contains(&name).then(|| match name.chars().next() {
+        taken.contains(&name).then(|| match name.chars().next() {
             Some(first) if first.is_ascii_lowercase() => format!("{name}_of_look"),
             _ if is_loud => format!("LOOK_{name}"),
             _ => format!("Look{name}"),
@@ -218,6 +221,6 @@ float4 fs_main(Inputs inputs) : SV_Target0
 
     #[test]
     fn names_of_unity_are_left_to_it() {
-        assert_eq!(free_names("Light PI real a.PI"), "LookLight LOOK_PI real_of_look a.PI");
+        assert_eq!(free_names("Light PI real a.PI", &TAKEN), "LookLight LOOK_PI real_of_look a.PI");
     }
 }

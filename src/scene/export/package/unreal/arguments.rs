@@ -113,8 +113,8 @@ const TAKEN: [&str; 16] = [
     "PI",
 ];
 
-/// The arguments, in the artist's order.
-pub(super) fn arguments<'a>(request: &PackageRequest<'a>) -> Vec<Argument<'a>> {
+/// The arguments, in the artist's order. None has the name of the namespace, `class`.
+pub(super) fn arguments<'a>(request: &PackageRequest<'a>, class: &str) -> Vec<Argument<'a>> {
     let mut found: Vec<Argument<'a>> = Vec::new();
     for (index, described) in request.description.parameters.iter().enumerate() {
         let Some(name) = described.name.as_ref().filter(|_| described.live) else { continue };
@@ -129,7 +129,7 @@ pub(super) fn arguments<'a>(request: &PackageRequest<'a>) -> Vec<Argument<'a>> {
         };
         let Some((member, kind, default)) = of_setting.or_else(of_light) else { continue };
         found.push(Argument {
-            input: free_name(name.as_str(), &found),
+            input: free_name(name.as_str(), class, &found),
             name: name.as_str(),
             member,
             kind,
@@ -153,8 +153,8 @@ fn of_light(request: &PackageRequest<'_>, name: &str) -> Option<(String, Argumen
     Some((format!("{}.{field}", setting.member), kind))
 }
 
-/// `MoveX` of `move_x`, unlike all before.
-fn free_name(wanted: &str, before: &[Argument<'_>]) -> String {
+/// `MoveX` of `move_x`, unlike `class` and all before.
+fn free_name(wanted: &str, class: &str, before: &[Argument<'_>]) -> String {
     let words = wanted.split(|c: char| !c.is_ascii_alphanumeric()).filter(|it| !it.is_empty());
     let capital = |word: &str| word[..1].to_ascii_uppercase() + &word[1..];
     let name: String = words.map(capital).collect();
@@ -165,6 +165,7 @@ fn free_name(wanted: &str, before: &[Argument<'_>]) -> String {
     // The fourth number of an argument has an input of its own, with a letter more.
     let is_free = |name: &String| {
         !TAKEN.contains(&name.as_str())
+            && name != class
             && before.iter().all(|it| {
                 it.input != *name
                     && format!("{}A", it.input) != *name

@@ -5,7 +5,7 @@
 
 use std::fmt::Write as _;
 
-use super::arguments::{Argument, shown_default};
+use super::arguments::{Argument, ArgumentKind, shown_default};
 use super::shader::{PixelInput, UnrealShader};
 use crate::export::package::PackageRequest;
 use crate::export::package::stable_id::stable_id;
@@ -119,7 +119,7 @@ fn parameter(request: &PackageRequest<'_>, index: usize, argument: &Argument<'_>
     let mut properties = Vec::new();
     let class = if argument.kind.is_scalar() {
         properties.push(format!("DefaultValue={}", number(numbers[0])));
-        let is_switch = described.ty == "switch" || described.ty == "bool";
+        let is_switch = argument.kind == ArgumentKind::Switch;
         let range = if is_switch { Some((0.0, 1.0)) } else { described.min.zip(described.max) };
         if let Some((least, most)) = range {
             properties.push(format!("SliderMin={}", number(least)));

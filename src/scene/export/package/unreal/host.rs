@@ -26,6 +26,8 @@ pub(super) struct HostText {
     pub(super) hlsl: String,
     /// Members of the surroundings that the functions read.
     pub(super) reads: BTreeSet<String>,
+    /// Members of the numbers in HLSL, in the order of the leaves.
+    pub(super) members: Vec<String>,
 }
 
 /// The host work; `None` where the look has no numbers. Names of `taken` are those of the look's
@@ -56,7 +58,18 @@ pub(super) fn write(
     let reads = identifiers(&source.replace("around.", " around_"))
         .filter_map(|word| word.strip_prefix("around_").map(str::to_owned))
         .collect();
-    Ok(Some(HostText { hlsl: hlsl::functions(&source)?, reads }))
+    let hlsl = hlsl::functions(&source)?;
+    let members = members(&hlsl);
+    Ok(Some(HostText { hlsl, reads, members }))
+}
+
+/// Members of the numbers, as HLSL calls them, without those that fill up space.
+fn members(hlsl: &str) -> Vec<String> {
+    let body = hlsl.split_once("struct Numbers {\n").and_then(|(_, rest)| rest.split_once("\n}"));
+    let lines = body.map_or("", |(body, _)| body).lines();
+    let names = lines.filter_map(|line| line.trim().strip_suffix(';')?.rsplit(' ').next());
+    let is_filling = |name: &&str| name.starts_with("_pad") || name.starts_with("_end_pad");
+    names.filter(|name| !is_filling(name)).map(str::to_owned).collect()
 }
 
 /// The words of a text.
@@ -108,7 +121,7 @@ fn with_members(wgsl: &str, function: &str, leaves: &[Leaf]) -> String {
 }
 
 /// Member of the numbers that is a leaf's.
-pub(super) fn member(leaf: &Leaf) -> &str {
+fn member(leaf: &Leaf) -> &str {
     leaf.property.trim_start_matches('_')
 }
 

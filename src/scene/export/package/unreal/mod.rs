@@ -39,7 +39,7 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     refuse(request).map_err(|problem| vec![problem])?;
     let one = |problem: Diagnostic| vec![problem];
     let (stem, class) = (request.stem, class_name(request.stem));
-    let arguments = arguments::arguments(request);
+    let arguments = arguments::arguments(request, &class);
     let shader = shader::write(request, &class, &arguments).map_err(one)?;
     let material = graph::write(request, &class, &arguments, &shader);
     let readme = readme(request, shader.cuts);
@@ -83,9 +83,12 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Diagnostic> {
 
 fn readme(request: &PackageRequest<'_>, cuts: bool) -> String {
     let is_opaque = request.description.opaque;
-    let (blend, opacity) = match (cuts, is_opaque) {
+    let (blend, links) = match (cuts, is_opaque) {
         (true, _) => ("*Masked*", "*return* into *Emissive Color*, *Opacity* into *Opacity Mask*"),
-        (_, false) => ("*Translucent*", "*return* into *Emissive Color*, *Opacity* into *Opacity*"),
+        (_, false) => (
+            "*Translucent* (*Opaque* while colors are opaque)",
+            "*return* into *Emissive Color*, *Opacity* into *Opacity*",
+        ),
         _ => ("*Opaque*", "*return* into *Emissive Color*"),
     };
     let sides = if draws_both_sides(request) { ", and *Two Sided* on" } else { "" };
@@ -96,6 +99,6 @@ fn readme(request: &PackageRequest<'_>, cuts: bool) -> String {
         .replace("{{include}}", &graph::include_path(request))
         .replace("{{blend}}", blend)
         .replace("{{sides}}", sides)
-        .replace("{{links}}", opacity)
+        .replace("{{links}}", links)
         .replace("{{table}}\n", &request.parameter_table())
 }

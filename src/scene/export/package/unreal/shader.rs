@@ -12,7 +12,6 @@ use crate::document::ColorSpace;
 use crate::export::package::PackageRequest;
 use crate::export::package::unity::leaves::{Leaf, leaves};
 use crate::export::package::unity::source::Source;
-use crate::wgsl::rename_identifiers;
 
 /// The text around the look's own.
 const TEMPLATE: &str = include_str!("look.ush");
@@ -62,8 +61,20 @@ const INPUTS: [PixelInput; 14] = [
 /// The time, which only keys and animated looks read.
 const TIME: PixelInput = input("Time", "float", "Time");
 
-/// Names of types of Unreal's that a look may have, too.
-const TAKEN: [&str; 4] = ["View", "Object", "Material", "Primitive"];
+/// Names of Unreal's that no namespace hides: constants and macros, and uniform blocks, whose
+/// members Unreal finds by the text alone.
+const TAKEN: [&str; 10] = [
+    "View",
+    "Object",
+    "Material",
+    "Primitive",
+    "PI",
+    "TWO_PI",
+    "HALF_PI",
+    "INV_PI",
+    "INFINITY",
+    "real",
+];
 
 /// Writes the shader.
 ///
@@ -75,17 +86,16 @@ pub(super) fn write(
     class: &str,
     arguments: &[Argument<'_>],
 ) -> Result<UnrealShader, Diagnostic> {
-    let source = Source::of(request)?;
+    let source = Source::of(request, &TAKEN)?;
     let leaves = leaves(request, &source)?;
     let look = look(&source);
     refuse(&source, &look)?;
     let taken: BTreeSet<String> = look.iter().map(|it| it.name.clone()).collect();
     let host = host::write(request, arguments, &leaves, &taken)?;
-    let known: BTreeSet<&str> = look.iter().map(|it| it.name.as_str()).collect();
     // Functions that naga adds to both texts are there once.
     let of_host: Vec<HlslDeclaration> = host.as_ref().map_or_else(Vec::new, |host| {
         let mut found = declarations(&host.hlsl);
-        found.retain(|it| !known.contains(it.name.as_str()));
+        found.retain(|it| !look.contains(it));
         found
     });
     if let Some(host) = &host {
@@ -143,8 +153,6 @@ fn heads(arguments: &[Argument<'_>]) -> String {
 /// The look's declarations without its vertex stage: a Custom node runs for pixels.
 fn look(source: &Source) -> Vec<HlslDeclaration> {
     let body = source.text.split_once("\n\n").map_or(source.text.as_str(), |(_, body)| body);
-    let body =
-        rename_identifiers(body, |name| TAKEN.contains(&name).then(|| format!("Look{name}")));
     let body = body.replace("// Filled by the shader's entry points.\n", "// Filled by `Draw`.\n");
     let body = body.replace("discard;", "is_cut = true;");
     let mut found = declarations(&body);
@@ -383,8 +391,9 @@ impl<'a> Body<'a> {
             call = rest;
         }
         self.line(&call);
-        for leaf in leaves {
-            self.line(&format!("{} = numbers.{};", leaf.place, host::member(leaf)));
+        let members = self.host.map(|host| host.members.clone()).unwrap_or_default();
+        for (leaf, member) in leaves.iter().zip(members) {
+            self.line(&format!("{} = numbers.{member};", leaf.place));
         }
     }
 
