@@ -51,7 +51,7 @@ pub(super) fn joined(declarations: &[HlslDeclaration]) -> String {
     for declaration in declarations {
         let is_line = declaration.text.ends_with(';') && !declaration.text.contains("\nstruct ");
         let is_line = is_line && !declaration.text.starts_with("struct ");
-        if !text.is_empty() && !(is_line && was_line) {
+        if !(text.is_empty() || is_line && was_line) {
             text.push('\n');
         }
         text += &declaration.text;
