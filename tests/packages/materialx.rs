@@ -12,8 +12,8 @@ use serde_json::{Value, json};
 /// Endings of generated files, with what glslang is told of them.
 const GENERATED: [(&str, &[&str]); 3] = [("genglsl", &[]), ("genessl", &[]), ("genvk", &["-V"])];
 
-/// What MaterialX reads in a package, and the text of a generated fragment shader. `None` without
-/// MaterialX, or a Python that it is built for.
+/// Contents of a package as MaterialX reads it, and the text of a generated fragment shader. `None`
+/// without MaterialX, or a Python that it is built for.
 fn read(package: &Path) -> Option<(Value, String)> {
     if !Tool::MaterialX.is_here() {
         Tool::MaterialX.missing().expect("a tool that may be missing");
@@ -75,7 +75,7 @@ fn materialx_takes_lights_of_all_kinds() {
     }
 }
 
-/// What a node cannot draw is refused, with what helps.
+/// A look that a node cannot draw is refused, with what helps.
 #[test]
 fn materialx_refuses_what_a_node_cannot_draw() {
     let cases = [("clay", "draws passes before the picture"), ("stipple", "counts pixels")];

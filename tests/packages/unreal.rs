@@ -13,7 +13,7 @@ use crate::table;
 use crate::unity::drawing::drawn_shader;
 use crate::unity::glslang;
 
-/// What the code of a Custom node has around it, and the world on Unreal's axes: centimeters, x of
+/// Text around the code of a Custom node, and the world on Unreal's axes: centimeters, x of
 /// the look, then its z, then its y. The scene is that of the tests of Unity, whose x is mirrored.
 const STAND_IN: &str = r#"
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
@@ -37,15 +37,15 @@ struct Mesh
     float3 position : POSITION;
     float3 normal : NORMAL;
 };
-struct Passed
+struct PassedPixel
 {
     float4 clip : SV_Position;
     float3 world : TEXCOORD0;
     float3 normal : TEXCOORD1;
 };
-Passed vertex_of(Mesh mesh)
+PassedPixel vertex_of(Mesh mesh)
 {
-    Passed passed;
+    PassedPixel passed;
     float3 world = TransformObjectToWorld(mesh.position);
     passed.clip = mul(UNITY_MATRIX_VP, float4(world, 1.0));
     passed.world = 100.0 * turned(world);
@@ -94,7 +94,8 @@ impl Material {
             "HLSLINCLUDE\n{STAND_IN}#include \"{}\"\n\
              float3 CustomExpression0(FMaterialPixelParameters Parameters, {heads}inout float \
              Opacity)\n{{\n{}\n}}\n\
-             float4 fragment_of(Passed passed, bool is_front : SV_IsFrontFace) : SV_Target\n{{\n\
+             float4 fragment_of(PassedPixel passed, bool is_front : SV_IsFrontFace) : \
+             SV_Target\n{{\n\
              ResolvedView.ViewRight = turned(UNITY_MATRIX_V[0].xyz);\n\
              ResolvedView.ViewUp = turned(UNITY_MATRIX_V[1].xyz);\n\
              ResolvedView.ViewForward = -turned(UNITY_MATRIX_V[2].xyz);\n\
@@ -236,18 +237,21 @@ fn glslang_takes_the_functions_of_unreal() {
         return;
     }
     for name in ["mood", "lights-apart"] {
-        let folder = Trial::of(&format!("looks/{name}")).package("unreal");
+        let trial = Trial::of(&format!("looks/{name}"));
+        let folder = trial.package("unreal");
         let material = Material::of(&folder);
         let text = fs::read_to_string(folder.join(&material.file)).expect("the functions");
         let (before, rest) = text.split_once("namespace ").expect("a namespace");
         let (class, rest) = rest.split_once("\n{\n").expect("its beginning");
         let rest = rest.trim_end().strip_suffix('}').expect("its end");
-        let text = format!("{before}{rest}").replace("#pragma once", "");
+        // The stand-in has a `Light` of its own, which no namespace keeps apart now.
+        let text = format!("#undef Light\n{before}{rest}").replace("#pragma once", "");
         let place = tempfile::tempdir().expect("a folder");
         fs::write(place.path().join(&material.file), text).expect("a file");
         let shader = material.shader().replace(&format!("{class}::"), "");
         let (_, shader) = shader.split_once("HLSLINCLUDE\n").expect("a text");
         let (shader, _) = shader.split_once("ENDHLSL").expect("its end");
-        glslang(place.path(), shader, "fragment_of", "fragment");
+        let shader = format!("#define Light LightOfTheStandIn\n{shader}");
+        glslang(place.path(), &shader, "fragment_of", "fragment");
     }
 }

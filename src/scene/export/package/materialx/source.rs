@@ -23,7 +23,7 @@ use crate::wgsl::{self, Declaration, identifiers, rename_identifiers, scan, vali
 
 /// A value that the graph around the function gives it, of what MaterialX knows.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) struct Given {
+pub(super) struct GivenValue {
     /// Name of the function's argument and of its input.
     pub(super) name: &'static str,
     /// Type in MaterialX, and in GLSL.
@@ -33,15 +33,19 @@ pub(super) struct Given {
 }
 
 /// Values that the graph may give, in the order of arguments.
-const GIVEN: [Given; 8] = [
-    Given { name: "position", ty: ("vector3", "vec3"), node: ("position", Some("world")) },
-    Given { name: "object_position", ty: ("vector3", "vec3"), node: ("position", Some("object")) },
-    Given { name: "normal", ty: ("vector3", "vec3"), node: ("normal", Some("world")) },
-    Given { name: "tangent", ty: ("vector3", "vec3"), node: ("tangent", Some("world")) },
-    Given { name: "bitangent", ty: ("vector3", "vec3"), node: ("bitangent", Some("world")) },
-    Given { name: "uv", ty: ("vector2", "vec2"), node: ("texcoord", None) },
-    Given { name: "time", ty: ("float", "float"), node: ("time", None) },
-    Given { name: "frame", ty: ("float", "float"), node: ("frame", None) },
+const GIVEN: [GivenValue; 8] = [
+    GivenValue { name: "position", ty: ("vector3", "vec3"), node: ("position", Some("world")) },
+    GivenValue {
+        name: "object_position",
+        ty: ("vector3", "vec3"),
+        node: ("position", Some("object")),
+    },
+    GivenValue { name: "normal", ty: ("vector3", "vec3"), node: ("normal", Some("world")) },
+    GivenValue { name: "tangent", ty: ("vector3", "vec3"), node: ("tangent", Some("world")) },
+    GivenValue { name: "bitangent", ty: ("vector3", "vec3"), node: ("bitangent", Some("world")) },
+    GivenValue { name: "uv", ty: ("vector2", "vec2"), node: ("texcoord", None) },
+    GivenValue { name: "time", ty: ("float", "float"), node: ("time", None) },
+    GivenValue { name: "frame", ty: ("float", "float"), node: ("frame", None) },
 ];
 
 /// Values of a surface that the look's vertices pass on: the member, and its value.
@@ -76,7 +80,7 @@ pub(super) struct Source {
     /// The whole file.
     pub(super) text: String,
     /// Values that the graph gives, in the order of arguments; the eye comes after them.
-    pub(super) given: Vec<&'static Given>,
+    pub(super) given: Vec<&'static GivenValue>,
 }
 
 /// Parts of the look that the function is made of.
@@ -389,7 +393,7 @@ struct Function<'a> {
 }
 
 impl Function<'_> {
-    fn write(&self) -> (String, Vec<&'static Given>) {
+    fn write(&self) -> (String, Vec<&'static GivenValue>) {
         let Self { name, inputs, parts, .. } = self;
         let names = self.argument_names();
         let body = self.body(&names);
@@ -398,8 +402,8 @@ impl Function<'_> {
         let surface = surface.join(", ");
         let mut words = identifiers(&body);
         words.extend(identifiers(&surface));
-        let is_read = |given: &&Given| words.iter().any(|word| word == given.name);
-        let given: Vec<&'static Given> = GIVEN.iter().filter(is_read).collect();
+        let is_read = |given: &&GivenValue| words.iter().any(|word| word == given.name);
+        let given: Vec<&'static GivenValue> = GIVEN.iter().filter(is_read).collect();
         let mut arguments: Vec<String> =
             given.iter().map(|given| format!("{} {}", given.ty.1, given.name)).collect();
         arguments.push("vec3 eye".to_owned());

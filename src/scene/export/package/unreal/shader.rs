@@ -315,7 +315,7 @@ impl<'a> Body<'a> {
         self.host.is_some_and(|host| host.reads.contains(member))
     }
 
-    /// What surrounds the pixel, for the look and its host work.
+    /// Surroundings of the pixel, for the look and its host work.
     fn surroundings(&mut self) {
         let needs_axes = self.reads_axes || self.host_reads("camera_from_world");
         let needs_toward = self.reads_eye || self.host_reads("parallel") || needs_axes;
