@@ -165,7 +165,7 @@ fn check_pins(text: &str) {
             links.push((node.clone(), id.clone(), end.to_owned()));
         }
     }
-    assert!(links.len() > 4, "{text}");
+    assert!(links.len() > 2, "{text}");
     for (node, id, end) in &links {
         let back = format!("{node} {id}");
         let is_back = |(node, id, to): &&(String, String, String)| {
@@ -244,8 +244,9 @@ fn glslang_takes_the_functions_of_unreal() {
         let (before, rest) = text.split_once("namespace ").expect("a namespace");
         let (class, rest) = rest.split_once("\n{\n").expect("its beginning");
         let rest = rest.trim_end().strip_suffix('}').expect("its end");
-        // The stand-in has a `Light` of its own, which no namespace keeps apart now.
-        let text = format!("#undef Light\n{before}{rest}").replace("#pragma once", "");
+        // The stand-in has names of its own, which no namespace keeps apart now.
+        let text = format!("#undef Light\n#undef PI\n#undef HALF_PI\n{before}{rest}")
+            .replace("#pragma once", "");
         let place = tempfile::tempdir().expect("a folder");
         fs::write(place.path().join(&material.file), text).expect("a file");
         let shader = material.shader().replace(&format!("{class}::"), "");
