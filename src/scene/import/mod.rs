@@ -1,8 +1,8 @@
 //! Graphs of other programs as looks: MaterialX documents and Blender's shader nodes.
 //!
-//! A reader (`materialx`, `blender`) makes a [`foreign::ForeignGraph`] of a file: nodes with values
-//! and links, groups unrolled. [`build`] makes a look of that graph: each node by its row in a
-//! table of [`twins`], a recipe of our own nodes. A node without a row becomes a note with its
+//! A reader (`materialx`, `blender`) makes a `ForeignGraph` of a file: nodes with values
+//! and links, groups unrolled. `build` makes a look of that graph: each node by its row in a
+//! table of `twins`, a recipe of our own nodes. A node without a row becomes a note with its
 //! values, and what was wired to the node gets a stand-in value, so that the look compiles.
 
 mod blender;
