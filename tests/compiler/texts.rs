@@ -17,6 +17,7 @@ const UNWRAPPED: &[(&str, &str)] = &[
     ("docs/nodes.md", "made by `chiaro nodes --markdown`, a line for a node's paragraph"),
     ("tests/cases", "inputs of strangers, and messages as Chiaro prints them"),
     ("tests/golden", "what Chiaro exports"),
+    ("tests/packages/crates", "what Chiaro exports"),
     ("tests/packages/last_release", "what Chiaro exported"),
     ("tests/tint", "a program for Node, which has its own width"),
 ];

@@ -15,13 +15,13 @@ use crate::pictures::{Difference, SIZE, Trial, soak_trials};
 use crate::table;
 
 #[allow(dead_code, unreachable_pub, reason = "the text is that of an example")]
-#[path = "../golden/wgpu/figure1-layers/examples/show/scene.rs"]
+#[path = "crates/figure1-layers/examples/show/scene.rs"]
 mod figure1_layers_scene;
 #[allow(dead_code, unreachable_pub, reason = "the text is that of an example")]
-#[path = "../golden/wgpu/figure5-directional/examples/show/scene.rs"]
+#[path = "crates/figure5-directional/examples/show/scene.rs"]
 mod figure5_directional_scene;
 #[allow(dead_code, unreachable_pub, reason = "the text is that of an example")]
-#[path = "../golden/wgpu/xtoon-orientation/examples/show/scene.rs"]
+#[path = "crates/xtoon-orientation/examples/show/scene.rs"]
 mod xtoon_orientation_scene;
 
 /// Looks whose crates are kept, with arguments of the export: all values as uniforms, with passes;
@@ -66,7 +66,7 @@ fn crates_are_as_they_are_kept() {
     let is_blessing = env::var("CHIARO_BLESS").is_ok_and(|value| value == "1");
     for (example, arguments) in KEPT {
         let name = example.rsplit('/').next().unwrap_or_default();
-        let kept = root().join("tests/golden/wgpu").join(name);
+        let kept = root().join("tests/packages/crates").join(name);
         let trial = trial(example, ring());
         let package = trial.package_with("wgpu", arguments);
         let made = contents(&package);
