@@ -234,11 +234,13 @@ fn cases_in(
 #[test]
 fn packages_compute_the_uniforms_of_every_example() {
     let cases = cases(javascript);
-    let mut program = "const results = [];\n".to_owned();
+    // The page's script puts the look where a browser has it.
+    let mut program = "const results = [];\nconst window = {};\n".to_owned();
     for case in &cases {
         let _ = writeln!(
             program,
-            "results.push((() => {{\n{}\nreturn {}.map((state) => \
+            "results.push((() => {{\n{}\nconst {{ look }} = \
+             Object.values(window.chiaroExports).at(-1);\nreturn {}.map((state) => \
              Array.from(new Uint32Array(look.modules.draw.prepare(state))));\n}})());",
             case.script,
             json!(case.states)
