@@ -14,7 +14,15 @@ pub(super) trait Dialect {
     fn float(&self, value: f64) -> Term;
 
     /// An integer of 32 bits.
-    fn integer(&self, value: i64, kind: Kind) -> Term;
+    fn integer(&self, value: i64, kind: Kind) -> Term {
+        let level = if value < 0 { Level::Unary } else { Level::Primary };
+        Term::new(format!("{value}{}", self.integer_ending(kind)), level)
+    }
+
+    /// Letters after the digits of an integer of a kind.
+    fn integer_ending(&self, _: Kind) -> &'static str {
+        ""
+    }
 
     /// A truth value.
     fn truth(&self, value: bool) -> Term;
@@ -30,7 +38,10 @@ pub(super) trait Dialect {
     ) -> Option<Term>;
 
     /// A vector of components, an array of elements or a matrix of columns.
-    fn list(&self, items: &[Term], ty: &ValueType) -> Term;
+    fn list(&self, items: &[Term], _: &ValueType) -> Term {
+        let items: Vec<&str> = items.iter().map(|item| item.text.as_str()).collect();
+        Term::primary(format!("[{}]", items.join(", ")))
+    }
 
     /// A list of `count` times the same item.
     fn repeated(&self, item: &Term, count: usize) -> Term;
@@ -93,8 +104,14 @@ pub(super) trait Dialect {
     /// `z`, on each component of vectors.
     fn each(&self, name: &str, arity: usize, kinds: [Kind; 2], body: &str) -> String;
 
+    /// All helper functions of the language.
+    fn helpers(&self) -> &'static [HelperSource];
+
     /// Source of the helper function of this name, and the names of those that it calls.
-    fn helper(&self, name: &str) -> Option<(&'static str, &'static [&'static str])>;
+    fn helper(&self, name: &str) -> Option<(&'static str, &'static [&'static str])> {
+        let (_, source, calls) = self.helpers().iter().find(|(known, ..)| *known == name)?;
+        Some((*source, *calls))
+    }
 
     /// A type, for languages that write types.
     fn ty(&self, ty: &ValueType) -> String;
@@ -139,6 +156,9 @@ pub(super) trait Dialect {
     /// Lines of a comment about what follows.
     fn doc(&self, lines: &[String]) -> Vec<String>;
 }
+
+/// Helper function: its name, its source, and the names of those that it calls.
+pub(super) type HelperSource = (&'static str, &'static str, &'static [&'static str]);
 
 /// Thing that has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -208,6 +228,15 @@ impl ValueType {
     pub(super) fn is_composite(&self) -> bool {
         !matches!(self, Self::Scalar(_))
     }
+
+    /// True for lists of scalars: vectors, and arrays of scalars.
+    pub(super) fn is_flat(&self) -> bool {
+        match self {
+            Self::Vector(..) => true,
+            Self::Array(_, element) => !element.is_composite(),
+            _ => false,
+        }
+    }
 }
 
 /// Strength with which the parts of an expression hold together, the strongest first.
@@ -243,6 +272,21 @@ pub(super) struct Term {
 impl Term {
     pub(super) fn new(text: impl Into<String>, level: Level) -> Self {
         Self { text: text.into(), level }
+    }
+
+    /// A float with all the digits that tell it apart, and the language's words for what is no
+    /// number and for infinity.
+    pub(super) fn float(value: f64, nan: &str, infinity: &str) -> Self {
+        let text = match value {
+            _ if value.is_nan() => return Self::primary(nan),
+            _ if value.is_infinite() => infinity.to_owned(),
+            _ => format!("{:?}", value.abs()),
+        };
+        if value.is_sign_negative() {
+            Self::new(format!("-{text}"), Level::Unary)
+        } else {
+            Self::primary(text)
+        }
     }
 
     pub(super) fn primary(text: impl Into<String>) -> Self {
@@ -299,5 +343,16 @@ impl Helpers {
     pub(super) fn call(&mut self, name: &'static str, operands: &[Term]) -> Term {
         self.called.insert(name);
         Term::call(name, operands)
+    }
+
+    /// Notes that the text calls the helper of a name; `None` where there is none of that name.
+    pub(super) fn call_known(
+        &mut self,
+        known: &'static [HelperSource],
+        name: &str,
+        operands: &[Term],
+    ) -> Option<Term> {
+        let (name, ..) = known.iter().find(|(known, ..)| *known == name)?;
+        Some(self.call(name, operands))
     }
 }

@@ -4,7 +4,10 @@
 //! language's own vectors have 32 bits a component, its floats and arrays of them 64. Structs are
 //! dictionaries, whose members read as those of objects do.
 
-use super::dialect::{Dialect, Head, Helpers, Kind, Level, MemberSource, Term, ValueType};
+use super::dialect::{
+    Dialect, Head, HelperSource, Helpers, Kind, Level, MemberSource, Term, ValueType,
+};
+use super::pythonic;
 
 /// GDScript: vectors, matrices and arrays are arrays, structs are dictionaries.
 pub(super) struct GdScript;
@@ -140,11 +143,7 @@ impl Dialect for GdScript {
     }
 
     fn float(&self, value: f64) -> Term {
-        number(value)
-    }
-
-    fn integer(&self, value: i64, _: Kind) -> Term {
-        Term::new(value.to_string(), if value < 0 { Level::Unary } else { Level::Primary })
+        Term::float(value, "NAN", "INF")
     }
 
     fn truth(&self, value: bool) -> Term {
@@ -158,14 +157,10 @@ impl Dialect for GdScript {
         operands: &[Term],
         helpers: &mut Helpers,
     ) -> Option<Term> {
+        let zero = if kind == Kind::Float { "0.0" } else { "0" };
         operator(operation, kind, operands, helpers)
-            .or_else(|| conversion(operation, kind, operands, helpers))
+            .or_else(|| pythonic::conversion(operation, kind, operands, zero, helpers))
             .or_else(|| function(operation, kind, operands, helpers))
-    }
-
-    fn list(&self, items: &[Term], _: &ValueType) -> Term {
-        let items: Vec<&str> = items.iter().map(|item| item.text.as_str()).collect();
-        Term::primary(format!("[{}]", items.join(", ")))
     }
 
     fn repeated(&self, item: &Term, count: usize) -> Term {
@@ -190,12 +185,10 @@ impl Dialect for GdScript {
     }
 
     fn copy(&self, value: &Term, ty: &ValueType) -> Term {
-        let is_flat = match ty {
-            ValueType::Scalar(_) => return value.clone(),
-            ValueType::Vector(..) => true,
-            ValueType::Array(_, element) => !element.is_composite(),
-            _ => false,
-        };
+        if !ty.is_composite() {
+            return value.clone();
+        }
+        let is_flat = ty.is_flat();
         let argument = if is_flat { "" } else { "true" };
         Term::primary(format!("{}.duplicate({argument})", value.at(Level::Primary)))
     }
@@ -216,11 +209,8 @@ impl Dialect for GdScript {
         text
     }
 
-    fn helper(&self, name: &str) -> Option<(&'static str, &'static [&'static str])> {
+    fn helpers(&self) -> &'static [HelperSource] {
         HELPERS
-            .iter()
-            .find(|(known, ..)| *known == name)
-            .map(|(_, source, calls)| (*source, *calls))
     }
 
     fn ty(&self, ty: &ValueType) -> String {
@@ -295,94 +285,18 @@ fn is_keyword(name: &str) -> bool {
     KEYWORDS.contains(&name)
 }
 
-/// An f64 as a float of GDScript.
-fn number(value: f64) -> Term {
-    let text = match value {
-        _ if value.is_nan() => return Term::primary("NAN"),
-        _ if value.is_infinite() => "INF".to_owned(),
-        _ => format!("{:?}", value.abs()),
-    };
-    if value.is_sign_negative() {
-        Term::new(format!("-{text}"), Level::Unary)
-    } else {
-        Term::primary(text)
-    }
-}
-
-/// The term within 32 bits.
-fn within(term: Term, kind: Kind, helpers: &mut Helpers) -> Term {
-    match kind {
-        Kind::Signed => helpers.call("wrap_i32", &[term]),
-        Kind::Unsigned => Term::new(format!("{} & 0xffffffff", term.at(Level::Unary)), Level::Bits),
-        Kind::Float | Kind::Bool => term,
-    }
-}
-
 fn operator(operation: &str, kind: Kind, operands: &[Term], helpers: &mut Helpers) -> Option<Term> {
-    if let [x] = operands {
-        return Some(match (operation, kind) {
-            ("negate", _) => {
-                let term = Term::new(format!("-{}", x.at(Level::Primary)), Level::Unary);
-                within(term, kind, helpers)
-            }
-            ("!", _) => Term::new(format!("not {}", x.at(Level::Comparison)), Level::And),
-            ("~", Kind::Unsigned) => {
-                Term::new(format!("{} ^ 0xffffffff", x.at(Level::Unary)), Level::Bits)
-            }
-            ("~", _) => Term::new(format!("~{}", x.at(Level::Primary)), Level::Unary),
-            _ => return None,
-        });
-    }
-    let [x, y] = operands else { return None };
+    let [x, y] = operands else { return pythonic::operator(operation, kind, operands, helpers) };
     Some(match (operation, kind) {
-        ("*", _) => within(Term::joined(x, "*", y, Level::Product), kind, helpers),
-        ("+" | "-", _) => within(Term::joined(x, operation, y, Level::Sum), kind, helpers),
         ("/", Kind::Float) => Term::joined(x, "/", y, Level::Product),
-        ("/", _) => helpers.call("divide_whole", operands),
         ("%", Kind::Float) => Term::call("fmod", operands),
-        ("%", _) => helpers.call("remainder_whole", operands),
-        ("==" | "!=" | "<" | "<=" | ">" | ">=", _) => {
-            Term::joined(x, operation, y, Level::Comparison)
-        }
-        ("&" | "&&", Kind::Bool) | ("&&", _) => Term::joined(x, "and", y, Level::And),
-        ("|" | "||", Kind::Bool) | ("||", _) => Term::joined(x, "or", y, Level::Or),
-        ("^", Kind::Bool) => Term::joined(x, "!=", y, Level::Comparison),
-        ("&" | "|" | "^", _) => Term::joined(x, operation, y, Level::Bits),
         ("<<", _) => {
             let shifted = helpers.call("shift_left", operands);
-            within(shifted, kind, helpers)
+            pythonic::within(shifted, kind, helpers)
         }
         (">>", Kind::Unsigned) => Term::joined(x, ">>", y, Level::Bits),
         (">>", _) => helpers.call("shift_right", operands),
-        _ => return None,
-    })
-}
-
-fn conversion(
-    operation: &str,
-    kind: Kind,
-    operands: &[Term],
-    helpers: &mut Helpers,
-) -> Option<Term> {
-    let [x] = operands else { return None };
-    Some(match (operation, kind) {
-        ("to_float" | "bits_to_float", Kind::Float) => x.clone(),
-        ("to_float", _) => Term::call("float", operands),
-        ("to_signed", Kind::Float) => helpers.call("to_i32", operands),
-        ("to_unsigned", Kind::Float) => helpers.call("to_u32", operands),
-        ("to_signed" | "to_unsigned", Kind::Bool) => Term::call("int", operands),
-        ("to_bool", Kind::Bool) => x.clone(),
-        ("to_bool", Kind::Float) => Term::joined(x, "!=", &Term::primary("0.0"), Level::Comparison),
-        ("to_bool", _) => Term::joined(x, "!=", &Term::primary("0"), Level::Comparison),
-        ("bits_to_float", _) => helpers.call("float_of_bits", operands),
-        ("bits_to_unsigned", Kind::Float) => helpers.call("bits_of_float", operands),
-        ("bits_to_signed", Kind::Float) => {
-            let bits = helpers.call("bits_of_float", operands);
-            helpers.call("wrap_i32", &[bits])
-        }
-        ("to_signed" | "bits_to_signed", _) => within(x.clone(), Kind::Signed, helpers),
-        ("to_unsigned" | "bits_to_unsigned", _) => within(x.clone(), Kind::Unsigned, helpers),
-        _ => return None,
+        _ => return pythonic::operator(operation, kind, operands, helpers),
     })
 }
 
@@ -412,16 +326,8 @@ fn function(operation: &str, kind: Kind, operands: &[Term], helpers: &mut Helper
             let least = extreme("max", is_float, x, low, helpers);
             extreme("min", is_float, &least, high, helpers)
         }
-        "select" => {
-            let [condition, yes, no] = operands else { return None };
-            let (condition, yes, no) =
-                (condition.at(Level::Or), yes.at(Level::Or), no.at(Level::Choice));
-            Term::new(format!("{yes} if {condition} else {no}"), Level::Choice)
-        }
-        _ => {
-            let name = HELPERS.iter().map(|(name, ..)| *name).find(|name| *name == operation)?;
-            helpers.call(name, operands)
-        }
+        "select" => pythonic::select(operands)?,
+        _ => helpers.call_known(HELPERS, operation, operands)?,
     })
 }
 
@@ -478,7 +384,7 @@ const RENAMED: &[(&str, &str)] = &[
 ];
 
 /// Helper functions: name, source, and the names of those that each calls.
-const HELPERS: &[(&str, &str, &[&str])] = &[
+const HELPERS: &[HelperSource] = &[
     (
         "arc_sine",
         "static func arc_sine(x: float) -> float:\n\treturn NAN if absf(x) > 1.0 else asin(x)\n\n",

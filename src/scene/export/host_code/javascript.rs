@@ -1,6 +1,8 @@
 //! JavaScript, as ES2022 has it.
 
-use super::dialect::{Dialect, Head, Helpers, Kind, Level, MemberSource, Term, ValueType};
+use super::dialect::{
+    Dialect, Head, HelperSource, Helpers, Kind, Level, MemberSource, Term, ValueType,
+};
 
 /// JavaScript: vectors, matrices and arrays are arrays, structs are objects.
 pub(super) struct JavaScript;
@@ -68,11 +70,8 @@ impl Dialect for JavaScript {
     }
 
     fn float(&self, value: f64) -> Term {
-        number(value)
-    }
-
-    fn integer(&self, value: i64, _: Kind) -> Term {
-        Term::new(value.to_string(), if value < 0 { Level::Unary } else { Level::Primary })
+        let Term { text, level } = Term::float(value, "NaN", "Infinity");
+        Term::new(text.strip_suffix(".0").unwrap_or(&text), level)
     }
 
     fn truth(&self, value: bool) -> Term {
@@ -89,11 +88,6 @@ impl Dialect for JavaScript {
         scalar(operation, kind, operands, helpers)
     }
 
-    fn list(&self, items: &[Term], _: &ValueType) -> Term {
-        let items: Vec<&str> = items.iter().map(|item| item.text.as_str()).collect();
-        Term::primary(format!("[{}]", items.join(", ")))
-    }
-
     fn repeated(&self, item: &Term, count: usize) -> Term {
         Term::primary(format!("Array({count}).fill({})", item.text))
     }
@@ -107,12 +101,10 @@ impl Dialect for JavaScript {
     }
 
     fn copy(&self, value: &Term, ty: &ValueType) -> Term {
-        let is_flat = match ty {
-            ValueType::Scalar(_) => return value.clone(),
-            ValueType::Vector(..) => true,
-            ValueType::Array(_, element) => !element.is_composite(),
-            _ => false,
-        };
+        if !ty.is_composite() {
+            return value.clone();
+        }
+        let is_flat = ty.is_flat();
         Term::primary(match is_flat {
             true => format!("[...{}]", value.at(Level::Primary)),
             false => format!("structuredClone({})", value.text),
@@ -134,11 +126,8 @@ impl Dialect for JavaScript {
         }
     }
 
-    fn helper(&self, name: &str) -> Option<(&'static str, &'static [&'static str])> {
+    fn helpers(&self) -> &'static [HelperSource] {
         HELPERS
-            .iter()
-            .find(|(known, ..)| *known == name)
-            .map(|(_, source, calls)| (*source, *calls))
     }
 
     fn ty(&self, _: &ValueType) -> String {
@@ -180,23 +169,6 @@ impl Dialect for JavaScript {
     }
 }
 
-/// An f64 as a JavaScript number.
-fn number(value: f64) -> Term {
-    let text = match value {
-        _ if value.is_nan() => return Term::primary("NaN"),
-        _ if value.is_infinite() => "Infinity".to_owned(),
-        _ => {
-            let text = format!("{:?}", value.abs());
-            text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
-        }
-    };
-    if value.is_sign_negative() {
-        Term::new(format!("-{text}"), Level::Unary)
-    } else {
-        Term::primary(text)
-    }
-}
-
 /// A body with operands in the place of names.
 fn with_operands(body: &str, operands: &[(&str, &str)]) -> String {
     crate::wgsl::rename_identifiers(body, |name| {
@@ -230,10 +202,7 @@ fn scalar(operation: &str, kind: Kind, operands: &[Term], helpers: &mut Helpers)
         ("/", Kind::Signed) => helpers.call("divide_i32", operands),
         ("/", Kind::Unsigned) => helpers.call("divide_u32", operands),
         ("%", Kind::Signed | Kind::Unsigned) => helpers.call("remainder_of", operands),
-        _ => {
-            let name = HELPERS.iter().map(|(name, ..)| *name).find(|name| *name == operation)?;
-            helpers.call(name, operands)
-        }
+        _ => helpers.call_known(HELPERS, operation, operands)?,
     })
 }
 
@@ -332,7 +301,7 @@ const MATH: &[(&str, &str)] = &[
 ];
 
 /// Helper functions: name, source, and the names of those that each calls.
-const HELPERS: &[(&str, &str, &[&str])] = &[
+const HELPERS: &[HelperSource] = &[
     ("min", "const min = (a, b) => (b < a || a !== a ? b : a);\n", &[]),
     ("max", "const max = (a, b) => (a < b || a !== a ? b : a);\n", &[]),
     ("clamp", "const clamp = (x, low, high) => min(max(x, low), high);\n", &["max", "min"]),

@@ -14,6 +14,7 @@ mod javascript;
 mod module;
 mod names;
 mod python;
+mod pythonic;
 mod rust;
 mod types;
 mod uses;

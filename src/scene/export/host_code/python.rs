@@ -4,7 +4,10 @@
 //! and most functions of `math` are called by helpers that do not. Its integers have no ends: sums
 //! and products are brought back to 32 bits.
 
-use super::dialect::{Dialect, Head, Helpers, Kind, Level, MemberSource, Term, ValueType};
+use super::dialect::{
+    Dialect, Head, HelperSource, Helpers, Kind, Level, MemberSource, Term, ValueType,
+};
+use super::pythonic;
 
 /// Python: vectors, matrices and arrays are lists, structs are dicts.
 pub(super) struct Python;
@@ -91,11 +94,7 @@ impl Dialect for Python {
     }
 
     fn float(&self, value: f64) -> Term {
-        number(value)
-    }
-
-    fn integer(&self, value: i64, _: Kind) -> Term {
-        Term::new(value.to_string(), if value < 0 { Level::Unary } else { Level::Primary })
+        Term::float(value, "math.nan", "math.inf")
     }
 
     fn truth(&self, value: bool) -> Term {
@@ -110,13 +109,8 @@ impl Dialect for Python {
         helpers: &mut Helpers,
     ) -> Option<Term> {
         operator(operation, kind, operands, helpers)
-            .or_else(|| conversion(operation, kind, operands, helpers))
+            .or_else(|| pythonic::conversion(operation, kind, operands, "0", helpers))
             .or_else(|| function(operation, kind, operands, helpers))
-    }
-
-    fn list(&self, items: &[Term], _: &ValueType) -> Term {
-        let items: Vec<&str> = items.iter().map(|item| item.text.as_str()).collect();
-        Term::primary(format!("[{}]", items.join(", ")))
     }
 
     fn repeated(&self, item: &Term, count: usize) -> Term {
@@ -134,12 +128,10 @@ impl Dialect for Python {
     }
 
     fn copy(&self, value: &Term, ty: &ValueType) -> Term {
-        let is_flat = match ty {
-            ValueType::Scalar(_) => return value.clone(),
-            ValueType::Vector(..) => true,
-            ValueType::Array(_, element) => !element.is_composite(),
-            _ => false,
-        };
+        if !ty.is_composite() {
+            return value.clone();
+        }
+        let is_flat = ty.is_flat();
         Term::call(if is_flat { "list" } else { "copy.deepcopy" }, std::slice::from_ref(value))
     }
 
@@ -152,11 +144,8 @@ impl Dialect for Python {
         format!("def {name}({parameters}):\n    return [{body} for {names}]\n\n")
     }
 
-    fn helper(&self, name: &str) -> Option<(&'static str, &'static [&'static str])> {
+    fn helpers(&self) -> &'static [HelperSource] {
         HELPERS
-            .iter()
-            .find(|(known, ..)| *known == name)
-            .map(|(_, source, calls)| (*source, *calls))
     }
 
     fn ty(&self, _: &ValueType) -> String {
@@ -206,97 +195,22 @@ impl Dialect for Python {
     }
 }
 
-/// An f64 as a Python float.
-fn number(value: f64) -> Term {
-    let text = match value {
-        _ if value.is_nan() => return Term::primary("math.nan"),
-        _ if value.is_infinite() => "math.inf".to_owned(),
-        _ => format!("{:?}", value.abs()),
-    };
-    if value.is_sign_negative() {
-        Term::new(format!("-{text}"), Level::Unary)
-    } else {
-        Term::primary(text)
-    }
-}
-
 /// True for the text of a number that is not 0.
 fn is_written_out(text: &str) -> bool {
     text.starts_with(|first: char| first.is_ascii_digit())
         && text.parse().is_ok_and(|number: f64| number != 0.0)
 }
 
-/// The term within 32 bits.
-fn within(term: Term, kind: Kind, helpers: &mut Helpers) -> Term {
-    match kind {
-        Kind::Signed => helpers.call("wrap_i32", &[term]),
-        Kind::Unsigned => Term::new(format!("{} & 0xffffffff", term.at(Level::Unary)), Level::Bits),
-        Kind::Float | Kind::Bool => term,
-    }
-}
-
 fn operator(operation: &str, kind: Kind, operands: &[Term], helpers: &mut Helpers) -> Option<Term> {
-    if let [x] = operands {
-        return Some(match (operation, kind) {
-            ("negate", _) => {
-                let term = Term::new(format!("-{}", x.at(Level::Primary)), Level::Unary);
-                within(term, kind, helpers)
-            }
-            ("!", _) => Term::new(format!("not {}", x.at(Level::Comparison)), Level::And),
-            ("~", Kind::Unsigned) => {
-                Term::new(format!("{} ^ 0xffffffff", x.at(Level::Unary)), Level::Bits)
-            }
-            ("~", _) => Term::new(format!("~{}", x.at(Level::Primary)), Level::Unary),
-            _ => return None,
-        });
-    }
-    let [x, y] = operands else { return None };
+    let [x, y] = operands else { return pythonic::operator(operation, kind, operands, helpers) };
     Some(match (operation, kind) {
-        ("*", _) => within(Term::joined(x, "*", y, Level::Product), kind, helpers),
-        ("+" | "-", _) => within(Term::joined(x, operation, y, Level::Sum), kind, helpers),
         // A number that is written out is seen not to be 0.
         ("/", Kind::Float) if is_written_out(&y.text) => Term::joined(x, "/", y, Level::Product),
         ("/", Kind::Float) => helpers.call("quotient", operands),
-        ("/", _) => helpers.call("divide_whole", operands),
         ("%", Kind::Float) => helpers.call("remainder", operands),
-        ("%", _) => helpers.call("remainder_whole", operands),
-        ("==" | "!=" | "<" | "<=" | ">" | ">=", _) => {
-            Term::joined(x, operation, y, Level::Comparison)
-        }
-        ("&" | "&&", Kind::Bool) | ("&&", _) => Term::joined(x, "and", y, Level::And),
-        ("|" | "||", Kind::Bool) | ("||", _) => Term::joined(x, "or", y, Level::Or),
-        ("^", Kind::Bool) => Term::joined(x, "!=", y, Level::Comparison),
-        ("&" | "|" | "^", _) => Term::joined(x, operation, y, Level::Bits),
-        ("<<", _) => within(Term::joined(x, "<<", y, Level::Bits), kind, helpers),
+        ("<<", _) => pythonic::within(Term::joined(x, "<<", y, Level::Bits), kind, helpers),
         (">>", _) => Term::joined(x, ">>", y, Level::Bits),
-        _ => return None,
-    })
-}
-
-fn conversion(
-    operation: &str,
-    kind: Kind,
-    operands: &[Term],
-    helpers: &mut Helpers,
-) -> Option<Term> {
-    let [x] = operands else { return None };
-    Some(match (operation, kind) {
-        ("to_float" | "bits_to_float", Kind::Float) => x.clone(),
-        ("to_float", _) => Term::call("float", operands),
-        ("to_signed", Kind::Float) => helpers.call("to_i32", operands),
-        ("to_unsigned", Kind::Float) => helpers.call("to_u32", operands),
-        ("to_signed" | "to_unsigned", Kind::Bool) => Term::call("int", operands),
-        ("to_bool", Kind::Bool) => x.clone(),
-        ("to_bool", _) => Term::joined(x, "!=", &Term::primary("0"), Level::Comparison),
-        ("bits_to_float", _) => helpers.call("float_of_bits", operands),
-        ("bits_to_unsigned", Kind::Float) => helpers.call("bits_of_float", operands),
-        ("bits_to_signed", Kind::Float) => {
-            let bits = helpers.call("bits_of_float", operands);
-            helpers.call("wrap_i32", &[bits])
-        }
-        ("to_signed" | "bits_to_signed", _) => within(x.clone(), Kind::Signed, helpers),
-        ("to_unsigned" | "bits_to_unsigned", _) => within(x.clone(), Kind::Unsigned, helpers),
-        _ => return None,
+        _ => return pythonic::operator(operation, kind, operands, helpers),
     })
 }
 
@@ -310,17 +224,9 @@ fn function(operation: &str, kind: Kind, operands: &[Term], helpers: &mut Helper
     let [x, ..] = operands else { return None };
     Some(match operation {
         "exp2" => helpers.call("power_of", &[Term::primary("2.0"), x.clone()]),
-        "select" => {
-            let [condition, yes, no] = operands else { return None };
-            let (condition, yes, no) =
-                (condition.at(Level::Or), yes.at(Level::Or), no.at(Level::Choice));
-            Term::new(format!("{yes} if {condition} else {no}"), Level::Choice)
-        }
+        "select" => pythonic::select(operands)?,
         "sign" if kind != Kind::Float => return None,
-        _ => {
-            let name = HELPERS.iter().map(|(name, ..)| *name).find(|name| *name == operation)?;
-            helpers.call(name, operands)
-        }
+        _ => helpers.call_known(HELPERS, operation, operands)?,
     })
 }
 
@@ -345,7 +251,7 @@ const RENAMED: &[(&str, &str)] = &[
 ];
 
 /// Helper functions: name, source, and the names of those that each calls.
-const HELPERS: &[(&str, &str, &[&str])] = &[
+const HELPERS: &[HelperSource] = &[
     (
         "known",
         "# What a function of math gives; no number where it knows none.\n\

@@ -1,6 +1,8 @@
 //! Rust, of edition 2024, without dependencies.
 
-use super::dialect::{Dialect, Head, Helpers, Kind, Level, MemberSource, Term, ValueType};
+use super::dialect::{
+    Dialect, Head, HelperSource, Helpers, Kind, Level, MemberSource, Term, ValueType,
+};
 
 /// Rust: vectors, matrices and arrays are arrays, structs are structs; all are copied.
 pub(super) struct Rust;
@@ -18,22 +20,11 @@ impl Dialect for Rust {
     }
 
     fn float(&self, value: f64) -> Term {
-        let text = match value {
-            _ if value.is_nan() => return Term::primary("f64::NAN"),
-            _ if value.is_infinite() => "f64::INFINITY".to_owned(),
-            _ => format!("{:?}", value.abs()),
-        };
-        if value.is_sign_negative() {
-            Term::new(format!("-{text}"), Level::Unary)
-        } else {
-            Term::primary(text)
-        }
+        Term::float(value, "f64::NAN", "f64::INFINITY")
     }
 
-    fn integer(&self, value: i64, kind: Kind) -> Term {
-        let ending = if kind == Kind::Unsigned { "_u32" } else { "_i32" };
-        let level = if value < 0 { Level::Unary } else { Level::Primary };
-        Term::new(format!("{value}{ending}"), level)
+    fn integer_ending(&self, kind: Kind) -> &'static str {
+        if kind == Kind::Unsigned { "_u32" } else { "_i32" }
     }
 
     fn truth(&self, value: bool) -> Term {
@@ -48,11 +39,6 @@ impl Dialect for Rust {
         helpers: &mut Helpers,
     ) -> Option<Term> {
         scalar(operation, kind, operands, helpers)
-    }
-
-    fn list(&self, items: &[Term], _: &ValueType) -> Term {
-        let items: Vec<&str> = items.iter().map(|item| item.text.as_str()).collect();
-        Term::primary(format!("[{}]", items.join(", ")))
     }
 
     fn repeated(&self, item: &Term, count: usize) -> Term {
@@ -102,11 +88,8 @@ impl Dialect for Rust {
         )
     }
 
-    fn helper(&self, name: &str) -> Option<(&'static str, &'static [&'static str])> {
+    fn helpers(&self) -> &'static [HelperSource] {
         HELPERS
-            .iter()
-            .find(|(known, ..)| *known == name)
-            .map(|(_, source, calls)| (*source, *calls))
     }
 
     fn ty(&self, ty: &ValueType) -> String {
@@ -220,10 +203,7 @@ fn scalar(operation: &str, kind: Kind, operands: &[Term], helpers: &mut Helpers)
             let text = format!("if {} {{ {} }} else {{ {} }}", condition.text, yes.text, no.text);
             Term::new(text, Level::Choice)
         }
-        _ => {
-            let name = HELPERS.iter().map(|(name, ..)| *name).find(|name| *name == operation)?;
-            helpers.call(name, operands)
-        }
+        _ => helpers.call_known(HELPERS, operation, operands)?,
     })
 }
 
@@ -329,7 +309,7 @@ const MATH: &[(&str, &str)] = &[
 ];
 
 /// Helper functions: name, source, and the names of those that each calls.
-const HELPERS: &[(&str, &str, &[&str])] = &[
+const HELPERS: &[HelperSource] = &[
     ("fract", "fn fract(x: f64) -> f64 {\n    x - x.floor()\n}\n", &[]),
     (
         "sign",

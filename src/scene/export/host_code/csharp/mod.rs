@@ -7,7 +7,9 @@ mod scalars;
 mod types;
 mod whole;
 
-use super::dialect::{Dialect, Head, Helpers, Kind, Level, MemberSource, NameOf, Term, ValueType};
+use super::dialect::{
+    Dialect, Head, HelperSource, Helpers, Kind, Level, MemberSource, NameOf, Term, ValueType,
+};
 use super::expressions::result_kind;
 
 /// C#.
@@ -19,20 +21,11 @@ impl Dialect for CSharp {
     }
 
     fn float(&self, value: f64) -> Term {
-        let text = match value {
-            _ if value.is_nan() => return Term::primary("double.NaN"),
-            _ if value.is_infinite() => "double.PositiveInfinity".to_owned(),
-            _ => format!("{:?}", value.abs()),
-        };
-        let sign = if value.is_sign_negative() { "-" } else { "" };
-        let level = if sign.is_empty() { Level::Primary } else { Level::Unary };
-        Term::new(format!("{sign}{text}"), level)
+        Term::float(value, "double.NaN", "double.PositiveInfinity")
     }
 
-    fn integer(&self, value: i64, kind: Kind) -> Term {
-        let ending = if kind == Kind::Unsigned { "u" } else { "" };
-        let level = if value < 0 { Level::Unary } else { Level::Primary };
-        Term::new(format!("{value}{ending}"), level)
+    fn integer_ending(&self, kind: Kind) -> &'static str {
+        if kind == Kind::Unsigned { "u" } else { "" }
     }
 
     fn truth(&self, value: bool) -> Term {
@@ -115,11 +108,8 @@ impl Dialect for CSharp {
         String::new()
     }
 
-    fn helper(&self, name: &str) -> Option<(&'static str, &'static [&'static str])> {
+    fn helpers(&self) -> &'static [HelperSource] {
         scalars::HELPERS
-            .iter()
-            .find(|(known, ..)| *known == name)
-            .map(|(_, source, calls)| (*source, *calls))
     }
 
     fn ty(&self, ty: &ValueType) -> String {

@@ -1,6 +1,6 @@
 //! Operations on numbers and truth values.
 
-use super::super::dialect::{Helpers, Kind, Level, Term};
+use super::super::dialect::{HelperSource, Helpers, Kind, Level, Term};
 use super::types::word;
 
 /// An operation on scalars.
@@ -46,8 +46,7 @@ pub(super) fn scalar(
         ("%", Kind::Unsigned) => helper("RemainderUInt", operands, helpers),
         _ => {
             let name = super::function_of(operation);
-            let known = HELPERS.iter().map(|(name, ..)| *name).find(|known| *known == name)?;
-            helpers.call(known, operands)
+            helpers.call_known(HELPERS, &name, operands)?
         }
     })
 }
@@ -164,7 +163,7 @@ const MATH: &[(&str, &str)] = &[
 ];
 
 /// Helper functions: name, source, and the names of those that each calls.
-pub(super) const HELPERS: &[(&str, &str, &[&str])] = &[
+pub(super) const HELPERS: &[HelperSource] = &[
     ("Min", "static double Min(double a, double b) => b < a || double.IsNaN(a) ? b : a;\n", &[]),
     ("Max", "static double Max(double a, double b) => a < b || double.IsNaN(a) ? b : a;\n", &[]),
     (
