@@ -3,8 +3,8 @@
 use crate::support::validators::{Tool, babylon_folder};
 use serde_json::json;
 
-use crate::library::{APIS, Library, Page, compare, compare_all, examples};
-use crate::pictures::{Difference, Trial};
+use crate::library::{APIS, Library, Page, compare, compare_all};
+use crate::pictures::{Difference, Trial, examples};
 
 static BABYLON: Library = Library {
     slug: "babylon",

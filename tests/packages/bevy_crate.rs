@@ -12,7 +12,7 @@ use chiaro::wgsl;
 use serde_json::json;
 
 use crate::blender::Ring;
-use crate::pictures::{Difference, SIZE, Trial};
+use crate::pictures::{Difference, SIZE, Trial, name_of};
 use crate::table;
 
 /// Bevy's side of the shader, as the look's shader asks for it.
@@ -119,7 +119,7 @@ fn bevy_draws_what_we_draw() {
     let mut trials = Vec::new();
     let (mut dependencies, mut calls) = (String::new(), String::new());
     for example in DRAWN {
-        let name = example.rsplit('/').next().unwrap_or_default();
+        let name = name_of(example);
         let trial = Trial::of(example).with(Vec::leak(vec!["--mesh", ring])).here();
         let package = trial.package("bevy");
         let module = format!("{}_bevy_0_19", name.replace('-', "_"));

@@ -9,7 +9,7 @@ use std::process::Command;
 
 use serde_json::{Value, json};
 
-use crate::pictures::{Difference, SIZE, Trial};
+use crate::pictures::{Difference, SIZE, Trial, name_of};
 use crate::support::root;
 use crate::table;
 
@@ -161,10 +161,8 @@ fn add_ons_show_what_we_show() {
         "hcbtf/pencil",
         "shadows/comic-street",
     ];
-    let mut trials: Vec<(&str, Trial)> = examples
-        .iter()
-        .map(|example| (example.rsplit('/').next().unwrap_or_default(), Trial::of(example)))
-        .collect();
+    let mut trials: Vec<(&str, Trial)> =
+        examples.iter().map(|example| (name_of(example), Trial::of(example))).collect();
     let linear = Trial::changed("looks/highlight-moves", |look| {
         look["color_space"] = json!("linear");
         look["nodes"][0]["values"]["color"] = json!([0.16, 0.3, 0.55, 0.4]);

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use crate::pictures::{Difference, SIZE, Trial, soak_trials};
+use crate::pictures::{Difference, SIZE, Trial, examples, soak_trials};
 use crate::support::chromium::from_base64;
 use crate::support::files;
 use crate::support::godot::Godot;
@@ -163,17 +163,12 @@ fn fast(example: &str) -> Trial {
     Trial::of(example).with(&[]).in_tier("fast")
 }
 
-fn named(examples: &[&str], trial: fn(&str) -> Trial) -> Vec<(String, Trial)> {
-    let name = |example: &&str| example.rsplit('/').next().unwrap_or_default().to_owned();
-    examples.iter().map(|example| (name(example), trial(example))).collect()
-}
-
 /// A look of each kind is drawn as we draw it: layers with keys, an image, many lights, and one of
 /// linear light that is transparent.
 #[test]
 fn godot_draws_what_we_draw() {
-    let mut trials = named(&["images/xtoon-orientation", "looks/string-of-lamps"], Trial::of);
-    trials.extend(named(&["looks/figure5-directional"], fast));
+    let mut trials = examples(&["images/xtoon-orientation", "looks/string-of-lamps"]);
+    trials.push(("figure5-directional".to_owned(), fast("looks/figure5-directional")));
     let linear = Trial::changed("looks/highlight-moves", |look| {
         look["color_space"] = json!("linear");
         look["nodes"][0]["values"]["color"] = json!([0.16, 0.3, 0.55, 0.4]);

@@ -146,14 +146,6 @@ pub(crate) fn compare(library: &'static Library, trials: &[(String, Trial)]) {
     table::check(&measured);
 }
 
-/// Examples by name, such as `looks/clay`.
-pub(crate) fn examples(names: &[&str]) -> Vec<(String, Trial)> {
-    let named = |example: &&str| {
-        (example.rsplit('/').next().unwrap_or_default().to_owned(), Trial::of(example))
-    };
-    names.iter().map(named).collect()
-}
-
 /// Compares all example looks that the package takes.
 pub(crate) fn compare_all(library: &'static Library) {
     let mut trials = soak_trials(library.slug, |trial| trial);

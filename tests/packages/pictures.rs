@@ -145,6 +145,16 @@ impl Trial {
     }
 }
 
+/// Trials of examples such as `looks/clay`, with their names.
+pub(crate) fn examples(places: &[&str]) -> Vec<(String, Trial)> {
+    places.iter().map(|place| (name_of(place).to_owned(), Trial::of(place))).collect()
+}
+
+/// Name of the example at a place: `clay` of `looks/clay`.
+pub(crate) fn name_of(place: &str) -> &str {
+    place.rsplit('/').next().unwrap_or_default()
+}
+
 /// An example look.
 pub(crate) struct ExampleLook {
     /// Name of its file without ending.
@@ -162,7 +172,7 @@ pub(crate) fn example_looks() -> Vec<ExampleLook> {
     let look = |path: PathBuf| {
         let place = path.strip_prefix(&examples).expect("an example").with_extension("");
         let place = place.to_string_lossy().into_owned();
-        let name = place.rsplit('/').next().unwrap_or_default().to_owned();
+        let name = name_of(&place).to_owned();
         ExampleLook { name, place }
     };
     documents.map(look).collect()

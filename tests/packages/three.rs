@@ -4,8 +4,8 @@
 use crate::support::validators::{Tool, three_folder};
 use serde_json::json;
 
-use crate::library::{APIS, Library, Page, compare, compare_all, examples};
-use crate::pictures::{Difference, Trial};
+use crate::library::{APIS, Library, Page, compare, compare_all};
+use crate::pictures::{Difference, Trial, examples};
 
 static THREE: Library = Library {
     slug: "three",

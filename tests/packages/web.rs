@@ -7,7 +7,7 @@ use crate::support::chromium::{Chromium, from_base64};
 use crate::support::root;
 use serde_json::json;
 
-use crate::pictures::{Difference, SIZE, Trial, soak_trials};
+use crate::pictures::{Difference, SIZE, Trial, examples, soak_trials};
 use crate::table;
 
 /// The APIs that the page draws by, with the names that it shows.
@@ -61,17 +61,13 @@ fn compare(browser: &mut Chromium, trials: &[(String, Trial)]) {
 #[test]
 fn pages_show_what_we_show() {
     let Some(mut browser) = Chromium::start().expect("Chromium") else { return };
-    let examples = [
+    let mut trials = examples(&[
         "looks/figure1-layers",
         "looks/figure5-directional",
         "looks/technical-cutaway",
         "hcbtf/grass-flat",
         "images/xtoon-orientation",
-    ];
-    let named = |example: &&str| {
-        (example.rsplit('/').next().unwrap_or_default().to_owned(), Trial::of(example))
-    };
-    let mut trials: Vec<(String, Trial)> = examples.iter().map(named).collect();
+    ]);
     let transparent = Trial::changed("looks/highlight-moves", |look| {
         look["nodes"][0]["values"]["color"] = json!([0.16, 0.3, 0.55, 0.4]);
     });

@@ -11,7 +11,7 @@ use image::RgbaImage;
 use serde_json::json;
 
 use crate::blender::Ring;
-use crate::pictures::{Difference, SIZE, Trial, soak_trials};
+use crate::pictures::{Difference, SIZE, Trial, name_of, soak_trials};
 use crate::table;
 
 #[allow(dead_code, unreachable_pub, reason = "the text is that of an example")]
@@ -65,7 +65,7 @@ fn contents(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 fn crates_are_as_they_are_kept() {
     let is_blessing = env::var("CHIARO_BLESS").is_ok_and(|value| value == "1");
     for (example, arguments) in KEPT {
-        let name = example.rsplit('/').next().unwrap_or_default();
+        let name = name_of(example);
         let kept = root().join("tests/packages/crates").join(name);
         let trial = trial(example, ring());
         let package = trial.package_with("wgpu", arguments);
@@ -220,7 +220,7 @@ fn crates_draw_what_we_draw() {
     ];
     let mut measured = BTreeMap::new();
     for (example, picture) in drawn {
-        let name = example.rsplit('/').next().unwrap_or_default();
+        let name = name_of(example);
         let ours = trial(example, ring()).ours();
         let seen = ours.pixels().filter(|pixel| pixel.0[3] > 0).count();
         assert!(seen > 2000, "{name}: {seen} pixels are covered");

@@ -89,8 +89,6 @@ pub(super) struct PackageRequest<'a> {
     pub(super) title: &'a str,
     /// Beginning of file names.
     pub(super) stem: &'a str,
-    /// The look in JavaScript: an expression whose value is the object `look`.
-    pub(super) javascript: &'a str,
     /// The look's document.
     pub(super) look: &'a Look,
     /// Host work of the look.
@@ -109,7 +107,7 @@ pub(super) struct PackageRequest<'a> {
 
 impl PackageRequest<'_> {
     /// The look as an ES module, which exports `look`.
-    fn module(&self) -> ExportFile {
+    fn module(&self) -> Result<ExportFile, Vec<Diagnostic>> {
         self.javascript_file("export const look = ")
     }
 
@@ -121,7 +119,30 @@ impl PackageRequest<'_> {
         let message =
             format!("the look's painted surface lies in BC7 blocks, which {reader} cannot show");
         let help = "export it with `--textures compact`, or choose that storage in its node";
-        Err(vec![Diagnostic::error("not-in-package", message).hint(help)])
+        Err(vec![refusal(message, help)])
+    }
+
+    /// Refuses passes before the picture, for a package that has none; `why` ends the sentence.
+    fn refuse_passes(&self, why: &str) -> Result<(), Diagnostic> {
+        let mut passes = self.description.passes.iter();
+        let Some(pass) = passes.find(|pass| pass.module != "draw") else { return Ok(()) };
+        let message = format!(
+            "the look draws passes before the picture (the first is `{}`), which {why}",
+            pass.name
+        );
+        let help =
+            "export with `--tier fast`, whose curvature needs none, or `--to web` or `three`";
+        Err(refusal(message, help))
+    }
+
+    /// Refuses images, for the package of a name that carries none; `help` says what does.
+    fn refuse_images(&self, package: &str, help: &str) -> Result<(), Diagnostic> {
+        if self.description.images.is_empty() {
+            return Ok(());
+        }
+        let message =
+            format!("the look reads images, which the package {package} does not carry yet");
+        Err(refusal(message, help))
     }
 
     /// The exposed parameters as a table of Markdown, for the end of a README.
@@ -130,19 +151,26 @@ impl PackageRequest<'_> {
     }
 
     /// The look as a script that begins with `declaration`, as its first line of code.
-    fn javascript_file(&self, declaration: &str) -> ExportFile {
+    fn javascript_file(&self, declaration: &str) -> Result<ExportFile, Vec<Diagnostic>> {
+        let object = javascript::write(self.look, self.description, self.work, self.sources);
+        let object = object.map_err(|problem| vec![problem])?;
         let lines = [
             format!("{}: made by Chiaro {}, JavaScript.", self.title, env!("CARGO_PKG_VERSION")),
             "Shaders, parameters, lights, passes and host work of the look.".to_owned(),
         ];
-        let text = format!("{}\n{declaration}{};\n", header::comment(&lines), self.javascript);
-        ExportFile::text(format!("{}.js", self.stem), text)
+        let text = format!("{}\n{declaration}{object};\n", header::comment(&lines));
+        Ok(ExportFile::text(format!("{}.js", self.stem), text))
     }
 }
 
 /// True for a KTX2 file whose texels lie in blocks: its format is not Vulkan's 37, RGBA of 8 bits.
 fn is_in_blocks(file: &ExportFile) -> bool {
     file.name.ends_with(".ktx2") && file.bytes.get(12..16) != Some(&[37, 0, 0, 0][..])
+}
+
+/// The error of a look that a package cannot carry, and what helps.
+fn refusal(message: impl Into<String>, help: &str) -> Diagnostic {
+    Diagnostic::error("not-in-package", message).hint(help)
 }
 
 /// The package that `chiaro export --to` calls `slug`.
@@ -189,11 +217,9 @@ pub fn export_package(
     let one = |problem: Diagnostic| vec![problem];
     let work = program::build(look, &typed, &modules, &parameters).map_err(one)?;
     let description = description::description(look, library, &typed, &modules, &written);
-    let javascript = javascript::write(look, &description, &work, &sources).map_err(one)?;
     let request = PackageRequest {
         title: &modules.title,
         stem,
-        javascript: &javascript,
         look,
         work: &work,
         modules: &modules,

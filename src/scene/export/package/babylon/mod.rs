@@ -43,7 +43,7 @@ const RUNTIME: [(&str, &str); 13] = [
 
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
     request.refuse_blocks("Babylon.js")?;
-    let mut files = vec![request.module()];
+    let mut files = vec![request.module()?];
     files.extend(files_of(&Materials::of(request)));
     files.extend(request.textures.iter().cloned());
     Ok(files)

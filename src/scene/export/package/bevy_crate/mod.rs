@@ -14,9 +14,10 @@ use super::super::ExportFile;
 use super::super::program::LightSetting;
 use super::materials::class_name;
 use super::rust::{
-    HostModule, Lights, MATH, Parameters, Template, crate_name, plain, structure, wide,
+    HostModule, Lights, MATH, Parameters, Template, Values, crate_name, image_files, plain,
+    structure, wide,
 };
-use super::{Package, PackageRequest, javascript};
+use super::{Package, PackageRequest, javascript, refusal};
 use crate::diag::Diagnostic;
 use crate::document::{ColorSpace, LightKind, LightSpace};
 use crate::export::description::DrawnSides;
@@ -58,14 +59,10 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     template.place("class", class);
     template.place("version", env!("CARGO_PKG_VERSION"));
     template.place("library", VERSION);
-    template.section("look", host.is_some());
-    template.section("parameters", !parameters.is_empty());
-    template.section("lights", !lights.is_empty());
-    template.section("keyed", request.work.is_keyed && host.is_some());
-    let reads = |surrounding: &str| host.as_ref().is_some_and(|host| host.reads(surrounding));
-    template.section("illumination", reads("illumination"));
-    template.section("time", reads("time") || reads("frame"));
-    template.section("object", reads("object_"));
+    let values = Values { host: &host, parameters: &parameters, lights: &lights };
+    values.choose_sections(&mut template, request);
+    let reads_object = host.as_ref().is_some_and(|host| host.reads("object_"));
+    template.section("object", reads_object);
     fill_material(&mut template, request, &parameters, &module);
     fill_lights(&mut template, request, &lights);
     fill_numbers(&mut template, request, &parameters, &lights, &module);
@@ -86,18 +83,8 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
         files.push(host.file("src/host.rs"));
         files.push(template.file("src/math.rs", MATH));
     }
-    if template.has("parameters") {
-        let text = parameters.fill(&mut template.clone());
-        files.push(ExportFile::text("src/parameters.rs".to_owned(), text));
-    }
-    if template.has("lights") {
-        let text = lights.fill(&mut template.clone());
-        files.push(ExportFile::text("src/lights.rs".to_owned(), text));
-    }
-    let images = request.textures.iter().cloned();
-    files.extend(
-        images.map(|file| ExportFile { name: format!("src/images/{}", file.name), ..file }),
-    );
+    files.extend(values.files(&template));
+    files.extend(image_files(request));
     Ok(files)
 }
 
@@ -107,10 +94,6 @@ fn draw_module(described: &Value) -> Value {
     let draw = modules.find(|module| module["name"] == "draw");
     draw.map(|module| Value::Object(javascript::module_object(module, described)))
         .unwrap_or_default()
-}
-
-fn refusal(message: &str, help: &str) -> Diagnostic {
-    Diagnostic::error("not-in-package", message).hint(help)
 }
 
 /// Refuses what the crate cannot draw.
@@ -125,7 +108,7 @@ fn refuse(request: &PackageRequest<'_>, module: &Value) -> Result<(), Vec<Diagno
             "the look draws passes before the picture ({}), which the crate cannot",
             passes.join(", ")
         );
-        refusal(&message, "take curvature, lines and shadows out of it, or export it `--to wgpu`")
+        refusal(message, "take curvature, lines and shadows out of it, or export it `--to wgpu`")
     } else if attributes.any(|attribute| attribute["name"] == "tangent") {
         let message = "the look reads tangents, which Bevy counts the other way";
         refusal(message, "export it `--to wgpu` or `--to web`")

@@ -6,7 +6,7 @@
 //! `blender_manifest.toml` make an extension of the whole folder, which carries images along.
 
 use super::super::ExportFile;
-use super::{Package, PackageRequest, python};
+use super::{Package, PackageRequest, python, refusal};
 use crate::diag::Diagnostic;
 
 /// The package.
@@ -88,7 +88,7 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
         let message =
             "images of the look have different wraps or filters, and the add-on has one for all";
         let help = "give the look's image nodes the same wrap and the same filter";
-        return Err(vec![Diagnostic::error("not-in-package", message).hint(help)]);
+        return Err(vec![refusal(message, help)]);
     }
     Ok(())
 }

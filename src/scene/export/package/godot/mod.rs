@@ -19,7 +19,7 @@ use std::fmt::Write as _;
 use super::super::ExportFile;
 use super::super::description::{DrawnSides, Feed, Member, ModuleDescription, StepDescription};
 use super::super::host_code::{GDSCRIPT, translate};
-use super::{Package, PackageRequest, javascript};
+use super::{Package, PackageRequest, javascript, refusal};
 use crate::diag::Diagnostic;
 use crate::document::ColorSpace;
 use uniforms::{ImageUniform, ParameterUniform, Uniform, Uniforms};
@@ -128,12 +128,10 @@ fn two_lines_between(text: &str) -> String {
 
 /// Refuses what a material of Godot cannot draw.
 fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
-    let refusal = |message: String, help: &str| {
-        Err(vec![Diagnostic::error("not-in-package", message).hint(help)])
-    };
+    let refused = |message: String, help: &str| Err(vec![refusal(message, help)]);
     let description = request.description;
     if request.textures.iter().any(|file| file.name.ends_with(".ktx2")) {
-        return refusal(
+        return refused(
             "the look has a painted surface, whose layers Godot's importer does not read"
                 .to_owned(),
             "export the look `--to web` or `--to three`, or take the HCBTF node out of it",
@@ -142,7 +140,7 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
     let before: Vec<&str> =
         description.passes.iter().map(|pass| pass.name).filter(|name| *name != "draw").collect();
     if !before.is_empty() {
-        return refusal(
+        return refused(
             format!(
                 "the look is drawn in several passes ({}), and a material of Godot has one",
                 before.join(", ")
@@ -154,7 +152,7 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
     let is_linear = description.color_space == ColorSpace::Linear;
     for image in &description.images {
         if image.wrap == "mirror" {
-            return refusal(
+            return refused(
                 format!(
                     "the image `{}` is mirrored where it repeats, as none is in Godot",
                     image.path
@@ -163,7 +161,7 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
             );
         }
         if is_linear && image.encoding == "color" {
-            return refusal(
+            return refused(
                 format!("the image `{}` is turned into linear light as it is read", image.path),
                 "let the look work with colors as shown, or export it `--to three`",
             );
@@ -173,11 +171,10 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
 }
 
 fn unknown(what: &str) -> Diagnostic {
-    Diagnostic::error(
-        "not-in-package",
+    refusal(
         format!("the look's shader reads {what}, which Godot has nothing for"),
+        "export the look `--to web` or `--to three`",
     )
-    .hint("export the look `--to web` or `--to three`")
 }
 
 fn uniforms_of<'a>(

@@ -1,7 +1,7 @@
 //! Inputs of the look's node: the exposed parameters that change the picture.
 
-use super::super::PackageRequest;
-use super::{literal, refusal};
+use super::super::{PackageRequest, refusal};
+use super::literal;
 use crate::diag::Diagnostic;
 use crate::document::{Light, Target};
 use crate::export::description::ExposedParameter;

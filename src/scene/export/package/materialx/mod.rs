@@ -11,7 +11,7 @@ mod literal;
 mod source;
 
 use super::super::ExportFile;
-use super::{Package, PackageRequest};
+use super::{Package, PackageRequest, refusal};
 use crate::diag::Diagnostic;
 use crate::document::LightSpace;
 
@@ -42,30 +42,10 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     ])
 }
 
-/// The error of a look that the package does not take.
-fn refusal(reason: impl Into<String>, help: &str) -> Diagnostic {
-    Diagnostic::error("not-in-package", reason.into()).hint(help)
-}
-
 /// Refuses what a node of MaterialX cannot draw.
 fn refuse(request: &PackageRequest<'_>) -> Result<(), Diagnostic> {
-    let mut passes = request.description.passes.iter();
-    if let Some(pass) = passes.find(|pass| pass.module != "draw") {
-        return Err(refusal(
-            format!(
-                "the look draws passes before the picture (the first is `{}`), which MaterialX \
-                 has no place for",
-                pass.name
-            ),
-            "export with `--tier fast`, whose curvature needs none, or `--to web` or `three`",
-        ));
-    }
-    if !request.description.images.is_empty() {
-        return Err(refusal(
-            "the look reads images, which the package materialx does not carry yet",
-            "export the look `--to web`, `three` or `blender`",
-        ));
-    }
+    request.refuse_passes("MaterialX has no place for")?;
+    request.refuse_images("materialx", "export the look `--to web`, `three` or `blender`")?;
     if request.work.is_keyed {
         return Err(refusal(
             "the look has keys, which MaterialX has no place for",

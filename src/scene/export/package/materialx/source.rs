@@ -10,9 +10,9 @@ use std::fmt::Write as _;
 
 use naga::back::glsl::{Options, Version, WriterFlags};
 
-use super::super::PackageRequest;
+use super::super::{PackageRequest, refusal};
 use super::inputs::{NodeInput, light_text};
-use super::{literal, refusal};
+use super::literal;
 use crate::compile::write_line;
 use crate::diag::Diagnostic;
 use crate::document::ColorSpace;

@@ -4,6 +4,8 @@
 mod template;
 mod values;
 
+use super::super::ExportFile;
+use super::PackageRequest;
 pub(super) use template::Template;
 pub(super) use values::{HostModule, Lights, Parameters, float};
 
@@ -28,6 +30,47 @@ const TAKEN: [&str; 12] = [
     "std",
     "test",
 ];
+
+/// Values of a look that its crate lets others set, and the work that is done with them.
+pub(super) struct Values<'a> {
+    pub(super) host: &'a Option<HostModule>,
+    pub(super) parameters: &'a Parameters<'a>,
+    pub(super) lights: &'a Lights<'a>,
+}
+
+impl Values<'_> {
+    /// Keeps those sections of a template that the values need.
+    pub(super) fn choose_sections(&self, template: &mut Template, request: &PackageRequest<'_>) {
+        let reads =
+            |surrounding: &str| self.host.as_ref().is_some_and(|host| host.reads(surrounding));
+        template.section("look", self.host.is_some());
+        template.section("parameters", !self.parameters.is_empty());
+        template.section("lights", !self.lights.is_empty());
+        template.section("keyed", request.work.is_keyed && self.host.is_some());
+        template.section("illumination", reads("illumination"));
+        template.section("time", reads("time") || reads("frame"));
+    }
+
+    /// The modules of parameters and lights, where there are any.
+    pub(super) fn files(&self, template: &Template) -> Vec<ExportFile> {
+        let mut files = Vec::new();
+        if template.has("parameters") {
+            let text = self.parameters.fill(&mut template.clone());
+            files.push(ExportFile::text("src/parameters.rs".to_owned(), text));
+        }
+        if template.has("lights") {
+            let text = self.lights.fill(&mut template.clone());
+            files.push(ExportFile::text("src/lights.rs".to_owned(), text));
+        }
+        files
+    }
+}
+
+/// Images of a look, where a crate's sources include them.
+pub(super) fn image_files(request: &PackageRequest<'_>) -> impl Iterator<Item = ExportFile> {
+    let images = request.textures.iter().cloned();
+    images.map(|file| ExportFile { name: format!("src/images/{}", file.name), ..file })
+}
 
 /// A member's name as Rust writes it.
 pub(super) fn member(name: &str) -> String {

@@ -50,7 +50,7 @@ const RUNTIME: [(&str, &str); 13] = [
 ];
 
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
-    let mut files = vec![request.module()];
+    let mut files = vec![request.module()?];
     files.extend(files_of(&Materials::of(request)));
     files.extend(request.textures.iter().cloned());
     Ok(files)

@@ -41,8 +41,9 @@ const README: &str = include_str!("README.md");
 const UNITY: &str = "6000.0";
 
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
-    refuse(request).map_err(|problem| vec![problem])?;
     let one = |problem: Diagnostic| vec![problem];
+    request.refuse_passes("the package unity does not").map_err(one)?;
+    request.refuse_images("unity", IMAGES_HELP).map_err(one)?;
     let source = source::Source::of(request, &source::TAKEN).map_err(one)?;
     let leaves = leaves::leaves(request, &source).map_err(one)?;
     let (stem, class) = (request.stem, class_name(request.stem));
@@ -63,29 +64,9 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     Ok(files)
 }
 
-/// Refuses what the package cannot draw.
-fn refuse(request: &PackageRequest<'_>) -> Result<(), Diagnostic> {
-    let refusal =
-        |message: String, help: &str| Err(Diagnostic::error("not-in-package", message).hint(help));
-    let mut passes = request.description.passes.iter();
-    if let Some(pass) = passes.find(|pass| pass.module != "draw") {
-        return refusal(
-            format!(
-                "the look draws passes before the picture (the first is `{}`), which the package \
-                 unity does not",
-                pass.name
-            ),
-            "export with `--tier fast`, whose curvature needs none, or `--to web` or `three`",
-        );
-    }
-    if !request.description.images.is_empty() {
-        return refusal(
-            "the look reads images, which the package unity does not carry yet".to_owned(),
-            "export the look `--to hlsl` and bind its images, or `--to web` or `three`",
-        );
-    }
-    Ok(())
-}
+/// Help for images, which the packages for Unity and Unreal do not carry.
+pub(super) const IMAGES_HELP: &str =
+    "export the look `--to hlsl` and bind its images, or `--to web` or `three`";
 
 /// A title without what would end a text of ShaderLab, C#, XML or a menu's entry.
 pub(super) fn plain(title: &str) -> String {

@@ -17,9 +17,9 @@ mod shader;
 
 use super::super::ExportFile;
 use super::materials::class_name;
-use super::unity::plain;
 use super::unity::shader::draws_both_sides;
-use super::{Package, PackageRequest};
+use super::unity::{IMAGES_HELP, plain};
+use super::{Package, PackageRequest, refusal};
 use crate::diag::Diagnostic;
 
 /// The package.
@@ -52,31 +52,13 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
 
 /// Refuses what the package cannot draw.
 fn refuse(request: &PackageRequest<'_>) -> Result<(), Diagnostic> {
-    let refusal =
-        |message: String, help: &str| Err(Diagnostic::error("not-in-package", message).hint(help));
-    let mut passes = request.description.passes.iter();
-    if let Some(pass) = passes.find(|pass| pass.module != "draw") {
-        return refusal(
-            format!(
-                "the look draws passes before the picture (the first is `{}`), which the package \
-                 unreal does not",
-                pass.name
-            ),
-            "export with `--tier fast`, whose curvature needs none, or `--to web` or `three`",
-        );
-    }
-    if !request.description.images.is_empty() {
-        return refusal(
-            "the look reads images, which the package unreal does not carry yet".to_owned(),
-            "export the look `--to hlsl` and bind its images, or `--to web` or `three`",
-        );
-    }
+    request.refuse_passes("the package unreal does not")?;
+    request.refuse_images("unreal", IMAGES_HELP)?;
     if !request.work.near.is_empty() {
-        return refusal(
-            "keys of the look follow the distance of other objects, which a material does not know"
-                .to_owned(),
+        return Err(refusal(
+            "keys of the look follow the distance of other objects, which a material does not know",
             "drive the keys otherwise, or export `--to unity` or `web`",
-        );
+        ));
     }
     Ok(())
 }

@@ -9,9 +9,9 @@ use super::pieces::{HlslDeclaration, declarations, joined};
 use super::plain;
 use crate::diag::Diagnostic;
 use crate::document::ColorSpace;
-use crate::export::package::PackageRequest;
 use crate::export::package::unity::leaves::{Leaf, leaves};
 use crate::export::package::unity::source::Source;
+use crate::export::package::{PackageRequest, refusal};
 
 /// The text around the look's own.
 const TEMPLATE: &str = include_str!("look.ush");
@@ -196,14 +196,8 @@ fn without_member(text: &str, member: &str) -> String {
 /// Refuses what a Custom node does not know of a pixel.
 fn refuse(source: &Source, look: &[HlslDeclaration]) -> Result<(), Diagnostic> {
     let refusal = |what: &str| {
-        Diagnostic::error(
-            "not-in-package",
-            format!(
-                "the look reads {what}, which the package \
-             unreal does not carry yet"
-            ),
-        )
-        .hint("export the look `--to hlsl` for a material of your own, or `--to web`")
+        let message = format!("the look reads {what}, which the package unreal does not carry yet");
+        refusal(message, "export the look `--to hlsl` for a material of your own, or `--to web`")
     };
     let varyings = located(source);
     if varyings.iter().any(|(name, _)| name == "tangent") {
@@ -228,11 +222,9 @@ fn refuse_surroundings(host: &HostText) -> Result<(), Diagnostic> {
         ("frame", "count frames"),
     ] {
         if host.reads.contains(member) {
-            return Err(Diagnostic::error(
-                "not-in-package",
-                format!("the package unreal carries no looks that {what} yet"),
-            )
-            .hint("use another frame or driver, or export `--to unity`, `godot` or `web`"));
+            let message = format!("the package unreal carries no looks that {what} yet");
+            let help = "use another frame or driver, or export `--to unity`, `godot` or `web`";
+            return Err(refusal(message, help));
         }
     }
     Ok(())

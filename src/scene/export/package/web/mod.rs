@@ -101,7 +101,7 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
         ("README.md", filled(README, request)),
     ];
     let texts = texts.map(|(name, text)| ExportFile::text(name.to_owned(), text));
-    let script = request.javascript_file(&format!("{}look = ", place(request)));
+    let script = request.javascript_file(&format!("{}look = ", place(request)))?;
     let look = ExportFile { name: look_name(request.stem) + ".js", ..script };
     Ok(std::iter::once(look).chain(texts).collect())
 }

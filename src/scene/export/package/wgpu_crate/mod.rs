@@ -10,8 +10,11 @@ mod scene;
 mod tables;
 
 use super::super::ExportFile;
-use super::rust::{HostModule, Lights, MATH, Parameters, Template, crate_name, plain, structure};
-use super::{Package, PackageRequest, javascript};
+use super::rust::{
+    HostModule, Lights, MATH, Parameters, Template, Values, crate_name, image_files, plain,
+    structure,
+};
+use super::{Package, PackageRequest, javascript, refusal};
 use crate::diag::Diagnostic;
 use crate::document::ColorSpace;
 
@@ -44,14 +47,9 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     template.place("version", env!("CARGO_PKG_VERSION"));
     template.place("library", VERSION);
     template.section("wgpu", true);
-    template.section("look", host.is_some());
-    template.section("parameters", !parameters.is_empty());
-    template.section("lights", !lights.is_empty());
-    template.section("keyed", request.work.is_keyed && host.is_some());
     template.section("linear", request.description.color_space == ColorSpace::Linear);
-    let reads = |surrounding: &str| host.as_ref().is_some_and(|host| host.reads(surrounding));
-    template.section("illumination", reads("illumination"));
-    template.section("time", reads("time") || reads("frame"));
+    let values = Values { host: &host, parameters: &parameters, lights: &lights };
+    values.choose_sections(&mut template, request);
     fill_settings(&mut template, request, &parameters, &lights);
     tables.fill(&mut template, request, &parameters);
     fill_examples(&mut template, &parameters, &lights);
@@ -70,14 +68,7 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
         template.file("examples/show/main.rs", include_str!("template/main.rs.in")),
     ];
     files.extend(host.iter().map(|host| host.file("src/host.rs")));
-    if template.has("parameters") {
-        let text = parameters.fill(&mut template.clone());
-        files.push(ExportFile::text("src/parameters.rs".to_owned(), text));
-    }
-    if template.has("lights") {
-        let text = lights.fill(&mut template.clone());
-        files.push(ExportFile::text("src/lights.rs".to_owned(), text));
-    }
+    files.extend(values.files(&template));
     if template.has("images") {
         files.push(template.file("src/images.rs", include_str!("template/images.rs.in")));
     }
@@ -88,35 +79,30 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
         let text = javascript::source(request.sources, "wgsl", module.name, ".wgsl");
         files.push(ExportFile::text(format!("src/shaders/{}.wgsl", module.name), text));
     }
-    let images = request.textures.iter().cloned();
-    files.extend(
-        images.map(|file| ExportFile { name: format!("src/images/{}", file.name), ..file }),
-    );
+    files.extend(image_files(request));
     files.extend(scene::files(request, template));
     Ok(files)
 }
 
 /// Refuses what the crate cannot draw.
 fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
-    let refusal = |message: String, help: &str| {
-        Err(vec![Diagnostic::error("not-in-package", message).hint(help)])
-    };
+    let refused = |message: String, help: &str| Err(vec![refusal(message, help)]);
     let description = request.description;
     if let Some(pass) = description.passes.iter().find(|pass| pass.draws == "lights") {
-        return refusal(
+        return refused(
             format!("the look draws shadow maps (pass `{}`), which the crate cannot", pass.name),
             "take *Cast shadow* out of the look, or export it `--to web`",
         );
     }
     for image in &description.images {
         let Some(file) = &image.file else {
-            return refusal(
+            return refused(
                 format!("the image `{}` cannot be read, and a crate is built with it", image.path),
                 "put the file where the look says, and export again",
             );
         };
         if tables::image_feature(file).is_none() && !file.ends_with(".ktx2") {
-            return refusal(
+            return refused(
                 format!("the crate reads PNG and JPEG files, and `{}` is neither", image.path),
                 "save the image as PNG, with 8 bits a channel",
             );
