@@ -276,12 +276,9 @@ fn a_page_of_the_last_release_still_runs() {
 #[test]
 #[ignore = "minutes: scripts/soak runs it"]
 fn soak_pages_of_all_examples_show_what_we_show() {
-    let mut trials = soak_trials("web", |trial| trial);
     // A few at a time, each with a browser of its own, which collects much in hours.
-    while !trials.is_empty() {
+    for trials in soak_trials("web", |trial| trial).chunks(8) {
         let Some(mut browser) = Chromium::start().expect("Chromium") else { return };
-        let rest = trials.split_off(trials.len().min(8));
-        compare(&mut browser, &trials);
-        trials = rest;
+        compare(&mut browser, trials);
     }
 }

@@ -112,6 +112,7 @@ fn with_members(wgsl: &str, function: &str, leaves: &[Leaf]) -> String {
             body.push('\n');
         }
     }
+    let body = body.trim_end();
     format!(
         "{}/// Numbers of the look.\nstruct Numbers {{\n{members}}}\n\n/// Numbers of the look.\n\
          fn {function}(settings: Settings, around: Surroundings) -> Numbers {{\n{body}{}",
