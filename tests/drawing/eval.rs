@@ -1,5 +1,7 @@
 //! Surface samples and pictures through the library, as `chiaro eval` and `chiaro render` run them.
 
+use std::cell::Cell;
+use std::ops::{Deref, DerefMut};
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 
@@ -17,22 +19,77 @@ use chiaro_scene::frame::{
 use chiaro_scene::geometry::Mesh;
 use chiaro_test_support::wait::block_on;
 
-/// A device of the test program that is free; tests that find none free wait for one.
-pub fn renderer() -> MutexGuard<'static, Renderer> {
+/// A renderer that a test has for as long as it holds this.
+pub struct Lent {
+    kind: LentKind,
+}
+
+enum LentKind {
+    /// One of the two that the test program has.
+    Shared(MutexGuard<'static, Renderer>),
+    /// One for this test alone.
+    Own(Box<Renderer>),
+}
+
+thread_local! {
+    /// Whether this thread holds a shared renderer: waiting for another, it could wait for itself.
+    static HOLDS_SHARED: Cell<bool> = const { Cell::new(false) };
+}
+
+impl Deref for Lent {
+    type Target = Renderer;
+
+    fn deref(&self) -> &Renderer {
+        match &self.kind {
+            LentKind::Shared(renderer) => renderer,
+            LentKind::Own(renderer) => renderer,
+        }
+    }
+}
+
+impl DerefMut for Lent {
+    fn deref_mut(&mut self) -> &mut Renderer {
+        match &mut self.kind {
+            LentKind::Shared(renderer) => renderer,
+            LentKind::Own(renderer) => renderer,
+        }
+    }
+}
+
+impl Drop for Lent {
+    fn drop(&mut self) {
+        if matches!(self.kind, LentKind::Shared(_)) {
+            HOLDS_SHARED.set(false);
+        }
+    }
+}
+
+/// A renderer of the test program that is free; tests that find none free wait for one. A test that
+/// holds one already is given one of its own, on a device that is there.
+pub fn renderer() -> Lent {
+    static GPUS: [OnceLock<Gpu>; 2] = [const { OnceLock::new() }; 2];
     static RENDERERS: [OnceLock<Mutex<Renderer>>; 2] = [const { OnceLock::new() }; 2];
-    let make = || {
-        Mutex::new(Renderer::new(
-            block_on(Gpu::headless()).expect("a Vulkan device, lavapipe for one"),
-        ))
+    let gpu = |index: usize| {
+        let make = || block_on(Gpu::headless()).expect("a Vulkan device, lavapipe for one");
+        GPUS[index].get_or_init(make).clone()
     };
-    for renderer in &RENDERERS {
-        match renderer.get_or_init(make).try_lock() {
-            Ok(free) => return free,
-            Err(TryLockError::Poisoned(poisoned)) => return poisoned.into_inner(),
+    if HOLDS_SHARED.get() {
+        return Lent { kind: LentKind::Own(Box::new(Renderer::new(gpu(0)))) };
+    }
+    let shared =
+        |index: usize| RENDERERS[index].get_or_init(|| Mutex::new(Renderer::new(gpu(index))));
+    let lend = |renderer| {
+        HOLDS_SHARED.set(true);
+        Lent { kind: LentKind::Shared(renderer) }
+    };
+    for index in 0..RENDERERS.len() {
+        match shared(index).try_lock() {
+            Ok(free) => return lend(free),
+            Err(TryLockError::Poisoned(poisoned)) => return lend(poisoned.into_inner()),
             Err(TryLockError::WouldBlock) => {}
         }
     }
-    RENDERERS[0].get_or_init(make).lock().unwrap_or_else(PoisonError::into_inner)
+    lend(shared(0).lock().unwrap_or_else(PoisonError::into_inner))
 }
 
 /// A look of JSON, read without any diagnostic; exact, if it names no tier.
