@@ -12,13 +12,14 @@ use chiaro::document::{Edit, GraphId, Look};
 use chiaro::editor::App;
 use eframe::egui::{Key, Modifiers, Role};
 
-const MENU: [(&str, &str); 8] = [
+const MENU: [(&str, &str); 9] = [
     ("Export to all languages...", "all"),
     ("Export to WGSL, for WebGPU...", "wgsl"),
     ("Export to GLSL ES 3.00, for WebGL 2...", "glsl-es300"),
     ("Export to GLSL 3.30, for OpenGL 3.3...", "glsl-330"),
     ("Export to GLSL 4.50, for OpenGL 4.5...", "glsl-450"),
     ("Export to HLSL, for Direct3D 12...", "hlsl"),
+    ("Export to Slang...", "slang"),
     ("Export to Metal Shading Language...", "msl"),
     ("Export to SPIR-V, for Vulkan...", "spirv"),
 ];
@@ -217,6 +218,7 @@ fn copy_as_has_the_same_languages() {
         ("Copy the fragment shader as GLSL 4.50", "rim.450.frag"),
         ("Copy the vertex shader as GLSL 4.50", "rim.450.vert"),
         ("Copy the shader as HLSL", "rim.hlsl"),
+        ("Copy the shader as Slang", "rim.slang"),
         ("Copy the shader as Metal Shading Language", "rim.metal"),
     ] {
         let text = copied(&mut hand, item).unwrap_or_else(|| panic!("{item}: {}", told(&hand)));

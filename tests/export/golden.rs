@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use crate::support::files;
-use crate::support::validators::{ShaderStage, glslang, glslang_reflection, hlsl, spirv_val, tint};
+use crate::support::validators::{ShaderStage, glslang, glslang_reflection, hlsl, slang, spirv_val, tint};
 use chiaro::compile::{
     CompileOptions, HostInputs, LightValues, Live, Stage as CompileStage, compile,
 };
@@ -232,6 +232,7 @@ fn judged(files: &[ExportFile]) -> (Vec<String>, usize) {
             "frag" => glslang(&text(file), ShaderStage::Fragment, &[]),
             "spv" => spirv_val(&file.bytes, "vulkan1.1"),
             "hlsl" => hlsl(&text(file)),
+            "slang" => slang(&text(file)),
             "wgsl" => {
                 wgsl.push(folder.path().join(&file.name));
                 fs::write(folder.path().join(&file.name), &file.bytes)

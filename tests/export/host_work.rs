@@ -17,6 +17,7 @@ use crate::support::validators::{say, tools_are_required};
 use crate::support::{files, root};
 use chiaro::compile::{CompileOptions, CompiledShader, HostInputs, Live, compile};
 use chiaro::document::{Camera, Look, Target, Tier, Value, Values};
+use chiaro::export::ExportOptions;
 use chiaro::export::package::{PackageScene, export_package, package};
 use chiaro::files::Disk;
 use chiaro::frame::{Assets, ParamTable, Rig, RigInputs, Wires};
@@ -193,14 +194,18 @@ struct Case {
     wanted: Vec<Vec<u8>>,
 }
 
-fn cases(written: fn(&Look, &str, &Path) -> String) -> Vec<Case> {
+/// The examples, every second of them with all values as parameters, from the first or the second.
+fn cases(first_live: usize, written: fn(&Look, &str, &Path) -> String) -> Vec<Case> {
     // An export carries no rays.
-    cases_in(Tier::Balanced, |look, name, folder| Some(written(look, name, folder)))
+    let is_live = |index: usize| index % 2 == first_live;
+    cases_in(Tier::Balanced, is_live, |look, name, folder| Some(written(look, name, folder)))
 }
 
-/// The examples in a tier of which something is written.
+/// The examples in a tier of which something is written; those that `is_live` names by their
+/// numbers have all values as parameters.
 fn cases_in(
     tier: Tier,
+    is_live: impl Fn(usize) -> bool,
     mut written: impl FnMut(&Look, &str, &Path) -> Option<String>,
 ) -> Vec<Case> {
     let mut random = Random::new(7);
@@ -212,6 +217,10 @@ fn cases_in(
         let name = path.file_stem().expect("a file").to_string_lossy().into_owned();
         let mut look = Look::load(&Disk, &path).value.expect("an example opens");
         look.set_every_tier(tier);
+        if is_live(cases.len()) {
+            let options = ExportOptions { is_live: true, ..ExportOptions::default() };
+            options.apply(&mut look, &mut Library::built_in().clone(), true).expect("an example");
+        }
         let options = CompileOptions { live: Live::Exposed, ..CompileOptions::default() };
         let shader = compile(&look, Library::built_in(), &options).expect("an example").value;
         if shader.host.size == 0 {
@@ -233,7 +242,7 @@ fn cases_in(
 
 #[test]
 fn packages_compute_the_uniforms_of_every_example() {
-    let cases = cases(javascript);
+    let cases = cases(1, javascript);
     // The page's script puts the look where a browser has it.
     let mut program = "const results = [];\nconst window = {};\n".to_owned();
     for case in &cases {
@@ -252,7 +261,7 @@ fn packages_compute_the_uniforms_of_every_example() {
 
 #[test]
 fn add_ons_compute_the_uniforms_of_every_example() {
-    let cases = cases(python);
+    let cases = cases(0, python);
     let mut program = "import json, struct\nresults = []\n".to_owned();
     for case in &cases {
         let _ = writeln!(
@@ -349,7 +358,8 @@ fn soak_scripts_compute_the_uniforms_of_every_example() {
         camera: Camera::default(),
         backdrop: None,
     };
-    let cases = cases_in(Tier::Fast, |look, name, folder| {
+    let never = |_| false;
+    let cases = cases_in(Tier::Fast, never, |look, name, folder| {
         let place = (folder, &mut Assets::default());
         let library = Library::built_in();
         let package = package("godot").expect("a package");

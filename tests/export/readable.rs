@@ -7,7 +7,7 @@ use std::path::Path;
 use crate::support::{files, root};
 
 /// Endings of the texts that naga writes, of a look's fragment stage.
-const ENDINGS: [&str; 5] = ["es300.frag", "330.frag", "450.frag", "hlsl", "metal"];
+const ENDINGS: [&str; 6] = ["es300.frag", "330.frag", "450.frag", "hlsl", "slang", "metal"];
 
 fn text(path: &Path) -> String {
     fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))

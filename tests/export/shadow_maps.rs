@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::support::validators::{ShaderStage, glslang, hlsl, spirv_val, tint};
+use crate::support::validators::{ShaderStage, glslang, hlsl, slang, spirv_val, tint};
 use chiaro::document::{Look, Tier};
 use chiaro::export::{LANGUAGES, export};
 use chiaro::frame::Assets;
@@ -34,6 +34,7 @@ fn looks_with_shadow_maps_pass_their_validators() {
                 "frag" => glslang(&text, ShaderStage::Fragment, &[]),
                 "spv" => spirv_val(&file.bytes, "vulkan1.1"),
                 "hlsl" => hlsl(&text),
+                "slang" => slang(&text),
                 "wgsl" => {
                     let path = out.path().join(name);
                     fs::write(&path, &file.bytes).expect("a file");

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::support::files;
 use crate::support::ledger::{Ledger, ProofKey};
 use crate::support::validators::{
-    ShaderStage, Tool, glslang, glslang_hlsl, hlsl, slang_hlsl, spirv_val, tint, tools_are_required,
+    ShaderStage, Tool, glslang, glslang_hlsl, hlsl, slang, slang_hlsl, spirv_val, tint, tools_are_required,
 };
 use chiaro::document::Look;
 use chiaro::export::{LANGUAGES, export};
@@ -231,6 +231,7 @@ fn judge(mut ledger: Ledger, root: &Path, files: &[PathBuf]) {
             "comp" => glslang(&text, ShaderStage::Compute, &[]),
             "spv" => spirv_val(&bytes, "vulkan1.1"),
             "hlsl" => hlsl(&text),
+            "slang" => slang(&text),
             // No tool on Debian judges Metal, and those files say so; the others are no shaders.
             "metal" | "json" | "txt" | "md" | "png" => continue,
             _ => Err(format!("nobody judges .{extension} files; see tests/export/validators.rs")),

@@ -56,29 +56,28 @@ fn compare(browser: &mut Chromium, trials: &[(String, Trial)]) {
     table::check(&measured);
 }
 
-/// A look of each kind is drawn as we draw it: layers with curvature, keys, parts that are cut
-/// away, painted surfaces, an image, shadows, a transparent look, and one of linear light.
+/// A look of each kind of passes and textures is drawn as we draw it: layers with curvature, parts
+/// that are cut away, painted surfaces, shadows. [`soak_pages_of_all_examples_show_what_we_show`]
+/// has the others.
 #[test]
 fn pages_show_what_we_show() {
     let Some(mut browser) = Chromium::start().expect("Chromium") else { return };
-    let mut trials = examples(&[
-        "looks/figure1-layers",
-        "looks/figure5-directional",
-        "looks/technical-cutaway",
-        "hcbtf/grass-flat",
-        "images/xtoon-orientation",
-    ]);
+    let mut trials =
+        examples(&["looks/figure1-layers", "looks/technical-cutaway", "hcbtf/grass-flat"]);
+    let shadows = Trial::of("shadows/long-shadows").with(&["--tier", "balanced"]);
+    trials.push(("long-shadows".to_owned(), shadows));
+    compare(&mut browser, &trials);
+}
+
+/// Looks that no example is like: a transparent one, and one of linear light.
+fn changed_looks() -> [(String, Trial); 2] {
     let transparent = Trial::changed("looks/highlight-moves", |look| {
         look["nodes"][0]["values"]["color"] = json!([0.16, 0.3, 0.55, 0.4]);
     });
-    trials.push(("transparent".to_owned(), transparent));
-    let shadows = Trial::of("shadows/long-shadows").with(&["--tier", "balanced"]);
-    trials.push(("long-shadows".to_owned(), shadows));
     let linear = Trial::changed("looks/highlight-moves", |look| {
         look["color_space"] = json!("linear");
     });
-    trials.push(("linear".to_owned(), linear));
-    compare(&mut browser, &trials);
+    [("transparent".to_owned(), transparent), ("linear".to_owned(), linear)]
 }
 
 /// A parameter and a light that the page sets change what they change in our own picture; what is
@@ -108,8 +107,8 @@ fn parameters_and_lights_change_what_they_change_with_us() {
         let set_each = set_each.map(|(name, value)| format!("chiaro.set({name:?}, {value});"));
         let all: String = set_each.collect();
         shows(&all, &set);
-        shows("chiaro.reset()", &before);
-        shows("chiaro.light('key', { direction: [0.7, 0.1, 0.7], intensity: 0.6 })", &turned);
+        let light = "chiaro.light('key', { direction: [0.7, 0.1, 0.7], intensity: 0.6 })";
+        shows(&format!("chiaro.reset(); {light}"), &turned);
         shows("chiaro.reset()", &before);
         let unknown = browser.evaluate("chiaro.set('nothing', 1)").expect_err("an error");
         assert!(unknown.contains("move_x"), "the names that there are: {unknown}");
@@ -276,8 +275,10 @@ fn a_page_of_the_last_release_still_runs() {
 #[test]
 #[ignore = "minutes: scripts/soak runs it"]
 fn soak_pages_of_all_examples_show_what_we_show() {
+    let mut all = Vec::from(changed_looks());
+    all.extend(soak_trials("web", |trial| trial));
     // A few at a time, each with a browser of its own, which collects much in hours.
-    for trials in soak_trials("web", |trial| trial).chunks(8) {
+    for trials in all.chunks(8) {
         let Some(mut browser) = Chromium::start().expect("Chromium") else { return };
         compare(&mut browser, trials);
     }

@@ -210,6 +210,28 @@ pub fn slang_hlsl(source: &str) -> Result<(), String> {
     if output.status.success() { Ok(()) } else { Err(said(&output)) }
 }
 
+/// Has slangc compile `source` to SPIR-V, as Slang whose entry points say their stages.
+pub fn slang(source: &str) -> Result<(), String> {
+    if !Tool::Slang.is_here() {
+        return Tool::Slang.missing();
+    }
+    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+    let file = folder.path().join("shader.slang");
+    std::fs::write(&file, source).map_err(|error| error.to_string())?;
+    let compiled = folder.path().join("shader.spv");
+    let mut command = Command::new(slangc());
+    command.arg(&file).args(["-target", "spirv", "-warnings-disable", "30056", "-o"]);
+    let output = command.arg(&compiled).output().map_err(|error| error.to_string())?;
+    if !output.status.success() {
+        return Err(said(&output));
+    }
+    let module = std::fs::read(&compiled).map_err(|error| error.to_string())?;
+    let has_stages = HLSL_ENTRIES.iter().all(|(_, entry)| {
+        module.windows(entry.len()).any(|bytes| bytes == entry.as_bytes())
+    });
+    if has_stages { Ok(()) } else { Err("slangc found no entry points".to_owned()) }
+}
+
 /// The program `slangc`.
 pub fn slangc() -> String {
     let own = root().join(".tools/slang/bin/slangc");

@@ -40,8 +40,8 @@ Examples:
   chiaro export look.json --to three -o game/look --watch
   chiaro export look.json --to wgsl --live -o shaders/      with every value as a parameter
 
-Languages: wgsl, glsl-es300, glsl-330, glsl-450, hlsl, msl, spirv. Beside the shaders lies a JSON \
-file with
+Languages: wgsl, glsl-es300, glsl-330, glsl-450, hlsl, slang, msl, spirv. Beside the shaders lies a \
+JSON file with
 uniforms, bindings, attributes, passes, exposed parameters and how they become uniforms. MSL is \
 unverified: no compiler
 for it runs in Chiaro's tests, and its files say so.";
@@ -211,9 +211,9 @@ fn parse_storage(word: &str) -> Result<Storage, String> {
 /// Refuses a path that is no folder, or whose name ends like a file of some language: nobody looks
 /// for shaders in a folder `rim.wgsl`.
 fn check_folder(path: &Path) -> Result<(), Diagnostic> {
-    const ENDINGS: [&str; 12] = [
-        "wgsl", "glsl", "vert", "frag", "hlsl", "msl", "metal", "spv", "spirv", "json", "png",
-        "ktx2",
+    const ENDINGS: [&str; 13] = [
+        "wgsl", "glsl", "vert", "frag", "hlsl", "slang", "msl", "metal", "spv", "spirv", "json",
+        "png", "ktx2",
     ];
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
     let is_like_file = ending.is_some_and(|ending| ENDINGS.contains(&ending.as_str()));

@@ -31,6 +31,7 @@ mod pretty;
 mod program;
 mod readable;
 mod reflect;
+mod slang;
 mod spirv;
 mod textures;
 mod tiers;
@@ -52,13 +53,14 @@ pub use options::ExportOptions;
 pub use spirv::{fragment_spirv_words, spirv_words};
 
 /// All languages, in the order in which the window lists them: WGSL, three versions of GLSL, HLSL,
-/// MSL and SPIR-V.
-pub const LANGUAGES: [&Language; 7] = [
+/// Slang, MSL and SPIR-V.
+pub const LANGUAGES: [&Language; 8] = [
     &wgsl::LANGUAGE,
     &glsl_es300::LANGUAGE,
     &glsl_330::LANGUAGE,
     &glsl_450::LANGUAGE,
     &hlsl::LANGUAGE,
+    &slang::LANGUAGE,
     &msl::LANGUAGE,
     &spirv::LANGUAGE,
 ];

@@ -5,9 +5,10 @@
 //! a compile-time constant"), and some know no cast to an array. A list in braces is the same value
 //! to all of them.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use super::super::readable::words;
+use super::super::readable::{replace_words, words};
 
 /// Beginning of the names of naga's functions that make structs and arrays.
 const CONSTRUCT: &str = "Construct";
@@ -16,7 +17,32 @@ const CONSTRUCT: &str = "Construct";
 /// zeros of arrays; constructing functions that nothing calls any more are left out.
 pub(super) fn with_lists(text: &str) -> String {
     let lines: String = text.lines().map(|line| line_with_lists(line) + "\n").collect();
-    without_uncalled(&lines)
+    with_named_arguments(&without_uncalled(&lines))
+}
+
+/// The text with the members' names for the numbered arguments of constructing functions.
+fn with_named_arguments(text: &str) -> String {
+    let mut lines: Vec<String> = text.lines().map(|line| line.to_owned() + "\n").collect();
+    for head in 0..lines.len() {
+        let is_constructor =
+            lines[head].contains(&format!(" {CONSTRUCT}")) && lines[head].ends_with(") {\n");
+        if !is_constructor || lines[head].starts_with(' ') {
+            continue;
+        }
+        let end = (head..lines.len()).find(|&at| lines[at] == "}\n").unwrap_or(head);
+        let filled = |line: &String| {
+            let (member, argument) = line.trim().strip_prefix("ret.")?.split_once(" = ")?;
+            let argument = argument.strip_suffix(';')?;
+            let is_numbered = argument.strip_prefix("arg")?.bytes().all(|c| c.is_ascii_digit());
+            // `ret` is the result.
+            (is_numbered && member != "ret").then(|| (argument.to_owned(), member.to_owned()))
+        };
+        let names: BTreeMap<String, String> = lines[head..end].iter().filter_map(filled).collect();
+        for line in &mut lines[head..end] {
+            *line = replace_words(line, |word| names.get(word).cloned());
+        }
+    }
+    lines.concat()
 }
 
 fn line_with_lists(line: &str) -> String {
@@ -124,6 +150,8 @@ Pair ConstructPair(Inner arg0, float2 arg1) {
 static const Pair PAIR = ConstructPair(ConstructInner((1.0 + 0.5)), float2(2.0, 3.0));
 static const float2 NONE[2] = (float2[2])0;
 Pair ConstructUsed(float arg0) {
+    Pair ret = (Pair)0;
+    ret.a = arg0;
     return ret;
 }
 float4 fs_main() {
@@ -134,7 +162,9 @@ float4 fs_main() {
         let wanted = "\
 static const Pair PAIR = {{(1.0 + 0.5)}, float2(2.0, 3.0)};
 static const float2 NONE[2] = { (float2)0, (float2)0 };
-Pair ConstructUsed(float arg0) {
+Pair ConstructUsed(float a) {
+    Pair ret = (Pair)0;
+    ret.a = a;
     return ret;
 }
 float4 fs_main() {

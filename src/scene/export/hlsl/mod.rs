@@ -15,11 +15,11 @@ use serde_json::json;
 use super::ExportFile;
 use super::header::list;
 use super::language::{
-    ClipSpace, ExportedModule, Language, LanguageBinding, LanguageFile, LanguageModule, Request,
-    TextFile,
+    ClipSpace, ExportedModule, Language, LanguageBinding, LanguageEntryPoint, LanguageFile,
+    LanguageModule, Request, TextFile,
 };
 use super::one_file::{NagaText, readable_text};
-use super::readable::{SourceComments, WrittenText};
+use super::readable::{SourceComments, WrittenText, words};
 use super::reflect::{BindingType, BoundVariable};
 use crate::diag::Diagnostic;
 use crate::wgsl::{self, ValidModule};
@@ -39,6 +39,16 @@ pub(super) const LANGUAGE: Language = Language {
 };
 
 fn write(request: &Request<'_>) -> Result<ExportedModule, String> {
+    write_as(request, "hlsl", |text, _| text.to_owned())
+}
+
+/// The module in a file with an ending, its text as HLSL has it but for what `finish` changes; the
+/// entry points go with the text.
+pub(super) fn write_as(
+    request: &Request<'_>,
+    ending: &str,
+    finish: impl FnOnce(&str, &[LanguageEntryPoint]) -> String,
+) -> Result<ExportedModule, String> {
     let module = request.module;
     let registers = registers(&module.bindings);
     let mut options = hlsl::Options {
@@ -82,7 +92,8 @@ fn write(request: &Request<'_>) -> Result<ExportedModule, String> {
         .map(|(binding, (_, letter, n))| format!("{} {letter}{n}", binding.name))
         .collect();
     let header = request.header("", &[list("Registers of space 0", &names)]);
-    let file = format!("{}.hlsl", request.stem);
+    let file = format!("{}.{ending}", request.stem);
+    let text = finish(&text, &points);
     let described = LanguageModule {
         module: module.name.to_owned(),
         files: vec![LanguageFile { file: file.clone(), entry_points: points }],
@@ -163,8 +174,21 @@ fn own_names(text: &str, registers: &[(&BoundVariable, char, u32)]) -> BTreeMap<
             names.insert(own.to_owned(), bound.name.clone());
         }
     }
+    for (name, plain) in PLAIN_NAMES {
+        if !words(text).any(|word| &text[word.span] == plain) {
+            names.insert(name.to_owned(), plain.to_owned());
+        }
+    }
     names
 }
+
+/// Names of naga's own, and plain ones.
+const PLAIN_NAMES: [(&str, &str); 4] = [
+    ("VertexOutput_vs_main", "VertexOutput"),
+    ("FragmentInput_fs_main", "FragmentInput"),
+    ("fragmentinput_fs_main", "input"),
+    ("naga_f2i32", "to_int"),
+];
 
 /// True for `_1`.
 fn is_number(end: &str) -> bool {

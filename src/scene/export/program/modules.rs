@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use naga::{ArraySize, Handle, ScalarKind, TypeInner};
 
 use super::super::modules::{Host, ShaderModule};
-use super::literal::literal;
+use super::literal::{literal, number};
 use super::settings::{Settings, light_value, surrounding};
 use super::{ModuleNumbers, StructFunction, identifier, problem};
 use crate::compile::{HostStep, UniformMember};
@@ -39,7 +39,11 @@ pub(super) fn write(
         if member.ty == crate::library::Type::Bool {
             value = format!("select(0u, 1u, {value})");
         }
-        writer.write(member.offset, type_of(host, member)?, &value)?;
+        let operand = match steps.undeclared.get(&member.step) {
+            Some(known) => Operand::Known(known),
+            None => Operand::Named(value.clone()),
+        };
+        writer.write(member.offset, type_of(host, member)?, &operand)?;
         let place = match &member.place {
             None => member.name.clone(),
             Some(place) => format!("{}[{}].{}", place.array, place.index, place.field),
@@ -93,42 +97,48 @@ struct WordWriter<'a> {
 
 impl WordWriter<'_> {
     /// Writes a value of a type at a byte.
-    fn write(&mut self, at: u32, ty: Handle<naga::Type>, value: &str) -> Result<(), Diagnostic> {
+    fn write(
+        &mut self,
+        at: u32,
+        ty: Handle<naga::Type>,
+        value: &Operand<'_>,
+    ) -> Result<(), Diagnostic> {
         let module = self.module;
         match &module.types[ty].inner {
-            TypeInner::Scalar(scalar) => self.word(at, value, scalar.kind),
+            TypeInner::Scalar(scalar) => self.word(at, &value.text(), scalar.kind),
             TypeInner::Vector { size, scalar } => {
-                for (index, axis) in (0_u32..).zip(&["x", "y", "z", "w"][..*size as usize]) {
-                    self.word(at + 4 * index, &format!("{value}.{axis}"), scalar.kind);
+                for index in 0..*size as u32 {
+                    self.word(at + 4 * index, &value.component(index as usize), scalar.kind);
                 }
             }
             TypeInner::Matrix { columns, rows, scalar } => {
                 let stride = if *rows as u32 == 2 { 8 } else { 16 };
                 for column in 0..*columns as u32 {
-                    for (row, axis) in (0_u32..).zip(&["x", "y", "z", "w"][..*rows as usize]) {
-                        let at = at + column * stride + 4 * row;
-                        self.word(at, &format!("{value}[{column}].{axis}"), scalar.kind);
+                    for row in 0..*rows as u32 {
+                        let cell = value.cell([column, row].map(|index| index as usize));
+                        self.word(at + column * stride + 4 * row, &cell, scalar.kind);
                     }
                 }
             }
             TypeInner::Array { base, size: ArraySize::Constant(count), stride } => {
                 for index in 0..count.get() {
-                    self.write(at + index * stride, *base, &format!("{value}[{index}]"))?;
+                    self.write(at + index * stride, *base, &value.element(index as usize))?;
                 }
             }
             TypeInner::Struct { members, .. } => {
-                for member in members {
+                for (index, member) in members.iter().enumerate() {
                     let name = member.name.as_deref().unwrap_or_default();
-                    self.write(at + member.offset, member.ty, &format!("{value}.{name}"))?;
+                    self.write(at + member.offset, member.ty, &value.member(index, name))?;
                 }
             }
-            _ => return Err(problem(format!("the value `{value}` is none of numbers alone"))),
+            _ => return Err(problem(format!("`{}` is none of numbers alone", value.text()))),
         }
         Ok(())
     }
 
     fn word(&mut self, at: u32, value: &str, kind: ScalarKind) {
         let at = at as usize / 4;
+        let is_zero = matches!(value, "0.0" | "0u" | "-0.0");
         let value = match kind {
             ScalarKind::Float => value.to_owned(),
             _ => {
@@ -136,7 +146,86 @@ impl WordWriter<'_> {
                 format!("f32({value})")
             }
         };
-        let _ = writeln!(self.text, "    numbers[{at}] = {value};");
+        // Numbers are 0 from the start.
+        if !is_zero {
+            let _ = writeln!(self.text, "    numbers[{at}] = {value};");
+        }
+    }
+}
+
+/// A value whose words are written.
+enum Operand<'a> {
+    /// An expression of the program.
+    Named(String),
+    /// A value of a type that the program does not declare.
+    Known(&'a interp::Value),
+}
+
+impl Operand<'_> {
+    /// The value as one expression.
+    fn text(&self) -> String {
+        match self {
+            Self::Named(name) => name.clone(),
+            Self::Known(value) => literal(value).unwrap_or_default(),
+        }
+    }
+
+    /// A component of a vector.
+    fn component(&self, index: usize) -> String {
+        match self {
+            Self::Named(name) => format!("{name}.{}", AXES[index]),
+            Self::Known(interp::Value::Vector(scalars)) => scalar(scalars.get(index).copied()),
+            Self::Known(_) => scalar(None),
+        }
+    }
+
+    /// The component of a matrix at a column and a row.
+    fn cell(&self, [column, row]: [usize; 2]) -> String {
+        match self {
+            Self::Named(name) => format!("{name}[{column}].{}", AXES[row]),
+            Self::Known(interp::Value::Matrix { columns, components }) => {
+                let rows = components.len() / (*columns).max(1);
+                number(components.get(column * rows + row).copied().unwrap_or_default())
+            }
+            Self::Known(_) => scalar(None),
+        }
+    }
+
+    /// An element of an array.
+    fn element(&self, index: usize) -> Self {
+        match self {
+            Self::Named(name) => Self::Named(format!("{name}[{index}]")),
+            Self::Known(value) => Self::Known(part(value, index)),
+        }
+    }
+
+    /// A member of a struct.
+    fn member(&self, index: usize, name: &str) -> Self {
+        match self {
+            Self::Named(value) => Self::Named(format!("{value}.{name}")),
+            Self::Known(value) => Self::Known(part(value, index)),
+        }
+    }
+}
+
+/// Names of a vector's components.
+const AXES: [&str; 4] = ["x", "y", "z", "w"];
+
+/// A part of an array or a struct; 0 where there is none.
+fn part(value: &interp::Value, index: usize) -> &interp::Value {
+    let parts = match value {
+        interp::Value::Array(parts) | interp::Value::Struct(parts) => parts.get(index),
+        _ => None,
+    };
+    parts.unwrap_or(&interp::Value::Float(0.0))
+}
+
+/// A component as WGSL; 0 where there is none.
+fn scalar(component: Option<interp::Scalar>) -> String {
+    match component {
+        Some(interp::Scalar::U32(x)) => format!("{x}u"),
+        Some(interp::Scalar::I32(x)) => format!("i32({x})"),
+        other => number(other.map_or(0.0, |scalar| scalar.as_f64())),
     }
 }
 
@@ -149,12 +238,22 @@ pub(super) struct Steps<'a> {
     names: BTreeMap<usize, String>,
     /// Names that the results of calls are to have.
     wanted: BTreeMap<usize, String>,
+    /// Values that no function of the program takes, such as a ramp that only the shader reads:
+    /// their types are declared by the shader alone.
+    undeclared: BTreeMap<usize, &'a interp::Value>,
 }
 
 impl<'a> Steps<'a> {
     pub(super) fn new(host: &'a Host, settings: &'a Settings) -> Self {
         let functions = wgsl::parse(&host.source.wgsl).ok();
-        Self { host, settings, functions, names: BTreeMap::new(), wanted: BTreeMap::new() }
+        Self {
+            host,
+            settings,
+            functions,
+            names: BTreeMap::new(),
+            wanted: BTreeMap::new(),
+            undeclared: BTreeMap::new(),
+        }
     }
 
     /// Lets the results of calls have the names of the members that they are for.
@@ -234,20 +333,25 @@ impl<'a> Steps<'a> {
 
     /// A value that is not set from outside: a ramp, a curve.
     fn fixed(
-        &self,
+        &mut self,
         index: usize,
         ty: &crate::library::Type,
-        value: &interp::Value,
+        value: &'a interp::Value,
     ) -> Result<String, Diagnostic> {
-        let lost = || problem(format!("the value of step {index} cannot be written"));
         if let Some(text) = literal(value) {
             return Ok(text);
         }
-        let functions = self.functions.as_ref().ok_or_else(lost)?;
-        let mut types = functions.module.types.iter();
-        let (handle, _) =
-            types.find(|(_, it)| it.name.as_deref() == Some(ty.wgsl())).ok_or_else(lost)?;
-        composite(&functions.module, handle, value).ok_or_else(lost)
+        let of_type = |module: &naga::Module| {
+            let mut types = module.types.iter();
+            let (handle, _) = types.find(|(_, it)| it.name.as_deref() == Some(ty.wgsl()))?;
+            composite(module, handle, value)
+        };
+        if let Some(text) = self.functions.as_ref().and_then(|it| of_type(&it.module)) {
+            return Ok(text);
+        }
+        self.undeclared.insert(index, value);
+        of_type(&self.host.shader.valid.module)
+            .ok_or_else(|| problem(format!("the value of step {index} cannot be written")))
     }
 
     /// Name of a member of the struct that a step gives.

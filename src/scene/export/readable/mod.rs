@@ -11,6 +11,7 @@
 //! - [`inline`] puts values without a name where they are read: a place of a uniform anywhere,
 //!   other values where nothing is written in between.
 //! - [`names`] gives the values of each function the names that they have in WGSL.
+//! - [`loops`] writes loops that count as `for`.
 //! - [`brackets`] takes away brackets that change nothing, and long lines are broken.
 //! - [`comments`] puts the comments of the WGSL back: before functions, structs, their members and
 //!   constants by name, and before statements by the value that they declare.
@@ -21,6 +22,7 @@
 mod brackets;
 mod comments;
 mod inline;
+mod loops;
 mod names;
 mod pieces;
 mod reserved;
@@ -31,8 +33,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use pieces::{Piece, split};
 pub(super) use source::SourceComments;
-use word::replace_words;
-pub(super) use word::words;
+pub(super) use word::{replace_words, words};
 
 use crate::compile::write_line;
 use crate::wgsl::ValidModule;
@@ -95,7 +96,8 @@ impl WrittenText<'_> {
         }
         comments::place(&mut pieces, source);
         let text: String = pieces.iter().map(Piece::text).collect();
-        Ok(written_as_by_people(&replace_words(&text, |word| self.renamed.get(word).cloned())))
+        let text = replace_words(&text, |word| self.renamed.get(word).cloned());
+        Ok(written_as_by_people(&loops::counted(&text)))
     }
 }
 
