@@ -215,7 +215,11 @@ fn properties_and_lights_change_what_they_change_with_us() {
              var sun := DirectionalLight3D.new()\nscene.add_child(sun)\n\
              sun.look_at_from_position(Vector3(0.7, 0.1, 0.7), Vector3.ZERO)\n\
              mesh.key_light = sun",
-            "mesh.key_light = null",
+            // A light that is gone is none, and a script works on a node that is there already.
+            "sun.free()",
+            "var other := MeshInstance3D.new()\nother.mesh = mesh.mesh\n\
+             other.transform = mesh.transform\nscene.add_child(other)\n\
+             other.set_script(mesh.get_script())\nmesh.hide()",
         ],
     );
     let (turned, lit) = (turned.ours(), lit.ours());
@@ -227,6 +231,7 @@ fn properties_and_lights_change_what_they_change_with_us() {
         ("properties", &drawn[1], &turned),
         ("light", &drawn[2], &lit),
         ("nothing-again", &drawn[3], &before),
+        ("other-node", &drawn[4], &before),
     ] {
         let key = format!("godot compatibility highlight-moves-{name}");
         measured.insert(key, Difference::of(drawn, ours));

@@ -17,9 +17,22 @@ extends GeometryInstance3D
 var material := ShaderMaterial.new()
 
 var _last := []
+var _is_started := false
+
+
+func _init() -> void:
+	# A script that is put on a node of the tree, as the editor does, is not told that it is ready.
+	_start.call_deferred()
 
 
 func _ready() -> void:
+	_start()
+
+
+func _start() -> void:
+	if _is_started or not is_inside_tree():
+		return
+	_is_started = true
 	material.shader = _shader()
 	var images := _images()
 	for image: StringName in images:
@@ -27,11 +40,13 @@ func _ready() -> void:
 	RenderingServer.instance_geometry_set_material_override(get_instance(), material.get_rid())
 	# What moves lights, cameras and objects in a frame comes first.
 	process_priority = 1000
+	set_process(true)
 	update()
 
 
 func _process(_delta: float) -> void:
-	update()
+	if is_visible_in_tree():
+		update()
 
 
 ## Brings the material up to date, before each frame. Call this after a change that has to be seen
@@ -92,15 +107,16 @@ func _surroundings() -> Dictionary:
 	}
 
 
-## A light of the look: `own` are the look's values, `given` those of parameters, and `followed` is
-## a light of the scene that takes the light's place.
+## A light of the look: `own` are the look's values, `given` those of parameters, and `lamp` is a
+## light of the scene that takes the light's place, or none, or one that was freed.
 static func light_of(
-	own: Dictionary, given: Dictionary, followed: Light3D, around: Dictionary
+	own: Dictionary, given: Dictionary, lamp: Variant, around: Dictionary
 ) -> Dictionary:
 	var light := own.merged(given, true)
 	light.merge({aimed_at = [0.0, 0.0, 0.0, 0.0], shadow_map = [0.0, 0.0, 1.0, -1.0]})
-	if followed == null or not followed.is_inside_tree():
+	if not is_instance_valid(lamp) or not lamp.is_inside_tree():
 		return light
+	var followed: Light3D = lamp
 	var axes := Basis.IDENTITY
 	var origin := Vector3.ZERO
 	match own.space:

@@ -167,7 +167,8 @@ pub(super) fn write(
         modes.push("cull_disabled");
     }
     if !options.is_opaque {
-        modes.push("depth_draw_always");
+        // What is opaque of it casts shadows and hides what lies behind.
+        modes.push("depth_prepass_alpha");
     }
     let mut text = format!(
         "// {}: made by Chiaro {}, Godot 4.\n\
