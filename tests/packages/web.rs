@@ -169,6 +169,17 @@ fn the_page_is_worked_by_hand_and_keys() {
         return false;
     })()";
     assert_eq!(browser.evaluate(rest), Ok(json!(true)), "nothing is drawn at rest");
+    // What moves is drawn coarsely in software, as the first frame is, and finely afterwards.
+    let fine = "(async () => {
+        const { player } = chiaro;
+        for (let turn = 0; turn < 400; turn++) {
+            const isFine = player.canvas.width === player.pageSize[0];
+            if (isFine && Number.isFinite(player.slowness)) return player.slowness;
+            await new Promise((resolve) => setTimeout(resolve, 25));
+        }
+    })()";
+    let slowness = browser.evaluate(fine).expect("a time");
+    assert!(slowness.as_f64().is_some_and(|time| time > 0.0), "a fine frame: {slowness}");
 }
 
 /// A value of the wrong form is refused in words, and changes nothing; one that is as in the look
