@@ -1,6 +1,7 @@
 //! Packages as the program exports them, and the pictures that they should show.
 
-use std::collections::BTreeMap;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
@@ -25,6 +26,8 @@ pub(crate) struct Trial {
     /// True to draw our own picture by the GPU that the test's environment names, else by that of
     /// Chromium.
     is_here: bool,
+    /// Packages that were exported without further arguments, and are still so.
+    exported: RefCell<BTreeSet<String>>,
 }
 
 impl Trial {
@@ -38,6 +41,7 @@ impl Trial {
             tier: None,
             is_live: false,
             is_here: false,
+            exported: RefCell::default(),
         }
     }
 
@@ -72,8 +76,11 @@ impl Trial {
         Self { document, ..original }
     }
 
-    /// The folder of the package, exported now.
+    /// The folder of the package, exported now unless it is there.
     pub(crate) fn package(&self, slug: &str) -> PathBuf {
+        if self.exported.borrow().contains(slug) {
+            return self.folder.path().join(slug);
+        }
         self.package_with(slug, &[])
     }
 
@@ -91,7 +98,14 @@ impl Trial {
         command.args(self.is_live.then_some("--live"));
         let output = command.output().expect("the program starts");
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        if output.status.success() { Ok(out) } else { Err(said) }
+        self.exported.borrow_mut().remove(slug);
+        if !output.status.success() {
+            return Err(said);
+        }
+        if arguments.is_empty() {
+            self.exported.borrow_mut().insert(slug.to_owned());
+        }
+        Ok(out)
     }
 
     /// Words of the program about a look that a package does not take.

@@ -176,8 +176,10 @@ impl Chromium {
     /// # Errors
     /// Exceptions with their message and place, rejected promises, and values that take too long.
     pub fn evaluate(&mut self, expression: &str) -> Result<Value, String> {
-        let question =
-            json!({"expression": expression, "awaitPromise": true, "returnByValue": true});
+        // The page holds the promise: one that nothing else holds is collected as garbage, and the
+        // inspector then answers that.
+        let held = format!("globalThis.awaited = (0, eval)({})", json!(expression));
+        let question = json!({"expression": held, "awaitPromise": true, "returnByValue": true});
         let answer = self.call("Runtime.evaluate", &question)?;
         match answer.get("exceptionDetails") {
             Some(exception) => Err(exception_text(exception)),

@@ -16,7 +16,7 @@ pub(super) struct Materials<'a> {
     pub(super) parameters: Vec<MaterialParameter<'a>>,
     /// Ids of the lights that the look reads.
     pub(super) lights: Vec<&'a str>,
-    /// The parameters as a table of Markdown, which templates have in the place `{{table}}`.
+    /// The parameters and lights as tables of Markdown, in the place `{{table}}` of templates.
     pub(super) table: String,
 }
 
@@ -51,7 +51,7 @@ impl<'a> Materials<'a> {
             stem: request.stem,
             parameters: parameters.collect(),
             lights: lights.collect(),
-            table: request.parameter_table(),
+            table: request.tables(),
         }
     }
 
@@ -75,6 +75,11 @@ impl<'a> Materials<'a> {
         let others = runtime.iter().map(|(name, text)| (format!("chiaro.{name}"), renamed(text)));
         own.chain(others).map(|(name, text)| ExportFile::text(name, text)).collect()
     }
+}
+
+/// Typings of a library's material, with the types of a look's values in the place `{{values}}`.
+pub(super) fn with_value_types(typings: &str) -> String {
+    typings.replace("{{values}}\n", include_str!("shared/values.d.ts"))
 }
 
 /// A template with its places filled.

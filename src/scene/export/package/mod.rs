@@ -10,6 +10,7 @@ mod bevy_crate;
 mod blender;
 mod godot;
 mod javascript;
+mod light_table;
 mod materials;
 mod materialx;
 mod parameter_table;
@@ -31,7 +32,7 @@ use serde_json::json;
 use super::description::{self, Description};
 use super::pretty::pretty;
 use super::{ExportFile, LANGUAGES, exposed, header, modules, program, textures};
-use crate::compile::check;
+use crate::compile::{TypedGraph, check};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Camera, Look};
 use crate::frame::{Assets, Executor, PlanOptions, PlanStyle, Setup, SetupObject};
@@ -70,6 +71,9 @@ pub const PACKAGES: &[&Package] = &[
     &materialx::PACKAGE,
 ];
 
+/// Symbols of papers that texts of nodes mention.
+const SYMBOLS: [&str; 3] = ["tau", "f", "c"];
+
 /// The scene that a package shows the look in.
 #[derive(Clone, Debug)]
 pub struct PackageScene {
@@ -93,6 +97,8 @@ pub(super) struct PackageRequest<'a> {
     pub(super) look: &'a Look,
     /// Host work of the look.
     pub(super) work: &'a program::HostWork,
+    /// The look's nodes as they are checked.
+    pub(super) graph: &'a TypedGraph,
     /// The look's modules, for packages that write them in a language of their own.
     pub(super) modules: &'a modules::Modules,
     /// Shaders of the look's modules.
@@ -145,9 +151,10 @@ impl PackageRequest<'_> {
         Err(refusal(message, help))
     }
 
-    /// The exposed parameters as a table of Markdown, for the end of a README.
-    fn parameter_table(&self) -> String {
+    /// The exposed parameters and the lights as tables of Markdown, for the end of a README.
+    fn tables(&self) -> String {
         parameter_table::parameter_table(self.description)
+            + &light_table::light_table(self.description, self.graph)
     }
 
     /// The look as a script that begins with `declaration`, as its first line of code.
@@ -216,12 +223,16 @@ pub fn export_package(
     let parameters = exposed::parameters(look, library, &typed, &modules);
     let one = |problem: Diagnostic| vec![problem];
     let work = program::build(look, &typed, &modules, &parameters).map_err(one)?;
-    let description = description::description(look, library, &typed, &modules, &written);
+    let mut description = description::description(look, library, &typed, &modules, &written);
+    for parameter in &mut description.parameters {
+        parameter.help = without_symbols(&parameter.help);
+    }
     let request = PackageRequest {
         title: &modules.title,
         stem,
         look,
         work: &work,
+        graph: &typed,
         modules: &modules,
         sources: &sources,
         description: &description,
@@ -231,6 +242,12 @@ pub fn export_package(
     let mut files = (package.write)(&request)?;
     files.push(manifest(&request, package, &files));
     Ok(WithWarnings::new(files, warnings))
+}
+
+/// A text without the symbols that papers have for what it is about: `falls fastest (f).` is
+/// `falls fastest.`
+fn without_symbols(text: &str) -> String {
+    SYMBOLS.iter().fold(text.to_owned(), |text, symbol| text.replace(&format!(" ({symbol})"), ""))
 }
 
 /// The list of a package's files, by which the next export knows them as its own.

@@ -47,7 +47,7 @@ fn row(parameter: &ExposedParameter, space: ColorSpace) -> String {
 }
 
 /// A text that neither ends a cell nor is markup.
-fn cell(text: &str) -> String {
+pub(super) fn cell(text: &str) -> String {
     let plain = text.replace(char::is_control, " ");
     plain.replace('|', "\\|").replace('<', "&lt;").replace('*', "\\*").replace('`', "'")
 }

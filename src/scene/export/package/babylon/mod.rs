@@ -7,7 +7,7 @@
 //! Babylon.js draws before each camera's picture, as it does mirrors.
 
 use super::super::ExportFile;
-use super::materials::Materials;
+use super::materials::{Materials, with_value_types};
 use super::{Package, PackageRequest};
 use crate::diag::Diagnostic;
 
@@ -51,9 +51,10 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
 
 /// The files of the package beside the look's own module and images.
 fn files_of(materials: &Materials<'_>) -> Vec<ExportFile> {
+    let stem = materials.stem;
     let templates = [
-        (format!("{}.material.js", materials.stem), include_str!("material.js").to_owned()),
-        (format!("{}.material.d.ts", materials.stem), include_str!("material.d.ts").to_owned()),
+        (format!("{stem}.material.js"), include_str!("material.js").to_owned()),
+        (format!("{stem}.material.d.ts"), with_value_types(include_str!("material.d.ts"))),
         ("README.md".to_owned(), include_str!("README.md").to_owned()),
         ("package.json".to_owned(), include_str!("package.json").to_owned()),
     ];

@@ -1,6 +1,6 @@
 // Looks in Babylon.js: a module's GLSL or WGSL in a ShaderMaterial.
 
-import { ShaderMaterial } from "@babylonjs/core";
+import { Constants, ShaderMaterial } from "@babylonjs/core";
 import { LookModule } from "./module.js";
 import { arePassesShared } from "./passes.js";
 import { objectValues, placeOf, viewValues } from "./scene.js";
@@ -27,8 +27,10 @@ export class LookMaterial extends ShaderMaterial {
     this.backFaceCulling = pass.sides !== "both" || pass.sides_parameter !== undefined;
     // Without culling, Babylon.js tells fronts only to materials that light both sides.
     this._twoSidedLighting = true;
-    // Looks write depth where they are transparent, too.
+    // Looks write depth where they are transparent, too, and cover what they are drawn over: the
+    // usual mode of Babylon.js adds up alpha.
     this.forceDepthWrite = true;
+    this.alphaMode = Constants.ALPHA_LAYER_ACCUMULATE;
     this.passes = passesFor(scene, look);
     this.getRenderTargetTextures = this.passes && (() => this.passes.begin());
     this.passes?.connect(pass, module, (binding, target) => this.setTexture(binding, target));

@@ -138,7 +138,7 @@ fn filled(template: &str, request: &PackageRequest<'_>) -> String {
         .replace("{{eye}}", &place(camera.eye))
         .replace("{{target}}", &place(camera.target))
         .replace("{{fov}}", &format!("{:.0}", camera.fov.to_degrees()))
-        .replace("{{table}}", &request.parameter_table())
+        .replace("{{table}}", &request.tables())
 }
 
 #[cfg(test)]

@@ -264,6 +264,6 @@ fn readme(request: &PackageRequest<'_>) -> String {
         .replace("{{title}}", request.title)
         .replace("{{stem}}", request.stem)
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
-        .replace("{{table}}", &request.parameter_table())
+        .replace("{{table}}", &request.tables())
         .replace("{{lights}}", &lights)
 }

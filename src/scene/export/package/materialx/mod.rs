@@ -91,7 +91,7 @@ fn readme(request: &PackageRequest<'_>, name: &str) -> String {
         .replace("{{node}}", name)
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{lights}}", &lights)
-        .replace("{{table}}", &request.parameter_table())
+        .replace("{{table}}", &request.tables())
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@
 //! `render`, as three's own mirrors do.
 
 use super::super::ExportFile;
-use super::materials::Materials;
+use super::materials::{Materials, with_value_types};
 use super::{Package, PackageRequest};
 use crate::diag::Diagnostic;
 
@@ -95,7 +95,7 @@ const WEBGPU: Typings = Typings {
 
 /// The template of the typings for one renderer.
 fn typings(of: &Typings) -> String {
-    include_str!("material.d.ts")
+    with_value_types(include_str!("material.d.ts"))
         .replace("{{type}}", of.class)
         .replace("{{renderer}}", of.renderer)
         .replace("{{base}}", of.base)

@@ -82,5 +82,5 @@ fn readme(request: &PackageRequest<'_>, cuts: bool) -> String {
         .replace("{{blend}}", blend)
         .replace("{{sides}}", sides)
         .replace("{{links}}", links)
-        .replace("{{table}}\n", &request.parameter_table())
+        .replace("{{table}}\n", &request.tables())
 }

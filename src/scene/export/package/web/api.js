@@ -34,7 +34,8 @@ window.chiaro = {
     try {
       const found = await Player.open(canvas, content, options);
       if (options.gestures !== false) found.gestures = new Gestures(found, options);
-      found.draw();
+      // With the next frame of the page, which has laid itself out and set its values by then.
+      found.invalidate();
       first ??= found;
       opening.resolve(found);
       return found;

@@ -148,7 +148,7 @@ fn filled(template: &str, request: &PackageRequest<'_>) -> String {
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{lights}}", &lights)
         .replace("{{example}}", &example(request.description))
-        .replace("{{table}}\n", &request.parameter_table())
+        .replace("{{table}}\n", &request.tables())
 }
 
 /// A call that is seen in the picture.

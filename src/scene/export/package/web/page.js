@@ -177,7 +177,8 @@ async function start() {
     document.body.classList.toggle("is-bare", isBare);
     const wheel = isBare ? "focus" : true;
     const player = await chiaro.open(canvas, exported, { api: wantedApi(), wheel });
-    byId("waiting").hidden = true;
+    const isDrawn = () => (byId("waiting").hidden = true);
+    player.addEventListener("drawn", isDrawn, { once: true });
     tellApi(player);
     player.addEventListener("api", () => tellApi(player));
     player.addEventListener("lost", ({ detail }) => tellProblem(

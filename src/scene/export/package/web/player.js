@@ -18,6 +18,9 @@ const MOST_SIDE = 4096;
 /** A device that is lost within this time, in milliseconds, had not drawn well at all. */
 const EARLY = 5000;
 
+/** Names of drivers that draw without a graphics card. */
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
 /** Frames that take longer than this, in milliseconds, are drawn coarser while things move. */
 const SLOW = 50;
 
@@ -66,6 +69,8 @@ class Player extends EventTarget {
       try {
         this.executor = await EXECUTORS[name].create(this.canvas, this.content);
         this.begun = performance.now();
+        // Software shows something soon, and then the same finely.
+        this.slowness = SOFTWARE.test(this.executor.driver) ? Infinity : 0;
         this.executor.onLost((reason) => this.recover(reason, names.slice(at + 1)));
         return;
       } catch (failure) {

@@ -46,6 +46,14 @@ class WebGl2Executor {
     return executor;
   }
 
+  /** Name of what draws. Chromium and Safari tell it aside. */
+  get driver() {
+    const { gl } = this;
+    const name = gl.getParameter(gl.RENDERER);
+    const aside = name.startsWith("WebKit") && gl.getExtension("WEBGL_debug_renderer_info");
+    return aside ? gl.getParameter(aside.UNMASKED_RENDERER_WEBGL) : name;
+  }
+
   /** Compiles the modules, side by side where the browser can, and finds the places of inputs. */
   compile() {
     const { gl, look } = this;

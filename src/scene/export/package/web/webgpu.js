@@ -45,6 +45,12 @@ class WebGpuExecutor {
     return executor;
   }
 
+  /** Name of what draws. */
+  get driver() {
+    const { architecture, description } = this.adapter.info ?? {};
+    return `${architecture} ${description}`;
+  }
+
   uploadMesh() {
     const upload = (array, usage) => {
       const size = Math.ceil(array.byteLength / 4) * 4;
