@@ -2,7 +2,7 @@
 
 use naga::{
     BinaryOperator as Op, Expression, Handle, Literal, MathFunction as Math, RelationalFunction,
-    ScalarKind, TypeInner, UnaryOperator,
+    ScalarKind, Type, TypeInner, UnaryOperator,
 };
 
 use super::follow::{Follower, Frame, Unfit};
@@ -41,14 +41,8 @@ impl<'m> Follower<'m> {
             }
             Expression::CallResult(_) => unfit("uses a result that is not there"),
             Expression::Load { pointer } => {
-                let Symbol::Pointer(slot, way) = self.value(frame, *pointer)? else {
-                    return unfit("reads memory that graphs do not have");
-                };
-                let mut found = self.memory[slot].clone();
-                for place in way {
-                    found = self.part(&found, place)?;
-                }
-                Ok(found)
+                let pointer = self.value(frame, *pointer)?;
+                self.load(&pointer)
             }
             Expression::AccessIndex { base, index } => {
                 let base = self.value(frame, *base)?;
@@ -61,15 +55,7 @@ impl<'m> Follower<'m> {
             Expression::Compose { ty, components } => {
                 let parts: Result<Vec<Symbol>, Unfit> =
                     components.iter().map(|it| self.value(frame, *it)).collect();
-                let parts = parts?;
-                if !matches!(self.module.types[*ty].inner, TypeInner::Vector { .. }) {
-                    return Ok(Symbol::List(parts));
-                }
-                let mut singles = Vec::new();
-                for part in parts {
-                    singles.extend(part.singles(&mut self.terms));
-                }
-                Ok(Symbol::vector(singles, &mut self.terms))
+                self.composed(*ty, parts?)
             }
             Expression::Splat { size, value } => {
                 let width = *size as usize;
@@ -121,6 +107,29 @@ impl<'m> Follower<'m> {
             | Expression::ImageQuery { .. } => unfit("reads an image"),
             _ => unfit("does what only programs of a GPU can"),
         }
+    }
+
+    fn load(&mut self, pointer: &Symbol) -> Result<Symbol, Unfit> {
+        let Symbol::Pointer(slot, way) = pointer else {
+            return unfit("reads memory that graphs do not have");
+        };
+        let mut found = self.memory[*slot].clone();
+        for place in way {
+            found = self.part(&found, *place)?;
+        }
+        Ok(found)
+    }
+
+    /// A value of its parts, which for a vector may be vectors themselves.
+    fn composed(&mut self, ty: Handle<Type>, parts: Vec<Symbol>) -> Result<Symbol, Unfit> {
+        if !matches!(self.module.types[ty].inner, TypeInner::Vector { .. }) {
+            return Ok(Symbol::List(parts));
+        }
+        let mut singles = Vec::new();
+        for part in &parts {
+            singles.extend(part.singles(&mut self.terms));
+        }
+        Ok(Symbol::vector(singles, &mut self.terms))
     }
 
     fn literal(&mut self, literal: Literal) -> Result<Symbol, Unfit> {
