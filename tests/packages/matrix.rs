@@ -17,7 +17,8 @@ What became of every example look in every package that `chiaro export LOOK --to
 Nothing here is claimed: a number stands where the program that a package is for drew it, with a
 mesh and a camera of its own, and is the greatest difference of a channel, of 255, from our own
 picture by the same software GPU, 160 by 120 pixels, over all APIs; in brackets the number of pixels
-that differ by more than 1. `refused` says that the export ends with a reason and what helps, `·`
+that differ by more than 1. `read` says that compilers, or the program's own tools, took the look,
+and nothing drew it. `refused` says that the export ends with a reason and what helps, `·`
 that the look was not run. What a host has to do to draw a look by itself is in
 [hosts.md](hosts.md).
 
@@ -26,13 +27,40 @@ Written by `CHIARO_BLESS=1 cargo test --test packages` from `tests/golden/packag
 
 ";
 
+/// A column of the matrix: a package, or one of its forms.
+struct Column {
+    slug: &'static str,
+    run_with: &'static str,
+}
+
+/// Forms of packages that are judged by themselves, each behind its package.
+const FORMS: [(&str, Column); 1] = [(
+    "materialx",
+    Column {
+        slug: "materialx-graph",
+        run_with: "the same, of the graph of MaterialX's own nodes alone",
+    },
+)];
+
+/// All columns, in the order of the packages.
+fn columns() -> Vec<Column> {
+    let mut columns = Vec::new();
+    for package in PACKAGES {
+        let run_with = package.run_with.unwrap_or("nothing: the program itself was not run");
+        columns.push(Column { slug: package.slug, run_with });
+        let forms = FORMS.into_iter().filter(|(of, _)| *of == package.slug);
+        columns.extend(forms.map(|(_, column)| column));
+    }
+    columns
+}
+
 /// The document, as the table has it now.
 fn document() -> String {
     let rows = table::read();
     let looks = example_looks();
     let mut text = HEAD.to_owned();
-    text.push_str("| package | run with | looks drawn | refused | not run |\n");
-    text.push_str("| --- | --- | --- | --- | --- |\n");
+    text.push_str("| package | run with | looks drawn | read | refused | not run |\n");
+    text.push_str("| --- | --- | --- | --- | --- | --- |\n");
     let cell = |slug: &str, look: &str| -> Option<Row> {
         let of_look = rows.iter().filter(|(key, _)| {
             let mut words = key.split(' ');
@@ -40,28 +68,31 @@ fn document() -> String {
         });
         of_look.map(|(_, row)| row.clone()).reduce(Row::worse)
     };
-    for package in PACKAGES {
-        let cells: Vec<_> = looks.iter().map(|look| cell(package.slug, &look.name)).collect();
+    let columns = columns();
+    for column in &columns {
+        let cells: Vec<_> = looks.iter().map(|look| cell(column.slug, &look.name)).collect();
         let count = |wanted: fn(&Option<Row>) -> bool| cells.iter().filter(|it| wanted(it)).count();
         let drawn = count(|it| matches!(it, Some(Row::Drawn(_))));
         let refused = count(|it| matches!(it, Some(Row::Refused(_))));
-        let run_with = package.run_with.unwrap_or("nothing: the program itself was not run");
-        let open = cells.len() - drawn - refused;
+        let read = count(|it| matches!(it, Some(Row::Read)));
+        let open = cells.len() - drawn - read - refused;
+        let Column { slug, run_with } = column;
         let _infallible =
-            writeln!(text, "| `{}` | {run_with} | {drawn} | {refused} | {open} |", package.slug);
+            writeln!(text, "| `{slug}` | {run_with} | {drawn} | {read} | {refused} | {open} |");
     }
     let reasons = reasons(&rows);
     text.push_str("\n| look |");
-    PACKAGES.iter().for_each(|package| text += &format!(" `{}` |", package.slug));
+    columns.iter().for_each(|column| text += &format!(" `{}` |", column.slug));
     text.push_str("\n| --- |");
-    PACKAGES.iter().for_each(|_| text.push_str(" --- |"));
+    columns.iter().for_each(|_| text.push_str(" --- |"));
     text.push('\n');
     for look in &looks {
         let _infallible = write!(text, "| {} |", look.name);
-        for package in PACKAGES {
-            let shown = match cell(package.slug, &look.name) {
+        for column in &columns {
+            let shown = match cell(column.slug, &look.name) {
                 Some(Row::Drawn(found)) if found.beyond == 0 => found.greatest.to_string(),
                 Some(Row::Drawn(found)) => format!("{} ({})", found.greatest, found.beyond),
+                Some(Row::Read) => "read".to_owned(),
                 Some(Row::Refused(reason)) => {
                     let number = reasons.iter().position(|one| *one == reason).unwrap_or_default();
                     format!("refused {}", number + 1)

@@ -45,6 +45,11 @@ impl Trial {
         }
     }
 
+    /// A trial of a look in a file of its own.
+    pub(crate) fn of_file(document: PathBuf) -> Self {
+        Self { document, ..Self::of("") }
+    }
+
     /// The trial with arguments of both `chiaro export` and `chiaro render`.
     pub(crate) fn with(self, arguments: &'static [&'static str]) -> Self {
         Self { arguments, ..self }
@@ -238,6 +243,11 @@ fn chiaro() -> Command {
         command.env("VK_DRIVER_FILES", driver);
     }
     command
+}
+
+/// Runs the program with arguments.
+pub(crate) fn run_chiaro(arguments: &[&std::ffi::OsStr]) {
+    run(chiaro_here().args(arguments));
 }
 
 fn run(command: &mut Command) {

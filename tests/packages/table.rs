@@ -1,8 +1,9 @@
 //! The table of differences between packages' pictures and our own.
 //!
 //! A line is a package, the API that drew, a look, the greatest difference of a channel of 8 bits,
-//! and the number of pixels that differ by more than 1; or a package and a look that it refuses,
-//! with the reason. `CHIARO_BLESS=1` writes the lines that a test measures; lines of others stay.
+//! and the number of pixels that differ by more than 1; or a look that the package's program has
+//! read, where none draws; or a package and a look that it refuses, with the reason.
+//! `CHIARO_BLESS=1` writes the lines that a test measures; lines of others stay.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -16,9 +17,13 @@ use crate::pictures::Difference;
 /// Text at the top of the table.
 const HEAD: &str = "\
 # Differences of packages' pictures from our own: package, API, look, greatest difference of a
-# channel of 8 bits, pixels beyond 1. At 160x120, one sample a pixel, on a software GPU.
+# channel of 8 bits, pixels beyond 1; `read` where the program took the look and none draws. At
+# 160x120, one sample a pixel, on a software GPU.
 # Written by CHIARO_BLESS=1 cargo test --test packages.
 ";
+
+/// Word at the end of a look that was read and not drawn.
+const READ: &str = " read";
 
 /// Word before the reason of a refusal.
 const REFUSED: &str = " refused: ";
@@ -31,6 +36,8 @@ static FILE: Mutex<()> = Mutex::new(());
 pub(crate) enum Row {
     /// Drawn, with this difference.
     Drawn(Difference),
+    /// Read by what the package is for, or by its compilers, and drawn by nothing.
+    Read,
     /// Refused, for this reason.
     Refused(String),
 }
@@ -43,7 +50,8 @@ impl Row {
                 greatest: one.greatest.max(two.greatest),
                 beyond: one.beyond.max(two.beyond),
             }),
-            (refused @ Self::Refused(_), _) | (_, refused) => refused,
+            (refused @ Self::Refused(_), _) | (_, refused @ Self::Refused(_)) => refused,
+            (Self::Read, _) | (_, Self::Read) => Self::Read,
         }
     }
 
@@ -55,6 +63,7 @@ impl Row {
                 now.greatest <= bound.greatest.max(1) && now.beyond <= bound.beyond
             }
             (Self::Refused(one), Self::Refused(two)) => one == two,
+            (Self::Read, Self::Read) => true,
             _ => false,
         }
     }
@@ -85,6 +94,7 @@ pub(crate) fn check_rows(measured: &BTreeMap<String, Row>) {
         known.extend(measured.iter().map(|(key, row)| (key.clone(), row.clone())));
         let lines = known.iter().map(|(key, row)| match row {
             Row::Drawn(Difference { greatest, beyond }) => format!("{key} {greatest} {beyond}\n"),
+            Row::Read => format!("{key}{READ}\n"),
             Row::Refused(reason) => format!("{key}{REFUSED}{reason}\n"),
         });
         let text = HEAD.to_owned() + &lines.collect::<String>();
@@ -113,6 +123,9 @@ pub(crate) fn read() -> BTreeMap<String, Row> {
     let line = |line: &str| {
         if let Some((key, reason)) = line.split_once(REFUSED) {
             return Some((key.to_owned(), Row::Refused(reason.to_owned())));
+        }
+        if let Some(key) = line.strip_suffix(READ) {
+            return Some((key.to_owned(), Row::Read));
         }
         let mut words = line.rsplitn(3, ' ');
         let beyond = words.next()?.parse().ok()?;

@@ -16,16 +16,28 @@ const MAX_DEPTH: usize = 32;
 const MAX_STEPS: usize = 256;
 
 /// Nodes whose row depends on settings, with these.
-const REFINED: [(&str, &[&str]); 9] = [
+const REFINED: [(&str, &[&str]); 10] = [
     ("ShaderNodeMapping", &["vector_type"]),
     ("ShaderNodeMath", &["operation"]),
     ("ShaderNodeVectorMath", &["operation"]),
     ("ShaderNodeMix", &["data_type", "blend_type"]),
+    (OLD_MIX, &["blend_type"]),
     ("ShaderNodeMapRange", &["data_type", "interpolation_type"]),
     ("ShaderNodeClamp", &["clamp_type"]),
     ("ShaderNodeSeparateColor", &["mode"]),
     ("ShaderNodeCombineColor", &["mode"]),
     ("ShaderNodeTexGradient", &["gradient_type"]),
+];
+
+/// The mix of colors of files from before Blender 3.4, which newer ones keep.
+const OLD_MIX: &str = "ShaderNodeMixRGB";
+
+/// Inputs and settings of the old mix, with those of the mix that came after.
+const OLD_MIX_INPUTS: [(&str, &str); 4] = [
+    ("fac", "factor_float"),
+    ("color1", "a_color"),
+    ("color2", "b_color"),
+    ("set_use_clamp", "set_clamp_result"),
 ];
 
 /// A file.
@@ -242,10 +254,15 @@ impl<'f> Reader<'f> {
         if node.kind == "ShaderNodeMix" && words.first().is_some_and(|word| word != "RGBA") {
             words.truncate(1);
         }
+        let mut kind = node.kind.as_str();
+        if kind == OLD_MIX {
+            words.insert(0, "RGBA".to_owned());
+            kind = "ShaderNodeMix";
+        }
         let name = if node.label.is_empty() { &node.name } else { &node.label };
         ForeignNode {
             name: name.chars().take(200).collect(),
-            kind: node.kind.clone(),
+            kind: kind.to_owned(),
             variant: words.join("-"),
             ty: type_of(node.outputs.first()).to_owned(),
             group: self.uses[index].title.clone(),
@@ -267,6 +284,14 @@ impl<'f> Reader<'f> {
                 inputs.push(ForeignInput { name, source, is_authored: is_linked });
             }
             inputs.extend(settings(node));
+            if node.kind == OLD_MIX {
+                for input in &mut inputs {
+                    let known = OLD_MIX_INPUTS.iter().find(|(old, _)| *old == input.name);
+                    if let Some((_, new)) = known {
+                        (*new).clone_into(&mut input.name);
+                    }
+                }
+            }
             self.nodes[index].inputs = inputs;
         }
         Ok(())

@@ -478,11 +478,6 @@ impl<'a> Builder<'a> {
             self.look.graph.wires.push(Wire { from, to });
         }
         layout::place(&mut self.look.graph, &self.heights, self.library);
-        for (id, note) in &mut self.look.graph.notes {
-            if let Some(node) = self.look.graph.nodes.get(id.as_str()) {
-                note.position = [node.position[0], node.position[1] - 150.0];
-            }
-        }
     }
 }
 

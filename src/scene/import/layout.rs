@@ -1,9 +1,10 @@
-//! Places of imported nodes on the canvas: columns by the way to the output.
+//! Places of imported nodes on the canvas: columns by the way to the output, notes above their
+//! nodes.
 
 use std::collections::{HashMap, VecDeque};
 
-use crate::document::Graph;
-use crate::ids::NodeId;
+use crate::document::{Graph, Note};
+use crate::ids::{NodeId, NoteId};
 use crate::library::Library;
 
 /// Width of a column, in points.
@@ -14,6 +15,12 @@ const GAP: f64 = 28.0;
 
 /// Height of a node without ports, and of a port's row, in points.
 const HEIGHTS: [f64; 2] = [44.0, 24.0];
+
+/// Height of a note without text, and of a line of text, in points.
+const NOTE_HEIGHTS: [f64; 2] = [20.0, 15.0];
+
+/// Width of a letter in a note, in points, not to be too small.
+const LETTER: f64 = 7.0;
 
 /// Places all nodes: each in a column left of all that it feeds, and in a column by their
 /// `heights`.
@@ -29,7 +36,12 @@ pub(super) fn place(graph: &mut Graph, heights: &HashMap<NodeId, f64>, library: 
         let mut y = 0.0;
         for id in ids {
             let Some(node) = graph.nodes.get_mut(&id) else { continue };
-            node.position = [-(column as f64) * COLUMN, y];
+            let x = -(column as f64) * COLUMN;
+            if let Some(note) = graph.notes.get_mut(&NoteId::new(id.as_str())) {
+                note.position = [x, y];
+                y += note_height(note) + GAP / 2.0;
+            }
+            node.position = [x, y];
             let ports = library
                 .nodes
                 .get(&node.kind)
@@ -37,6 +49,13 @@ pub(super) fn place(graph: &mut Graph, heights: &HashMap<NodeId, f64>, library: 
             y += HEIGHTS[0] + HEIGHTS[1] * ports as f64 + GAP;
         }
     }
+}
+
+/// Height of a note whose long lines are broken, in points.
+fn note_height(note: &Note) -> f64 {
+    let letters = (note.width / LETTER).floor().max(1.0);
+    let lines = note.text.lines().map(|line| (line.chars().count() as f64 / letters).ceil());
+    NOTE_HEIGHTS[0] + NOTE_HEIGHTS[1] * lines.map(|lines| lines.max(1.0)).sum::<f64>()
 }
 
 /// Number of the column of each node, from 0 for those that feed nothing.

@@ -403,7 +403,10 @@ fn graphs_of_nodes<'d>(root: Node<'d, 'd>) -> HashMap<(&'d str, &'d str), Node<'
         let ty = own.or(output.and_then(|output| output.attribute("type"))).unwrap_or_default();
         definitions.insert(name, (kind, ty));
     }
-    let graphs = children(root, &["nodegraph"]).filter_map(|graph| {
+    let mut graphs: Vec<_> = children(root, &["nodegraph"]).collect();
+    // Of several graphs of a node, the one for all targets is meant; the last stays.
+    graphs.sort_by_key(|graph| !graph.has_attribute("target"));
+    let graphs = graphs.into_iter().filter_map(|graph| {
         let key = definitions.get(graph.attribute("nodedef")?)?;
         Some((*key, graph))
     });

@@ -235,3 +235,64 @@ fn the_documentation_names_every_row() {
         }
     }
 }
+
+/// A note never lies under a node, also where several stand-ins share a column.
+#[test]
+fn notes_have_room_above_their_nodes() {
+    let noises: String = (0..3)
+        .map(|index| {
+            format!(
+                "<noise3d name=\"cloud_{index}\" type=\"float\">\
+                 <input name=\"amplitude\" type=\"float\" value=\"0.{index}\"/>\
+                 <input name=\"pivot\" type=\"float\" value=\"0.5\"/></noise3d>"
+            )
+        })
+        .collect();
+    let imported = materialx(&format!(
+        r#"{noises}
+        <combine3 name="all" type="color3">
+          <input name="in1" type="float" nodename="cloud_0"/>
+          <input name="in2" type="float" nodename="cloud_1"/>
+          <input name="in3" type="float" nodename="cloud_2"/>
+        </combine3>
+        <surface_unlit name="flat" type="surfaceshader">
+          <input name="emission_color" type="color3" nodename="all"/>
+        </surface_unlit>"#
+    ));
+    let look = imported.expect("a look").value;
+    assert_eq!(look.graph.notes.len(), 3);
+    for (id, note) in &look.graph.notes {
+        let lines = note.text.lines().count() as f64;
+        let end = note.position[1] + 15.0 * lines;
+        assert!(look.graph.nodes[id.as_str()].position[1] >= end, "{note:?}");
+        let above = look.graph.nodes.values().filter(|node| {
+            node.position[0] == note.position[0] && node.position[1] < note.position[1]
+        });
+        let nearest = above.map(|node| node.position[1]).fold(f64::NEG_INFINITY, f64::max);
+        assert!(nearest + 50.0 < note.position[1], "{note:?}");
+    }
+}
+
+/// The mix of colors of old files is the mix.
+#[test]
+fn the_old_mix_of_blender_is_a_mix() {
+    let text = r#"{"blender": "5.0", "material": "Old", "nodes": [
+        {"name": "Mix", "kind": "ShaderNodeMixRGB", "settings": {"blend_type": "MULTIPLY",
+         "use_clamp": false}, "inputs": [
+          {"id": "Fac", "type": "VALUE", "value": 0.25},
+          {"id": "Color1", "type": "RGBA", "value": [0.5, 0.25, 1, 1]},
+          {"id": "Color2", "type": "RGBA", "value": [0.5, 0.5, 0.5, 1]}],
+         "outputs": [{"id": "Color", "type": "RGBA"}]},
+        {"name": "E", "kind": "ShaderNodeEmission", "inputs": [
+          {"id": "Color", "type": "RGBA"}, {"id": "Strength", "type": "VALUE", "value": 1}],
+         "outputs": [{"id": "Emission", "type": "SHADER"}]},
+        {"name": "O", "kind": "ShaderNodeOutputMaterial",
+         "inputs": [{"id": "Surface", "type": "SHADER"}]}],
+      "links": [["Mix", "Color", "E", "Color"], ["E", "Emission", "O", "Surface"]]}"#;
+    let imported = import_graph(text, "old.json", GraphFile::Blender, Library::built_in());
+    let imported = imported.unwrap_or_else(|problems| panic!("{problems:?}"));
+    assert!(imported.warnings.is_empty(), "{:?}", imported.warnings);
+    compiles(&imported.value);
+    let text = imported.value.to_text();
+    assert!(text.contains("mix_values") && text.contains("0.25"), "{text}");
+}

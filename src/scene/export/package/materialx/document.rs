@@ -21,6 +21,7 @@ pub(super) fn write(
     name: &str,
     inputs: &[NodeInput<'_>],
     source: &Source,
+    standard: &str,
 ) -> String {
     let given_names: Vec<&str> = source.given.iter().map(|given| given.name).collect();
     let mut public = String::new();
@@ -75,10 +76,19 @@ pub(super) fn write(
         .replace("{{private}}\n", &private)
         .replace("{{passed_on}}\n", &passed_on)
         .replace("{{surface}}\n", &surface)
+        .replace("{{standard}}\n", &commented(standard))
         .replace("{{node}}", name)
         .replace("{{stem}}", &escaped(request.stem))
         // Last: a title may have braces.
         .replace("{{title}}", &escaped(request.title).replace("--", "- -"))
+}
+
+/// The graph of MaterialX's own nodes with what is said above it; empty where there is none.
+fn commented(standard: &str) -> String {
+    if standard.is_empty() {
+        return String::new();
+    }
+    format!("  <!-- The look of MaterialX's own nodes, for all other targets. -->\n{standard}\n")
 }
 
 /// Numbers of a type of MaterialX.

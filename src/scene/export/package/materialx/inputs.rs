@@ -93,7 +93,7 @@ fn light_field(
 }
 
 /// Numbers of a light as the host work's struct has them, in its order.
-fn fields(light: &Light) -> Vec<(&'static str, Vec<f64>)> {
+pub(super) fn fields(light: &Light) -> Vec<(&'static str, Vec<f64>)> {
     vec![
         ("direction", light.direction.to_vec()),
         ("position", light.position.to_vec()),

@@ -4,11 +4,15 @@
 //!   the material ([`document`]).
 //! - `STEM.glsl` is the look as one function, host work within ([`source`]). Generators for OpenGL,
 //!   its embedded form and Vulkan read it.
+//!
+//! For all other hosts the document has the look once more, as a graph of MaterialX's own nodes
+//! ([`standard`]), where those can express it.
 
 mod document;
 mod inputs;
 mod literal;
 mod source;
+mod standard;
 
 use super::super::ExportFile;
 use super::{Package, PackageRequest, refusal};
@@ -21,7 +25,7 @@ pub(super) const PACKAGE: Package = Package {
     label: "MaterialX",
     help: "A MaterialX document with the look as a node, its function in GLSL, and a material.",
     opens: None,
-    run_with: Some("MaterialX 1.39.5: validator and generator"),
+    run_with: Some("MaterialX 1.39.5 and its renderer, on llvmpipe"),
     write,
 };
 
@@ -33,12 +37,15 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     refuse(request).map_err(one)?;
     let name = node_name(request.stem);
     let inputs = inputs::inputs(request).map_err(one)?;
-    let source = source::Source::of(request, &name, &inputs).map_err(one)?;
-    let document = document::write(request, &name, &inputs, &source);
+    let parts = source::parts(request).map_err(one)?;
+    let source = source::Source::of(request, &name, &inputs, &parts).map_err(one)?;
+    let standard = standard::graph(request, &name, &inputs, &parts);
+    let graph = standard.as_ref().map_or("", |graph| graph.text.as_str());
+    let document = document::write(request, &name, &inputs, &source, graph);
     Ok(vec![
         ExportFile::text(format!("{}.mtlx", request.stem), document),
         ExportFile::text(format!("{}.glsl", request.stem), source.text),
-        ExportFile::text("README.md".to_owned(), readme(request, &name)),
+        ExportFile::text("README.md".to_owned(), readme(request, &name, &standard)),
     ])
 }
 
@@ -81,7 +88,25 @@ fn node_name(stem: &str) -> String {
     }
 }
 
-fn readme(request: &PackageRequest<'_>, name: &str) -> String {
+fn readme(
+    request: &PackageRequest<'_>,
+    name: &str,
+    standard: &Result<standard::StandardGraph, String>,
+) -> String {
+    let targets = match standard {
+        Ok(graph) => format!(
+            "Generators for OpenGL and Vulkan (`genglsl`, `genessl`, `genvk`) take the GLSL. All \
+             others, such as OSL, MDL and\nMSL, and programs that import graphs take \
+             `NG_{name}_standard`: the same look as {} of\nMaterialX's own nodes. They are not \
+             told of pixels, so edges are as sharp as pixels are, nor of sides,\nso all is lit as \
+             from the front.",
+            graph.nodes
+        ),
+        Err(reason) => format!(
+            "GLSL alone: `genglsl`, `genessl` and `genvk`, none of OSL, MDL or MSL. There is no \
+             graph\nof MaterialX's own nodes, for {reason}."
+        ),
+    };
     let lights = request.description.lights.iter();
     let lights: Vec<String> = lights.map(|light| format!("`{}`", light.id)).collect();
     let lights = if lights.is_empty() { "none here".to_owned() } else { lights.join(", ") };
@@ -91,6 +116,7 @@ fn readme(request: &PackageRequest<'_>, name: &str) -> String {
         .replace("{{node}}", name)
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{lights}}", &lights)
+        .replace("{{targets}}", &targets)
         .replace("{{table}}", &request.tables())
 }
 

@@ -33,7 +33,7 @@ pub(super) struct GivenValue {
 }
 
 /// Values that the graph may give, in the order of arguments.
-const GIVEN: [GivenValue; 8] = [
+pub(super) const GIVEN: [GivenValue; 8] = [
     GivenValue { name: "position", ty: ("vector3", "vec3"), node: ("position", Some("world")) },
     GivenValue {
         name: "object_position",
@@ -58,7 +58,7 @@ const SURFACE: [(&str, &str); 5] = [
 ];
 
 /// Name that the look's entry point has as a function.
-const PICTURE: &str = "look_color";
+pub(super) const PICTURE: &str = "look_color";
 
 /// Name of an entry point that only keeps functions from being left out.
 const ENTRY: &str = "entry_of_export";
@@ -84,40 +84,33 @@ pub(super) struct Source {
 }
 
 /// Parts of the look that the function is made of.
-struct Parts {
-    wgsl: String,
+pub(super) struct Parts {
+    /// The look and its host work in one source.
+    pub(super) wgsl: String,
     /// Members of what a vertex passes on.
-    varyings: Vec<String>,
+    pub(super) varyings: Vec<String>,
     /// True if the picture asks which side is seen.
-    is_told_side: bool,
+    pub(super) is_told_side: bool,
     /// Name of the function that makes the look's numbers; `None` where there are none.
-    numbers: Option<String>,
+    pub(super) numbers: Option<String>,
 }
 
 impl Source {
     /// The source of the look's function, `NAME_surface_color`.
     ///
     /// # Errors
-    /// - `not-in-package`: a value that MaterialX does not know.
     /// - `export-failed`: the look cannot be written as GLSL.
     pub(super) fn of(
         request: &PackageRequest<'_>,
         name: &str,
         inputs: &[NodeInput<'_>],
+        parts: &Parts,
     ) -> Result<Self, Diagnostic> {
-        let failed = |problem: String| {
-            Diagnostic::error("export-failed", format!("the look's GLSL: {problem}"))
-                .hint("please report the look; `--to glsl-330` may still carry it")
-        };
-        let module = request.modules.modules.iter().find(|module| module.is_draw());
-        let module = module.ok_or_else(|| failed("there is no picture".to_owned()))?;
-        let parts = parts(request, module)?;
-        let text = written(&parts).map_err(failed)?;
+        let text = written(parts).map_err(failed)?;
         let functions = with_variables(&text);
         let members = members(&functions, "Settings");
         let reads_eye = declared(&functions).contains("u_view");
         let functions = prefixed(&functions, name);
-        let parts = &parts;
         let function = Function { request, name, inputs, parts, members: &members, reads_eye };
         let (function, given) = function.write();
         let lines = [
@@ -134,8 +127,19 @@ impl Source {
     }
 }
 
+fn failed(problem: impl std::fmt::Display) -> Diagnostic {
+    Diagnostic::error("export-failed", format!("the look's GLSL: {problem}"))
+        .hint("please report the look; `--to glsl-330` may still carry it")
+}
+
 /// The WGSL of the look and its host work in one.
-fn parts(request: &PackageRequest<'_>, module: &ShaderModule) -> Result<Parts, Diagnostic> {
+///
+/// # Errors
+/// - `not-in-package`: a value that MaterialX does not know.
+pub(super) fn parts(request: &PackageRequest<'_>) -> Result<Parts, Diagnostic> {
+    let module: Option<&ShaderModule> =
+        request.modules.modules.iter().find(|module| module.is_draw());
+    let module = module.ok_or_else(|| failed("there is no picture"))?;
     let source = module.wgsl();
     let mut text = String::new();
     let mut known: BTreeMap<String, String> = BTreeMap::new();
@@ -166,8 +170,13 @@ fn parts(request: &PackageRequest<'_>, module: &ShaderModule) -> Result<Parts, D
     let numbers = request.work.modules.iter().find(|it| it.module == module.name);
     if let Some(numbers) = numbers {
         let function = numbers.structure.wgsl();
-        if identifiers(&function).iter().any(|word| word == "viewport") {
+        let words = identifiers(&function);
+        let asks = |word: &str| words.iter().any(|it| it == word);
+        if asks("viewport") {
             return Err(refuse_pixels());
+        }
+        if ["camera_from_world", "object_axes", "object_middle"].into_iter().any(asks) {
+            return Err(refuse_axes());
         }
         let own: Vec<&str> = request.work.modules.iter().map(|it| it.function.as_str()).collect();
         let host = rename_clashes(&format!("{}{function}", request.work.wgsl), &known);
@@ -225,12 +234,16 @@ fn refuse_unknown(function: &str) -> Result<(), Diagnostic> {
     }
     match words.iter().find(|word| asks(word)) {
         None => Ok(()),
-        Some(_) => Err(refusal(
-            "the look asks for the axes of the camera or the object, which a node of MaterialX is \
-             not told of",
-            "export the look `--to web` or `three`",
-        )),
+        Some(_) => Err(refuse_axes()),
     }
+}
+
+fn refuse_axes() -> Diagnostic {
+    refusal(
+        "the look asks for the axes of the camera or the object, which a node of MaterialX is not \
+         told of",
+        "export the look `--to web` or `three`",
+    )
 }
 
 fn refuse_pixels() -> Diagnostic {
