@@ -4,10 +4,11 @@
 
 pub(crate) mod drawing;
 mod engine;
+pub(crate) mod textures;
 
 use std::path::{Path, PathBuf};
 
-use crate::pictures::{Difference, Trial};
+use crate::pictures::{Difference, Trial, examples, soak_trials};
 use crate::support::root;
 use crate::support::validators::{Tool, say, tools_are_required};
 use crate::table;
@@ -39,6 +40,47 @@ impl Package {
         let class = component.file_stem().expect("a name").to_string_lossy().into_owned();
         let shader = std::fs::read_to_string(ending(".shader")).expect("a text");
         Self { folder, shader, component, class }
+    }
+
+    /// Statements that put into the component's fields what Unity's editor does: files that the
+    /// settings of the component's file name by their ids.
+    fn references(&self) -> String {
+        let files: Vec<PathBuf> = crate::support::files::below(&self.folder);
+        let named = |id: &str| {
+            let is_it = |path: &&PathBuf| {
+                let text = std::fs::read_to_string(path).unwrap_or_default();
+                path.to_string_lossy().ends_with(".meta") && text.contains(&format!("guid: {id}\n"))
+            };
+            let meta = files.iter().find(is_it).unwrap_or_else(|| panic!("a file of id {id}"));
+            let path = meta.to_string_lossy().into_owned();
+            path.strip_suffix(".meta").expect("a setting").to_owned()
+        };
+        let settings = format!("{}.meta", self.component.display());
+        let settings = std::fs::read_to_string(settings).expect("settings");
+        let mut text = String::new();
+        for line in settings.lines() {
+            // `  - toneAir: {fileID: 2800000, guid: 0123, type: 3}`
+            let Some((field, rest)) =
+                line.strip_prefix("  - ").and_then(|it| it.split_once(": {fileID: "))
+            else {
+                continue;
+            };
+            let (kind, rest) = rest.split_once(", guid: ").expect("an id");
+            let path = named(rest.split_once(',').expect("its end").0);
+            let name = path.rsplit('/').next().unwrap_or_default();
+            text += &match kind {
+                "2800000" => format!("look.{field} = new Texture {{ name = {name:?} }};\n"),
+                "4900000" => format!(
+                    "look.{field} = new TextAsset {{ name = {name:?}, \
+                     bytes = File.ReadAllBytes({path:?}) }};\n"
+                ),
+                _ => {
+                    assert!(field == "shader" && path.ends_with(".shader"), "{line}");
+                    String::new()
+                }
+            };
+        }
+        text
     }
 
     /// The HLSL of each pass, with the names of its two functions.
@@ -76,20 +118,41 @@ fn has_tools() -> bool {
 }
 
 /// Looks are drawn as we draw them: lights of all kinds and many of them, halftone dots that count
-/// pixels, and curvature in its fast tier.
+/// pixels, an image and a painted surface.
 #[test]
 fn unity_packages_draw_what_we_draw() {
     if !has_tools() {
         return;
     }
-    let names = ["highlight-moves", "halftone-comic", "string-of-lamps"];
+    let trials = examples(&[
+        "looks/highlight-moves",
+        "looks/halftone-comic",
+        "looks/string-of-lamps",
+        "images/xtoon-highlight",
+        "hcbtf/grass-flat",
+    ]);
+    compare(&trials);
+}
+
+/// All example looks. `CHIARO_BLESS=1` writes their lines.
+#[test]
+#[ignore = "takes minutes; scripts/soak runs it"]
+fn soak_unity_packages_draw_all_examples() {
+    if has_tools() {
+        let trials = soak_trials("unity", |trial| trial.in_tier("fast"));
+        assert!(trials.len() > 60, "{} looks are taken", trials.len());
+        compare(&trials);
+    }
+}
+
+/// Draws packages, and compares what they show with our own pictures and the table.
+fn compare(trials: &[(String, Trial)]) {
     let mut measured = std::collections::BTreeMap::new();
-    for name in names {
-        let trial = Trial::of(&format!("looks/{name}"));
+    for (name, trial) in trials {
         let package = Package::of(trial.package("unity"));
-        let (ours, found) = drawn(&trial, &package, "");
+        let (ours, found) = drawn(trial, &package, "");
         let seen = ours.pixels().filter(|pixel| pixel.0[3] > 0).count();
-        assert!(seen > 2000, "{name}: {seen} pixels are covered");
+        assert!(seen > 1000, "{name}: {seen} pixels are covered");
         measured.insert(format!("unity stand-in {name}"), Difference::of(&found, &ours));
     }
     table::check(&measured);
