@@ -6,6 +6,7 @@ pub(crate) mod drawing;
 mod engine;
 pub(crate) mod textures;
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use crate::pictures::{Difference, Trial, examples, soak_trials};
@@ -147,7 +148,7 @@ fn soak_unity_packages_draw_all_examples() {
 
 /// Draws packages, and compares what they show with our own pictures and the table.
 fn compare(trials: &[(String, Trial)]) {
-    let mut measured = std::collections::BTreeMap::new();
+    let mut measured = BTreeMap::new();
     for (name, trial) in trials {
         let package = Package::of(trial.package("unity"));
         let (ours, found) = drawn(trial, &package, "");
@@ -183,7 +184,109 @@ fn fields_and_lights_of_unity_change_what_they_change_with_us() {
     assert!(Difference::of(&found, &before).beyond > 300, "the values are seen");
     let found = Difference::of(&found, &ours);
     let key = "unity stand-in highlight-moves-set".to_owned();
-    table::check(&std::collections::BTreeMap::from([(key, found)]));
+    table::check(&BTreeMap::from([(key, found)]));
+}
+
+/// The sample's scene names files of the package by ids that they have, and things of its own that
+/// are there; its mesh has its fronts outside.
+#[test]
+fn the_sample_of_unity_is_whole() {
+    let trial = Trial::of("images/xtoon-highlight");
+    let place = trial.package("unity");
+    let read = |path: PathBuf| {
+        let name = path.strip_prefix(&place).expect("a file of the package");
+        (name.to_string_lossy().into_owned(), std::fs::read(&path).expect("a file"))
+    };
+    let folder: BTreeMap<String, Vec<u8>> =
+        crate::support::files::below(&place).into_iter().map(read).collect();
+    let ids: BTreeMap<String, &str> = folder
+        .iter()
+        .filter_map(|(name, bytes)| {
+            let file = name.strip_suffix(".meta")?;
+            let text = std::str::from_utf8(bytes).expect("text");
+            let id = text.lines().find_map(|line| line.strip_prefix("guid: ")).expect("an id");
+            assert!(folder.contains_key(file), "{file} is there");
+            Some((id.to_owned(), file))
+        })
+        .collect();
+    let files = folder.keys().filter(|name| !name.ends_with(".meta")).count();
+    assert_eq!(ids.len(), files, "every file has an id of its own");
+    let text = |ending: &str| {
+        let found = folder.iter().find(|(name, _)| name.ends_with(ending));
+        let (_, bytes) = found.unwrap_or_else(|| panic!("a file {ending}"));
+        String::from_utf8(bytes.clone()).expect("text")
+    };
+    let (scene, component) = (text(".unity"), text("Look.cs"));
+    let own: Vec<&str> = scene
+        .lines()
+        .filter_map(|line| line.strip_prefix("--- !u!")?.split_once('&'))
+        .map(|it| it.1)
+        .collect();
+    let mut named = Vec::new();
+    for line in scene.lines() {
+        let Some((field, rest)) = line.split_once("{fileID: ") else { continue };
+        let (id, rest) = rest.split_once([',', '}']).expect("an end");
+        let Some(guid) = rest.trim().strip_prefix("guid: ") else {
+            assert!(id == "0" || own.contains(&id), "{line}");
+            continue;
+        };
+        let file = ids.get(&guid[..32]).unwrap_or_else(|| panic!("{line}"));
+        let ending = match id {
+            "4300000" => ".mesh.asset",
+            "4800000" => ".shader",
+            "2800000" => ".png",
+            "11500000" => "Look.cs",
+            _ => panic!("{line}"),
+        };
+        assert!(file.ends_with(ending), "{line} is {file}");
+        let field = field.trim().trim_end_matches(':');
+        let is_field = field.starts_with("m_") || component.contains(&format!(" {field};"));
+        assert!(is_field, "{line}");
+        named.push(ending);
+    }
+    assert_eq!(named, [".mesh.asset", "Look.cs", ".shader", ".png"]);
+    assert!(component.contains("public Light keyLight;") && scene.contains("  keyLight: {"));
+    check_mesh(&text(".mesh.asset"));
+}
+
+/// A mesh of Unity's: numbers of bytes fit, normals point to where triangles have their fronts,
+/// which are clockwise in a left-handed space.
+fn check_mesh(text: &str) {
+    let value = |name: &str| {
+        let mut lines = text.lines().filter_map(|line| line.trim().strip_prefix(name));
+        lines.next().unwrap_or_else(|| panic!("{name}")).trim().to_owned()
+    };
+    let bytes = |name: &str| -> Vec<u8> {
+        let digits = value(name);
+        let pair = |at: usize| u8::from_str_radix(&digits[at..at + 2], 16).expect("digits");
+        (0..digits.len()).step_by(2).map(pair).collect()
+    };
+    let count: usize = value("m_VertexCount:").parse().expect("a number");
+    let dimensions = text.lines().filter_map(|line| line.trim().strip_prefix("dimension: "));
+    let dimensions: Vec<usize> = dimensions.map(|it| it.parse().expect("a number")).collect();
+    assert_eq!((dimensions.len(), &dimensions[..2], dimensions[4]), (14, &[3, 3][..], 2));
+    let stride = dimensions.iter().sum::<usize>();
+    let numbers: Vec<f32> = bytes("_typelessdata:")
+        .chunks_exact(4)
+        .map(|it| f32::from_le_bytes(it.try_into().expect("four bytes")))
+        .collect();
+    assert_eq!(numbers.len(), count * stride);
+    assert_eq!(value("m_DataSize:"), (4 * numbers.len()).to_string());
+    let vector = |vertex: usize, at: usize| {
+        glam::Vec3::from_slice(&numbers[vertex * stride + at..vertex * stride + at + 3])
+    };
+    assert_eq!(value("m_IndexFormat:"), "0");
+    let indices: Vec<usize> = bytes("m_IndexBuffer:")
+        .chunks_exact(2)
+        .map(|it| usize::from(u16::from_le_bytes(it.try_into().expect("two bytes"))))
+        .collect();
+    assert_eq!(value("indexCount:"), indices.len().to_string());
+    let is_front = |corners: &&[usize]| {
+        let [a, b, c] = [0, 1, 2].map(|at| vector(corners[at], 0));
+        (b - a).cross(c - a).dot(vector(corners[0], 3)) > 0.0
+    };
+    let (fronts, all) = (indices.chunks_exact(3).filter(is_front).count(), indices.len() / 3);
+    assert!(fronts * 100 > all * 98, "{fronts} of {all} triangles");
 }
 
 /// Both compilers take every pass of the shaders.

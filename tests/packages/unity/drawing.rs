@@ -13,6 +13,7 @@ use super::engine::{Engine, Worn, wgsl};
 use super::textures::{Textures, bound};
 use crate::blender::Ring;
 use crate::pictures::{SIZE, Trial};
+use crate::support::files;
 use crate::support::wait::block_on;
 use chiaro::files::Disk;
 use chiaro::geometry::{Mesh, load};
@@ -39,12 +40,13 @@ fn drawn_with(
     fs::write(&path, ring.obj()).expect("a mesh");
     let file = path.display().to_string();
     let ours = trial.ours_with_arguments(&["--mesh", &file, "--camera", CAMERA]);
-    let scene = UnityScene::new(&load(&Disk, &path).expect("a mesh").value);
+    let mesh = load(&Disk, &path).expect("a mesh").value;
+    let scene = UnityScene::new(&mesh, reads_object(&package.folder));
     (ours, scene.pixels(package, &worn(&scene)))
 }
 
-/// Our own picture of a trial, and that of a text of ShaderLab in a folder, which has textures but no
-/// component.
+/// Our own picture of a trial, and that of a text of ShaderLab in a folder, which has textures but
+/// no component.
 pub(crate) fn drawn_shader(
     trial: &Trial,
     folder: &Path,
@@ -54,6 +56,14 @@ pub(crate) fn drawn_shader(
     let component = PathBuf::new();
     let package = Package { folder: folder.to_owned(), shader, component, class: String::new() };
     drawn_with(trial, &package, |_| Worn { textures: textures.clone(), ..Worn::default() })
+}
+
+/// True if the look reads places in the object's own space, which are then to be those of the mesh.
+fn reads_object(folder: &Path) -> bool {
+    files::below(folder).iter().any(|path| {
+        let is_look = path.extension().is_some_and(|it| it == "hlsl" || it == "ush");
+        is_look && fs::read_to_string(path).expect("a text").contains("position_object")
+    })
 }
 
 /// The scene as Unity has it: left-handed, x mirrored, the object turned and moved away from where
@@ -103,14 +113,20 @@ fn attributes(wgsl: &str) -> Vec<String> {
 }
 
 impl UnityScene {
-    fn new(mesh: &Mesh) -> Self {
+    /// The scene with a mesh, whose own places stay as they are if `is_kept`.
+    fn new(mesh: &Mesh, is_kept: bool) -> Self {
         let mirror = DMat4::from_scale(DVec3::new(-1.0, 1.0, 1.0));
         let fit = mesh.fit();
-        let world_from_object = DMat4::from_scale_rotation_translation(
-            DVec3::splat(0.7),
-            DQuat::from_rotation_y(0.8) * DQuat::from_rotation_x(-0.5),
-            DVec3::new(0.3, -0.2, 0.6),
-        );
+        let world_from_object = if is_kept {
+            let middle = mirror.transform_point3(fit.center);
+            DMat4::from_scale(DVec3::splat(fit.scale)) * DMat4::from_translation(-middle)
+        } else {
+            DMat4::from_scale_rotation_translation(
+                DVec3::splat(0.7),
+                DQuat::from_rotation_y(0.8) * DQuat::from_rotation_x(-0.5),
+                DVec3::new(0.3, -0.2, 0.6),
+            )
+        };
         let object_from_world = world_from_object.inverse();
         let normals = DMat3::from_mat4(world_from_object).transpose();
         let direction = |v: [f32; 3]| {

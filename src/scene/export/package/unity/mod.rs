@@ -4,6 +4,7 @@
 //!   properties of the material, all in one block, as the SRP Batcher wants them.
 //! - `STEM.hlsl` is the look, as `--to hlsl` writes it, without bindings ([`source`]).
 //! - `CLASSLook.cs` is the component, with parameters, lights and the host work ([`component`]).
+//! - `Samples~/Scene` has a scene that shows the look ([`sample`]).
 //!
 //! Unity's world is left-handed, Chiaro's right-handed: x is mirrored, as Unity's own importers of
 //! meshes do, so that what is to the viewer's left of a mesh stays there. A mesh that Unity has
@@ -13,6 +14,7 @@ mod component;
 mod images;
 pub(super) mod leaves;
 mod parameters;
+mod sample;
 pub(super) mod shader;
 pub(super) mod source;
 
@@ -75,6 +77,8 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
         ExportFile::text("README.md".to_owned(), readme(request, &class, &title, &parts)),
     ];
     files.extend(images::files(request, &images));
+    let has_tangents = source.attributes.iter().any(|it| it.name == "tangent");
+    files.extend(sample::files(request, &class, &images, has_tangents));
     // Whatever has no import settings of its own has an id.
     let names: Vec<String> = files.iter().map(|file| file.name.clone()).collect();
     let own = names.iter().map(String::as_str).filter(|name| !name.ends_with(".meta"));
@@ -107,6 +111,11 @@ fn manifest(class: &str, title: &str) -> String {
         "description": "A look made with Chiaro.",
         "unity": UNITY,
         "dependencies": {"com.unity.render-pipelines.universal": "17.0.3"},
+        "samples": [{
+            "displayName": "Scene",
+            "description": "The look on a mesh, with a camera.",
+            "path": sample::FOLDER,
+        }],
         "author": {"name": format!("made by Chiaro {}", env!("CARGO_PKG_VERSION"))},
     }))
 }

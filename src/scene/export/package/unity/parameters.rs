@@ -239,17 +239,21 @@ impl FieldKind {
             Self::Number => float(number(0)),
             Self::Vector(count) => format!("new Vector{count}({})", list(count)),
             Self::Rgb | Self::Rgba => {
-                let shown = |x: f64| match request.look.color_space {
-                    ColorSpace::Display => x,
-                    ColorSpace::Linear if x <= 0.003_130_8 => 12.92 * x,
-                    ColorSpace::Linear => 1.055 * x.powf(1.0 / 2.4) - 0.055,
-                };
                 let alpha =
                     if self == Self::Rgb { 1.0 } else { numbers.get(3).copied().unwrap_or(1.0) };
-                let [r, g, b] = [0, 1, 2].map(|index| float(shown(number(index))));
+                let [r, g, b] = [0, 1, 2].map(|index| float(shown(number(index), request)));
                 format!("new Color({r}, {g}, {b}, {})", float(alpha))
             }
         }
+    }
+}
+
+/// A number of a color of the look, as shown.
+pub(super) fn shown(x: f64, request: &PackageRequest<'_>) -> f64 {
+    match request.look.color_space {
+        ColorSpace::Display => x,
+        ColorSpace::Linear if x <= 0.003_130_8 => 12.92 * x,
+        ColorSpace::Linear => 1.055 * x.powf(1.0 / 2.4) - 0.055,
     }
 }
 

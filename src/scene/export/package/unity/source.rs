@@ -149,8 +149,8 @@ fn with_images(
         let free = std::iter::once(own.clone()).chain(numbered).map(|name| (names.image)(&name));
         let is_free = |it: &[String; 2]| images.iter().all(|other| other.texture != it[0]);
         let Some([texture, sampler]) = free.into_iter().find(is_free) else { continue };
-        let of_image = |it: &&crate::export::description::BindingDescription| matches!(it.feed, Feed::Sampler { image: other } if other == image);
-        if let Some(binding) = bindings.iter().find(of_image) {
+        let feed = Feed::Sampler { image };
+        if let Some(binding) = bindings.iter().find(|binding| binding.feed == feed) {
             renamed.push((binding.name.clone(), sampler.clone()));
         }
         renamed.push((binding.name.clone(), texture.clone()));
