@@ -50,6 +50,7 @@ struct PassedPixel
     float3 bitangent : TEXCOORD3;
     float2 uv : TEXCOORD4;
     float4 color : TEXCOORD5;
+    float3 local : TEXCOORD6;
 };
 PassedPixel vertex_of(Mesh mesh)
 {
@@ -65,6 +66,7 @@ PassedPixel vertex_of(Mesh mesh)
     passed.bitangent = turned(normalize(-cross(normal, tangent) * mesh.tangent.w));
     passed.uv = float2(mesh.uv.x, 1.0 - mesh.uv.y);
     passed.color = mesh.color;
+    passed.local = 100.0 * turned(mesh.position);
     return passed;
 }
 "#;
@@ -132,7 +134,8 @@ impl Material {
              ResolvedView.ViewSizeAndInvSize = float4(_ScreenParams.xy, 1.0 / _ScreenParams.xy);\n\
              FMaterialPixelParameters Parameters;\n\
              float2 pixel = float2(passed.clip.x, _ScreenParams.y - passed.clip.y);\n\
-             Parameters.TangentToWorld = float3x3(passed.tangent, passed.bitangent, passed.normal);\n\
+             Parameters.TangentToWorld =\n\
+             float3x3(passed.tangent, passed.bitangent, passed.normal);\n\
              Parameters.SvPosition = float4(pixel + ResolvedView.ViewRectMin.xy, 0.5, 1.0);\n\
              float Opacity = 0.0;\n\
              float3 color = CustomExpression0(Parameters, {values}Opacity);\n\
@@ -180,7 +183,8 @@ fn input(text: &str, line: &str) -> (String, &'static str, String) {
         "VertexNormalWS" => ("float3", "passed.normal".to_owned()),
         "TwoSidedSign" => ("float", "(is_front ? 1.0 : -1.0)".to_owned()),
         "CameraPositionWS" => ("float3", "100.0 * turned(_WorldSpaceCameraPos)".to_owned()),
-        "ObjectPositionWS" | "TransformPosition" => ("float3", "(0.0).xxx".to_owned()),
+        "TransformPosition" => ("float3", "passed.local".to_owned()),
+        "ObjectPositionWS" => ("float3", "(0.0).xxx".to_owned()),
         other => panic!("an unknown node {other}"),
     };
     (name, ty, value)

@@ -109,7 +109,8 @@ pub(super) fn write<'a>(
     let images = images::images(request, &source.images)?;
     let readers = images::handed_on(&mut look, &images);
     refuse(&look)?;
-    let taken: BTreeSet<String> = look.iter().map(|it| it.name.clone()).collect();
+    let of_look = look.iter().map(|it| it.name.clone());
+    let taken: BTreeSet<String> = of_look.chain(TAKEN.map(str::to_owned)).collect();
     let host = host::write(request, arguments, &leaves, &taken)?;
     // Functions that naga adds to both texts are there once.
     let of_host: Vec<HlslDeclaration> = host.as_ref().map_or_else(Vec::new, |host| {
