@@ -1,5 +1,5 @@
 //! Host work of whole looks, as their packages carry it: the bytes of every uniform, from
-//! JavaScript, Python or GDScript and from Chiaro, with keys, lights and parameters in motion.
+//! JavaScript, Python, GDScript or C# and from Chiaro, with keys, lights and parameters in motion.
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
@@ -55,10 +55,11 @@ impl State {
             let own = value_of(look, &parameter.target);
             let value = match own {
                 Some(Value::Number(x)) if x.fract() != 0.0 => {
-                    Value::Number(x * random.between(0.5, 1.0))
+                    Value::Number(single(x * random.between(0.5, 1.0)))
                 }
                 Some(Value::Vector(v)) => {
-                    Value::Vector(v.iter().map(|x| x * random.between(0.5, 1.0)).collect())
+                    let parts = v.iter().map(|x| single(x * random.between(0.5, 1.0)));
+                    Value::Vector(parts.collect())
                 }
                 _ => continue,
             };
@@ -140,6 +141,11 @@ impl State {
         };
         shader.host.uniform(&inputs).expect("an example's host work").bytes
     }
+}
+
+/// A number that inspectors of 32 bits can hold.
+fn single(x: f64) -> f64 {
+    f64::from(x as f32)
 }
 
 /// The document's value of a target.
@@ -391,8 +397,188 @@ fn soak_scripts_compute_the_uniforms_of_every_example() {
     let results =
         godot.run(&script).unwrap_or_else(|said| panic!("{}", &said[..said.len().min(4000)]));
     let results: Vec<Vec<Vec<f64>>> = serde_json::from_value(results).expect("lists of numbers");
+    compare_numbers(&cases, &results);
+}
+
+/// A program in C# that gives the numbers of looks in states, by the fields of their components.
+const COMPARISON: &str = r#"
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using System.Reflection;
+using UnityEngine;
+
+static class Comparison
+{
+    const BindingFlags Any =
+        BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic;
+
+    static string Plain(string name) => name.Replace("_", "").Replace("-", "").Replace(".", "")
+        .ToLowerInvariant();
+
+    static object Vector(Type type, double[] v) =>
+        Activator.CreateInstance(type, v.Cast<object>().ToArray());
+
+    static object Columns(Type type, double[] m)
+    {
+        Type column = type.GetField("c0").FieldType;
+        return Activator.CreateInstance(type, Enumerable.Range(0, 3)
+            .Select(at => Vector(column, m.Skip(3 * at).Take(3).ToArray())).ToArray());
+    }
+
+    static object Value(Type type, double[] v)
+    {
+        if (type == typeof(float)) return (float)v[0];
+        if (type == typeof(int)) return (int)v[0];
+        if (type == typeof(bool)) return v[0] != 0.0;
+        var parts = v.Select(x => (object)(float)x).ToList();
+        if (type == typeof(Color) && parts.Count == 3) parts.Add(1f);
+        return Activator.CreateInstance(type, parts.ToArray());
+    }
+
+    // The numbers of a look's uniform.
+    static void Tell(
+        string name, Dictionary<string, double[]> parameters, Dictionary<string, double[]> state)
+    {
+        Type type = Type.GetType("Chiaro." + name + "Look");
+        Type work = Type.GetType("Chiaro." + name + "Work");
+        object look = Activator.CreateInstance(type);
+        foreach (var pair in parameters)
+        {
+            string wanted = Plain(pair.Key);
+            FieldInfo field = type.GetFields().FirstOrDefault(
+                it => Plain(it.Name) == wanted || Plain(it.Name) == wanted + "value");
+            if (field == null) throw new Exception(name + " has no field for " + pair.Key);
+            field.SetValue(look, Value(field.FieldType, pair.Value));
+        }
+        MethodInfo settingsIn = type.GetMethod("SettingsIn", Any);
+        Type surroundings = settingsIn.GetParameters()[0].ParameterType;
+        object around = Activator.CreateInstance(surroundings);
+        foreach (FieldInfo field in surroundings.GetFields())
+        {
+            double[] given;
+            if (!state.TryGetValue(field.Name, out given)) given = new[] { 1e6 };
+            field.SetValue(around, given.Length == 9 ? Columns(field.FieldType, given)
+                : given.Length > 1 ? Vector(field.FieldType, given) : (object)given[0]);
+        }
+        object settings = settingsIn.Invoke(look, new[] { around });
+        MethodInfo keyed = work.GetMethod("Keyed", Any);
+        if (keyed != null) settings = keyed.Invoke(null, new[] { settings, around });
+        var numbers =
+            (double[])work.GetMethod("DrawNumbers", Any).Invoke(null, new[] { settings, around });
+        Console.WriteLine("[" + string.Join(",", numbers.Select(x => x.ToString("R"))) + "]");
+    }
+
+    static void Main()
+    {
+        CultureInfo.CurrentCulture = CultureInfo.InvariantCulture;
+"#;
+
+/// The components of the package for Unity, of every example that one pass draws in the fast tier.
+#[test]
+#[ignore = "takes ten seconds; scripts/soak runs it"]
+fn soak_components_compute_the_uniforms_of_every_example() {
+    let scene = PackageScene {
+        mesh: Arc::new(Mesh::default()),
+        world_from_object: DMat4::IDENTITY,
+        camera: Camera::default(),
+        backdrop: None,
+    };
+    let cases = cases_in(Tier::Fast, |look, name, folder| {
+        let place = (folder, &mut Assets::default());
+        let library = Library::built_in();
+        let package = package("unity").expect("a package");
+        let found = export_package(look, library, name, package, &scene, place).ok()?.value;
+        let component = found.into_iter().find(|file| file.name.ends_with("Look.cs"))?;
+        String::from_utf8(component.bytes).ok()
+    });
+    assert!(cases.len() > 50, "{} looks have host work", cases.len());
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut program = COMPARISON.to_owned();
+    let mut files = vec!["Comparison.cs".to_owned()];
+    for case in &cases {
+        let class = case.script.split_once("public sealed class ").expect("a class").1;
+        let class = class.split_once("Look :").expect("a class").0;
+        files.push(format!("{class}Look.cs"));
+        std::fs::write(folder.path().join(files.last().expect("a file")), &case.script)
+            .expect("a temporary file");
+        for state in &case.states {
+            let _ = writeln!(program, "        Tell(\"{class}\", {}", of_csharp(state));
+        }
+    }
+    program += "    }\n}\n";
+    std::fs::write(folder.path().join("Comparison.cs"), program).expect("a temporary file");
+    let compiled = Command::new("mcs")
+        .args(["-nologo", "-langversion:7.2", "-warn:0", "-out:comparison.exe"])
+        .args(&files)
+        .arg(root().join("tests/packages/unity/UnityEngine.cs"))
+        .current_dir(folder.path())
+        .output();
+    let Ok(compiled) = compiled else {
+        assert!(!tools_are_required(), "mcs is missing: run scripts/setup");
+        say("SKIPPED: mcs is missing");
+        return;
+    };
+    let said = String::from_utf8_lossy(&compiled.stderr);
+    assert!(compiled.status.success(), "{}", &said[..said.len().min(4000)]);
+    let output = Command::new("mono").arg(folder.path().join("comparison.exe")).output();
+    let output = output.expect("mono starts");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{}", &said[..said.len().min(4000)]);
+    let lines = String::from_utf8_lossy(&output.stdout).into_owned();
+    let lines: Vec<Vec<f64>> =
+        lines.lines().map(|line| serde_json::from_str(line).expect("numbers")).collect();
+    let results: Vec<_> = lines.chunks(STATES).map(<[_]>::to_vec).collect();
+    compare_numbers(&cases, &results);
+}
+
+/// A state as two arguments in C#: parameters, and surroundings by their names there.
+fn of_csharp(state: &Json) -> String {
+    let list = |value: &Json| {
+        let numbers: Vec<String> = match value {
+            Json::Array(items) => items.iter().filter_map(Json::as_f64).collect(),
+            other => vec![other.as_f64().unwrap_or_default()],
+        }
+        .iter()
+        .map(|x| format!("{x:?}"))
+        .collect();
+        format!("new double[] {{ {} }}", numbers.join(", "))
+    };
+    let dictionary = |entries: &[(String, String)]| {
+        let entries: Vec<String> =
+            entries.iter().map(|(name, value)| format!("{{ \"{name}\", {value} }}")).collect();
+        format!("new Dictionary<string, double[]> {{ {} }}", entries.join(", "))
+    };
+    let parameters: Vec<(String, String)> = state["parameters"]
+        .as_object()
+        .into_iter()
+        .flatten()
+        .map(|(name, value)| (name.clone(), list(value)))
+        .collect();
+    let camera = &state["camera"];
+    let is_parallel = camera["parallel"] == json!(true);
+    let parallel = if is_parallel { camera["toward"].clone() } else { json!([0.0, 0.0, 0.0]) };
+    let around = [
+        ("illumination", &state["illumination"]),
+        ("cameraFromWorld", &camera["rotation"]),
+        ("eye", &camera["eye"]),
+        ("parallel", &parallel),
+        ("objectAxes", &state["object"]["axes"]),
+        ("objectMiddle", &state["object"]["middle"]),
+        ("objectId", &state["object"]["id"]),
+        ("viewport", &state["viewport"]),
+        ("time", &state["time"]),
+        ("frame", &state["frame"]),
+    ];
+    let around = around.map(|(name, value)| (name.to_owned(), list(value)));
+    format!("{}, {});", dictionary(&parameters), dictionary(&around))
+}
+
+/// Compares numbers of 64 bits of all cases and states with the bytes of Chiaro's own uniforms.
+fn compare_numbers(cases: &[Case], results: &[Vec<Vec<f64>>]) {
     let mut wrong = Vec::new();
-    for (case, results) in cases.iter().zip(&results) {
+    for (case, results) in cases.iter().zip(results) {
         for (state, (wanted, found)) in case.states.iter().zip(case.wanted.iter().zip(results)) {
             let words = wanted.chunks_exact(4);
             let words = words.map(|it| u32::from_le_bytes([it[0], it[1], it[2], it[3]]));

@@ -4,10 +4,12 @@
 
 pub(crate) mod drawing;
 mod engine;
+pub(crate) mod textures;
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use crate::pictures::{Difference, Trial};
+use crate::pictures::{Difference, Trial, examples, soak_trials};
 use crate::support::root;
 use crate::support::validators::{Tool, say, tools_are_required};
 use crate::table;
@@ -39,6 +41,47 @@ impl Package {
         let class = component.file_stem().expect("a name").to_string_lossy().into_owned();
         let shader = std::fs::read_to_string(ending(".shader")).expect("a text");
         Self { folder, shader, component, class }
+    }
+
+    /// Statements that put into the component's fields what Unity's editor does: files that the
+    /// settings of the component's file name by their ids.
+    fn references(&self) -> String {
+        let files: Vec<PathBuf> = crate::support::files::below(&self.folder);
+        let named = |id: &str| {
+            let is_it = |path: &&PathBuf| {
+                let text = std::fs::read_to_string(path).unwrap_or_default();
+                path.to_string_lossy().ends_with(".meta") && text.contains(&format!("guid: {id}\n"))
+            };
+            let meta = files.iter().find(is_it).unwrap_or_else(|| panic!("a file of id {id}"));
+            let path = meta.to_string_lossy().into_owned();
+            path.strip_suffix(".meta").expect("a setting").to_owned()
+        };
+        let settings = format!("{}.meta", self.component.display());
+        let settings = std::fs::read_to_string(settings).expect("settings");
+        let mut text = String::new();
+        for line in settings.lines() {
+            // `  - toneAir: {fileID: 2800000, guid: 0123, type: 3}`
+            let Some((field, rest)) =
+                line.strip_prefix("  - ").and_then(|it| it.split_once(": {fileID: "))
+            else {
+                continue;
+            };
+            let (kind, rest) = rest.split_once(", guid: ").expect("an id");
+            let path = named(rest.split_once(',').expect("its end").0);
+            let name = path.rsplit('/').next().unwrap_or_default();
+            text += &match kind {
+                "2800000" => format!("look.{field} = new Texture {{ name = {name:?} }};\n"),
+                "4900000" => format!(
+                    "look.{field} = new TextAsset {{ name = {name:?}, \
+                     bytes = File.ReadAllBytes({path:?}) }};\n"
+                ),
+                _ => {
+                    assert!(field == "shader" && path.ends_with(".shader"), "{line}");
+                    String::new()
+                }
+            };
+        }
+        text
     }
 
     /// The HLSL of each pass, with the names of its two functions.
@@ -76,20 +119,41 @@ fn has_tools() -> bool {
 }
 
 /// Looks are drawn as we draw them: lights of all kinds and many of them, halftone dots that count
-/// pixels, and curvature in its fast tier.
+/// pixels, an image and a painted surface.
 #[test]
 fn unity_packages_draw_what_we_draw() {
     if !has_tools() {
         return;
     }
-    let names = ["highlight-moves", "halftone-comic", "string-of-lamps"];
-    let mut measured = std::collections::BTreeMap::new();
-    for name in names {
-        let trial = Trial::of(&format!("looks/{name}"));
+    let trials = examples(&[
+        "looks/highlight-moves",
+        "looks/halftone-comic",
+        "looks/string-of-lamps",
+        "images/xtoon-highlight",
+        "hcbtf/grass-flat",
+    ]);
+    compare(&trials);
+}
+
+/// All example looks. `CHIARO_BLESS=1` writes their lines.
+#[test]
+#[ignore = "takes minutes; scripts/soak runs it"]
+fn soak_unity_packages_draw_all_examples() {
+    if has_tools() {
+        let trials = soak_trials("unity", |trial| trial.in_tier("fast"));
+        assert!(trials.len() > 60, "{} looks are taken", trials.len());
+        compare(&trials);
+    }
+}
+
+/// Draws packages, and compares what they show with our own pictures and the table.
+fn compare(trials: &[(String, Trial)]) {
+    let mut measured = BTreeMap::new();
+    for (name, trial) in trials {
         let package = Package::of(trial.package("unity"));
-        let (ours, found) = drawn(&trial, &package, "");
+        let (ours, found) = drawn(trial, &package, "");
         let seen = ours.pixels().filter(|pixel| pixel.0[3] > 0).count();
-        assert!(seen > 2000, "{name}: {seen} pixels are covered");
+        assert!(seen > 1000, "{name}: {seen} pixels are covered");
         measured.insert(format!("unity stand-in {name}"), Difference::of(&found, &ours));
     }
     table::check(&measured);
@@ -120,7 +184,109 @@ fn fields_and_lights_of_unity_change_what_they_change_with_us() {
     assert!(Difference::of(&found, &before).beyond > 300, "the values are seen");
     let found = Difference::of(&found, &ours);
     let key = "unity stand-in highlight-moves-set".to_owned();
-    table::check(&std::collections::BTreeMap::from([(key, found)]));
+    table::check(&BTreeMap::from([(key, found)]));
+}
+
+/// The sample's scene names files of the package by ids that they have, and things of its own that
+/// are there; its mesh has its fronts outside.
+#[test]
+fn the_sample_of_unity_is_whole() {
+    let trial = Trial::of("images/xtoon-highlight");
+    let place = trial.package("unity");
+    let read = |path: PathBuf| {
+        let name = path.strip_prefix(&place).expect("a file of the package");
+        (name.to_string_lossy().into_owned(), std::fs::read(&path).expect("a file"))
+    };
+    let folder: BTreeMap<String, Vec<u8>> =
+        crate::support::files::below(&place).into_iter().map(read).collect();
+    let ids: BTreeMap<String, &str> = folder
+        .iter()
+        .filter_map(|(name, bytes)| {
+            let file = name.strip_suffix(".meta")?;
+            let text = std::str::from_utf8(bytes).expect("text");
+            let id = text.lines().find_map(|line| line.strip_prefix("guid: ")).expect("an id");
+            assert!(folder.contains_key(file), "{file} is there");
+            Some((id.to_owned(), file))
+        })
+        .collect();
+    let files = folder.keys().filter(|name| !name.ends_with(".meta")).count();
+    assert_eq!(ids.len(), files, "every file has an id of its own");
+    let text = |ending: &str| {
+        let found = folder.iter().find(|(name, _)| name.ends_with(ending));
+        let (_, bytes) = found.unwrap_or_else(|| panic!("a file {ending}"));
+        String::from_utf8(bytes.clone()).expect("text")
+    };
+    let (scene, component) = (text(".unity"), text("Look.cs"));
+    let own: Vec<&str> = scene
+        .lines()
+        .filter_map(|line| line.strip_prefix("--- !u!")?.split_once('&'))
+        .map(|it| it.1)
+        .collect();
+    let mut named = Vec::new();
+    for line in scene.lines() {
+        let Some((field, rest)) = line.split_once("{fileID: ") else { continue };
+        let (id, rest) = rest.split_once([',', '}']).expect("an end");
+        let Some(guid) = rest.trim().strip_prefix("guid: ") else {
+            assert!(id == "0" || own.contains(&id), "{line}");
+            continue;
+        };
+        let file = ids.get(&guid[..32]).unwrap_or_else(|| panic!("{line}"));
+        let ending = match id {
+            "4300000" => ".mesh.asset",
+            "4800000" => ".shader",
+            "2800000" => ".png",
+            "11500000" => "Look.cs",
+            _ => panic!("{line}"),
+        };
+        assert!(file.ends_with(ending), "{line} is {file}");
+        let field = field.trim().trim_end_matches(':');
+        let is_field = field.starts_with("m_") || component.contains(&format!(" {field};"));
+        assert!(is_field, "{line}");
+        named.push(ending);
+    }
+    assert_eq!(named, [".mesh.asset", "Look.cs", ".shader", ".png"]);
+    assert!(component.contains("public Light keyLight;") && scene.contains("  keyLight: {"));
+    check_mesh(&text(".mesh.asset"));
+}
+
+/// A mesh of Unity's: numbers of bytes fit, normals point to where triangles have their fronts,
+/// which are clockwise in a left-handed space.
+fn check_mesh(text: &str) {
+    let value = |name: &str| {
+        let mut lines = text.lines().filter_map(|line| line.trim().strip_prefix(name));
+        lines.next().unwrap_or_else(|| panic!("{name}")).trim().to_owned()
+    };
+    let bytes = |name: &str| -> Vec<u8> {
+        let digits = value(name);
+        let pair = |at: usize| u8::from_str_radix(&digits[at..at + 2], 16).expect("digits");
+        (0..digits.len()).step_by(2).map(pair).collect()
+    };
+    let count: usize = value("m_VertexCount:").parse().expect("a number");
+    let dimensions = text.lines().filter_map(|line| line.trim().strip_prefix("dimension: "));
+    let dimensions: Vec<usize> = dimensions.map(|it| it.parse().expect("a number")).collect();
+    assert_eq!((dimensions.len(), &dimensions[..2], dimensions[4]), (14, &[3, 3][..], 2));
+    let stride = dimensions.iter().sum::<usize>();
+    let numbers: Vec<f32> = bytes("_typelessdata:")
+        .chunks_exact(4)
+        .map(|it| f32::from_le_bytes(it.try_into().expect("four bytes")))
+        .collect();
+    assert_eq!(numbers.len(), count * stride);
+    assert_eq!(value("m_DataSize:"), (4 * numbers.len()).to_string());
+    let vector = |vertex: usize, at: usize| {
+        glam::Vec3::from_slice(&numbers[vertex * stride + at..vertex * stride + at + 3])
+    };
+    assert_eq!(value("m_IndexFormat:"), "0");
+    let indices: Vec<usize> = bytes("m_IndexBuffer:")
+        .chunks_exact(2)
+        .map(|it| usize::from(u16::from_le_bytes(it.try_into().expect("two bytes"))))
+        .collect();
+    assert_eq!(value("indexCount:"), indices.len().to_string());
+    let is_front = |corners: &&[usize]| {
+        let [a, b, c] = [0, 1, 2].map(|at| vector(corners[at], 0));
+        (b - a).cross(c - a).dot(vector(corners[0], 3)) > 0.0
+    };
+    let (fronts, all) = (indices.chunks_exact(3).filter(is_front).count(), indices.len() / 3);
+    assert!(fronts * 100 > all * 98, "{fronts} of {all} triangles");
 }
 
 /// Both compilers take every pass of the shaders.

@@ -112,6 +112,60 @@ namespace UnityEngine
         public int pixelWidth, pixelHeight;
     }
 
+    public class TextAsset : Object
+    {
+        public byte[] bytes;
+    }
+
+    public enum FilterMode { Point, Bilinear }
+    public enum TextureWrapMode { Repeat, Clamp, Mirror }
+    public enum TextureFormat { RGBA32 = 4, BC7 = 25 }
+
+    public class Texture : Object
+    {
+        public FilterMode filterMode;
+        public TextureWrapMode wrapMode;
+        public int anisoLevel;
+        // What the test is told: a file, or layers in a file.
+        public virtual string Told() => "file " + name;
+    }
+
+    public class Texture2DArray : Texture
+    {
+        readonly int width, height;
+        readonly byte[][] layers;
+        bool isApplied;
+
+        public Texture2DArray(
+            int width, int height, int depth, TextureFormat format, bool mipChain, bool linear)
+        {
+            if (format != TextureFormat.RGBA32 || mipChain || !linear)
+                throw new ArgumentException("layers are drawn of one level of bytes alone");
+            this.width = width;
+            this.height = height;
+            layers = new byte[depth][];
+        }
+
+        public void SetPixelData<T>(T[] data, int mipLevel, int element, int start)
+        {
+            layers[element] = new byte[4 * width * height];
+            Array.Copy(data, start, layers[element], 0, layers[element].Length);
+        }
+
+        public void Apply(bool updateMipmaps, bool makeNoLongerReadable) { isApplied = true; }
+
+        public override string Told()
+        {
+            if (!isApplied || filterMode != FilterMode.Bilinear || anisoLevel != 0
+                || wrapMode != TextureWrapMode.Mirror)
+                throw new InvalidOperationException(name);
+            using (var file = System.IO.File.Create("layers.bin"))
+                foreach (byte[] layer in layers)
+                    file.Write(layer, 0, layer.Length);
+            return "layers " + width + " " + height + " " + layers.Length + " layers.bin";
+        }
+    }
+
     public class Shader : Object
     {
         public static List<string> Names = new List<string>();
@@ -126,7 +180,12 @@ namespace UnityEngine
     public class Material : Object
     {
         public SortedDictionary<string, float[]> Numbers = new SortedDictionary<string, float[]>();
+        public SortedDictionary<string, Texture> Textures = new SortedDictionary<string, Texture>();
         public Material(Shader shader) { }
+        public void SetTexture(string name, Texture texture)
+        {
+            if (texture != null) Textures[name] = texture;
+        }
         public void SetFloat(string name, float x) { Numbers[name] = new[] { x }; }
         public void SetFloat(int id, float x) { Numbers[Shader.Names[id]] = new[] { x }; }
         public void SetInteger(int id, int x) { Numbers[Shader.Names[id]] = new[] { (float)x }; }

@@ -4,16 +4,19 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
+use glam::{DMat3, DMat4, DQuat, DVec3, DVec4, Vec3};
 use image::RgbaImage;
 use wgpu::util::DeviceExt as _;
 
 use super::Package;
-use super::engine::{Engine, wgsl};
+use super::engine::{Engine, Worn, wgsl};
+use super::textures::{Textures, bound};
 use crate::blender::Ring;
 use crate::pictures::{SIZE, Trial};
+use crate::support::files;
 use crate::support::wait::block_on;
-use chiaro::geometry::Mesh;
+use chiaro::files::Disk;
+use chiaro::geometry::{Mesh, load};
 use chiaro::render::Gpu;
 
 /// The camera of both pictures, in the look's space.
@@ -22,37 +25,52 @@ const CAMERA: &str = "eye=0.9,0.8,2.6;target=0,0.02,0;fov=38";
 /// Our own picture of a trial, and that of its package. `set` are statements that set fields of
 /// `look`, the component.
 pub(super) fn drawn(trial: &Trial, package: &Package, set: &str) -> (RgbaImage, Vec<u8>) {
-    drawn_with(trial, package, |scene| Engine::numbers(package, &scene.main(set)))
+    drawn_with(trial, package, |scene| Engine::worn(package, &scene.main(set)))
 }
 
-/// Our own picture of a trial, and that of a shader with a component's numbers, by property.
+/// Our own picture of a trial, and that of a shader with what a component gives the material.
 fn drawn_with(
     trial: &Trial,
     package: &Package,
-    numbers: impl Fn(&UnityScene) -> BTreeMap<String, Vec<f32>>,
+    worn: impl Fn(&UnityScene) -> Worn,
 ) -> (RgbaImage, Vec<u8>) {
     let folder = tempfile::tempdir().expect("a folder");
     let ring = Ring::new();
-    let mesh = folder.path().join("ring.obj");
-    fs::write(&mesh, ring.obj()).expect("a mesh");
-    let mesh = mesh.display().to_string();
-    let ours = trial.ours_with_arguments(&["--mesh", &mesh, "--camera", CAMERA]);
-    let scene = UnityScene::new(&ring);
-    (ours, scene.pixels(package, &numbers(&scene)))
+    let path = folder.path().join("ring.obj");
+    fs::write(&path, ring.obj()).expect("a mesh");
+    let file = path.display().to_string();
+    let ours = trial.ours_with_arguments(&["--mesh", &file, "--camera", CAMERA]);
+    let mesh = load(&Disk, &path).expect("a mesh").value;
+    let scene = UnityScene::new(&mesh, reads_object(&package.folder));
+    (ours, scene.pixels(package, &worn(&scene)))
 }
 
-/// Our own picture of a trial, and that of a text of ShaderLab in a folder, which has no component.
-pub(crate) fn drawn_shader(trial: &Trial, folder: &Path, shader: String) -> (RgbaImage, Vec<u8>) {
+/// Our own picture of a trial, and that of a text of ShaderLab in a folder, which has textures but
+/// no component.
+pub(crate) fn drawn_shader(
+    trial: &Trial,
+    folder: &Path,
+    shader: String,
+    textures: &Textures,
+) -> (RgbaImage, Vec<u8>) {
     let component = PathBuf::new();
     let package = Package { folder: folder.to_owned(), shader, component, class: String::new() };
-    drawn_with(trial, &package, |_| BTreeMap::new())
+    drawn_with(trial, &package, |_| Worn { textures: textures.clone(), ..Worn::default() })
+}
+
+/// True if the look reads places in the object's own space, which are then to be those of the mesh.
+fn reads_object(folder: &Path) -> bool {
+    files::below(folder).iter().any(|path| {
+        let is_look = path.extension().is_some_and(|it| it == "hlsl" || it == "ush");
+        is_look && fs::read_to_string(path).expect("a text").contains("position_object")
+    })
 }
 
 /// The scene as Unity has it: left-handed, x mirrored, the object turned and moved away from where
 /// its mesh was made.
 struct UnityScene {
-    /// Positions and normals of the mesh, in the object's space.
-    vertices: Vec<[f32; 6]>,
+    /// Vertices of the mesh, in the object's space.
+    vertices: Vec<UnityVertex>,
     indices: Vec<u32>,
     world_from_object: DMat4,
     camera_from_world: DMat4,
@@ -60,26 +78,72 @@ struct UnityScene {
     eye: DVec3,
 }
 
+/// A vertex with the attributes that looks read.
+struct UnityVertex {
+    position: [f32; 3],
+    normal: [f32; 3],
+    tangent: [f32; 4],
+    uv: [f32; 2],
+}
+
+impl UnityVertex {
+    /// The numbers of an attribute.
+    fn attribute(&self, name: &str) -> &[f32] {
+        match name {
+            "position" => &self.position,
+            "normal" => &self.normal,
+            "tangent" => &self.tangent,
+            "uv" => &self.uv,
+            // White.
+            _ => &[1.0; 4],
+        }
+    }
+}
+
+/// Names of the attributes that a vertex function in WGSL takes, by their locations.
+fn attributes(wgsl: &str) -> Vec<String> {
+    let (_, rest) = wgsl.split_once("struct vertexInput").expect("attributes");
+    let (list, _) = rest.split_once('}').expect("their end");
+    // `    @location(0) position_4 : vec3<f32>,`
+    let name = |line: &str| {
+        let (_, rest) = line.split_once("@location(")?.1.split_once(") ")?;
+        Some(rest.split_once(" : ")?.0.rsplit_once('_')?.0.to_owned())
+    };
+    list.lines().filter_map(name).collect()
+}
+
 impl UnityScene {
-    fn new(ring: &Ring) -> Self {
+    /// The scene with a mesh, whose own places stay as they are if `is_kept`.
+    fn new(mesh: &Mesh, is_kept: bool) -> Self {
         let mirror = DMat4::from_scale(DVec3::new(-1.0, 1.0, 1.0));
-        let rounded = |v: &[f64; 3]| v.map(|x| x as f32);
-        let mesh =
-            Mesh { positions: ring.positions.iter().map(rounded).collect(), ..Mesh::default() };
         let fit = mesh.fit();
-        let world_from_object = DMat4::from_scale_rotation_translation(
-            DVec3::splat(0.7),
-            DQuat::from_rotation_y(0.8) * DQuat::from_rotation_x(-0.5),
-            DVec3::new(0.3, -0.2, 0.6),
-        );
+        let world_from_object = if is_kept {
+            let middle = mirror.transform_point3(fit.center);
+            DMat4::from_scale(DVec3::splat(fit.scale)) * DMat4::from_translation(-middle)
+        } else {
+            DMat4::from_scale_rotation_translation(
+                DVec3::splat(0.7),
+                DQuat::from_rotation_y(0.8) * DQuat::from_rotation_x(-0.5),
+                DVec3::new(0.3, -0.2, 0.6),
+            )
+        };
         let object_from_world = world_from_object.inverse();
         let normals = DMat3::from_mat4(world_from_object).transpose();
-        let vertex = |(position, normal): (&[f64; 3], &[f64; 3])| {
-            let seen = (DVec3::from(*position) - fit.center) * fit.scale;
+        let direction = |v: [f32; 3]| {
+            let mirrored = mirror.transform_vector3(Vec3::from(v).as_dvec3());
+            (normals * mirrored).normalize().as_vec3()
+        };
+        let vertex = |index: usize| {
+            let seen = (Vec3::from(mesh.positions[index]).as_dvec3() - fit.center) * fit.scale;
             let position = object_from_world.transform_point3(mirror.transform_point3(seen));
-            let normal = normals * mirror.transform_vector3(DVec3::from(*normal));
-            let (p, n) = (position.as_vec3(), normal.normalize().as_vec3());
-            [p.x, p.y, p.z, n.x, n.y, n.z]
+            let [x, y, z, side] = mesh.tangents[index];
+            UnityVertex {
+                position: position.as_vec3().to_array(),
+                normal: direction(mesh.normals[index]).to_array(),
+                // Mirrored, the third axis is on the other side.
+                tangent: direction([x, y, z]).extend(-side).to_array(),
+                uv: mesh.uvs[index],
+            }
         };
         let (eye, target) = (DVec3::new(0.9, 0.8, 2.6), DVec3::new(0.0, 0.02, 0.0));
         let aspect = f64::from(SIZE[0]) / f64::from(SIZE[1]);
@@ -96,8 +160,8 @@ impl UnityScene {
             DVec4::new(0.0, 0.0, 2.0 * far * near / (near - far), 0.0),
         );
         Self {
-            vertices: ring.positions.iter().zip(&ring.normals).map(vertex).collect(),
-            indices: ring.triangles.iter().flatten().map(|index| *index as u32).collect(),
+            vertices: (0..mesh.positions.len()).map(vertex).collect(),
+            indices: mesh.indices.clone(),
             world_from_object,
             camera_from_world: turn * DMat4::from_translation(-eye) * mirror,
             clip_from_camera,
@@ -168,20 +232,20 @@ impl UnityScene {
 
     /// The pixels of the package's picture, rows from the top, straight and as shown.
     #[expect(clippy::too_many_lines, reason = "one draw, of which nothing is done twice")]
-    fn pixels(&self, package: &Package, numbers: &BTreeMap<String, Vec<f32>>) -> Vec<u8> {
+    fn pixels(&self, package: &Package, worn: &Worn) -> Vec<u8> {
         let (text, [vertex, fragment]) = package.passes().swap_remove(0);
         let gpu = block_on(Gpu::headless()).expect("an adapter; software Vulkan does");
         let device = &gpu.device;
-        let module = |function: &str, stage: &str| {
-            let text = wgsl(&package.folder, &text, function, stage);
+        let sources = [(&vertex, "vertex"), (&fragment, "fragment")]
+            .map(|(function, stage)| wgsl(&package.folder, &text, function, stage));
+        let [vertex_module, fragment_module] = sources.each_ref().map(|source| {
             device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some(function),
-                source: wgpu::ShaderSource::Wgsl(text.into()),
+                label: None,
+                source: wgpu::ShaderSource::Wgsl(source.into()),
             })
-        };
-        let (vertex_module, fragment_module) =
-            (module(&vertex, "vertex"), module(&fragment, "fragment"));
-        let contents = [self.surroundings(), material(&text, numbers)];
+        });
+        let images = bound(&sources[1], &worn.textures, device, &gpu.queue);
+        let contents = [self.surroundings(), material(&text, &worn.numbers)];
         let buffer = |contents: &[u8], usage| {
             device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
                 label: None,
@@ -200,19 +264,49 @@ impl UnityScene {
             },
             count: None,
         };
+        let mut layouts = vec![entry(0), entry(1)];
+        layouts.extend(images.iter().map(|(binding, image)| image.layout(*binding)));
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: None,
-            entries: &[entry(0), entry(1)],
+            entries: &layouts,
         });
-        let bound = |binding: u32| wgpu::BindGroupEntry {
+        let bound_block = |binding: u32| wgpu::BindGroupEntry {
             binding,
             resource: uniforms[binding as usize].as_entire_binding(),
         };
+        let mut entries = vec![bound_block(0), bound_block(1)];
+        entries.extend(images.iter().map(|(binding, image)| wgpu::BindGroupEntry {
+            binding: *binding,
+            resource: image.resource(),
+        }));
         let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
             layout: &layout,
-            entries: &[bound(0), bound(1)],
+            entries: &entries,
         });
+        let names = attributes(&sources[0]);
+        let vertices: Vec<f32> = self
+            .vertices
+            .iter()
+            .flat_map(|vertex| names.iter().flat_map(|name| vertex.attribute(name)))
+            .copied()
+            .collect();
+        let mut stride = 0;
+        let mut layout_of_vertex = Vec::new();
+        for (location, name) in names.iter().enumerate() {
+            let count = self.vertices[0].attribute(name).len();
+            let format = match count {
+                2 => wgpu::VertexFormat::Float32x2,
+                3 => wgpu::VertexFormat::Float32x3,
+                _ => wgpu::VertexFormat::Float32x4,
+            };
+            layout_of_vertex.push(wgpu::VertexAttribute {
+                format,
+                offset: 4 * stride as u64,
+                shader_location: location as u32,
+            });
+            stride += count;
+        }
         let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: None,
             bind_group_layouts: &[Some(&layout)],
@@ -229,9 +323,9 @@ impl UnityScene {
                 entry_point: Some(&vertex),
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
                 buffers: &[Some(wgpu::VertexBufferLayout {
-                    array_stride: 24,
+                    array_stride: 4 * stride as u64,
                     step_mode: wgpu::VertexStepMode::Vertex,
-                    attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3],
+                    attributes: &layout_of_vertex,
                 })],
             },
             // Rows upside down turn triangles around.
@@ -274,7 +368,7 @@ impl UnityScene {
         let depth = target(depth, attachment);
         let view = |texture: &wgpu::Texture| texture.create_view(&Default::default());
         let (color_view, depth_view) = (view(&color), view(&depth));
-        let bytes: Vec<u8> = self.vertices.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
+        let bytes: Vec<u8> = vertices.iter().flat_map(|x| x.to_le_bytes()).collect();
         let vertices = buffer(&bytes, wgpu::BufferUsages::VERTEX);
         let bytes: Vec<u8> = self.indices.iter().flat_map(|x| x.to_le_bytes()).collect();
         let indices = buffer(&bytes, wgpu::BufferUsages::INDEX);

@@ -6,8 +6,16 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use super::textures::{Texture, Textures};
 use super::{Package, stand_ins};
 use crate::support::validators::slangc;
+
+/// What a component gives its material, by property.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Worn {
+    pub(super) numbers: BTreeMap<String, Vec<f32>>,
+    pub(super) textures: Textures,
+}
 
 /// Mono, with stand-ins for Unity's classes.
 pub(super) struct Engine;
@@ -19,13 +27,14 @@ impl Engine {
         runs("mcs") && runs("mono")
     }
 
-    /// The numbers that a package's component gives its material, by property. `main` are
-    /// statements that make `look`, `camera` and `wearer` what they are.
-    pub(super) fn numbers(package: &Package, main: &str) -> BTreeMap<String, Vec<f32>> {
+    /// What a package's component gives its material. `main` are statements that make `look`,
+    /// `camera` and `wearer` what they are; fields that name files do so as in the editor.
+    pub(super) fn worn(package: &Package, main: &str) -> Worn {
         let folder = tempfile::tempdir().expect("a folder");
+        let main = package.references() + main;
         let text = format!(
-            "using System;\nusing System.Globalization;\nusing System.Reflection;\n\
-             using UnityEngine;\nusing UnityEngine.Rendering;\n\
+            "using System;\nusing System.Globalization;\nusing System.IO;\n\
+             using System.Reflection;\nusing UnityEngine;\nusing UnityEngine.Rendering;\n\
              static class Trial\n{{\nstatic void Main()\n{{\n\
              CultureInfo.CurrentCulture = CultureInfo.InvariantCulture;\n\
              var wearer = new Renderer();\nvar camera = new Camera();\n\
@@ -35,7 +44,9 @@ impl Engine {
              RenderPipelineManager.Begin(camera);\n\
              foreach (var pair in wearer.sharedMaterials[0].Numbers)\n\
              Console.WriteLine(pair.Key + \" \" + string.Join(\" \", \
-             Array.ConvertAll(pair.Value, x => x.ToString(\"R\"))));\n}}\n}}\n",
+             Array.ConvertAll(pair.Value, x => x.ToString(\"R\"))));\n\
+             foreach (var pair in wearer.sharedMaterials[0].Textures)\n\
+             Console.WriteLine(\"texture \" + pair.Key + \" \" + pair.Value.Told());\n}}\n}}\n",
             package.class, package.class
         );
         fs::write(folder.path().join("Trial.cs"), text).expect("a file");
@@ -48,17 +59,39 @@ impl Engine {
             .expect("mcs starts");
         let said = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{}: {said}", package.class);
-        let output = Command::new("mono").arg(folder.path().join("trial.exe")).output();
+        let output = Command::new("mono").arg("trial.exe").current_dir(folder.path()).output();
         let output = output.expect("mono starts");
         let said = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{}: {said}", package.class);
         let told = String::from_utf8_lossy(&output.stdout).into_owned();
-        let line = |line: &str| {
-            let mut words = line.split_whitespace();
-            let name = words.next()?.to_owned();
-            Some((name, words.filter_map(|word| word.parse().ok()).collect()))
-        };
-        told.lines().filter_map(line).collect()
+        let mut worn = Worn::default();
+        for line in told.lines() {
+            let words: Vec<&str> = line.split_whitespace().collect();
+            match words.as_slice() {
+                ["texture", name, "file", file] => {
+                    let texture = Texture::imported(&package.folder.join(file));
+                    worn.textures.insert((*name).to_owned(), texture);
+                }
+                ["texture", name, "layers", width, height, count, file] => {
+                    let number = |word: &str| word.parse().expect("a number");
+                    let texture = Texture {
+                        size: [number(width), number(height)],
+                        bytes: fs::read(folder.path().join(file)).expect("layers"),
+                        layers: Some(number(count)),
+                        is_decoded: false,
+                        is_linear: true,
+                        wrap: wgpu::AddressMode::MirrorRepeat,
+                    };
+                    worn.textures.insert((*name).to_owned(), texture);
+                }
+                [name, numbers @ ..] => {
+                    let numbers = numbers.iter().filter_map(|word| word.parse().ok()).collect();
+                    worn.numbers.insert((*name).to_owned(), numbers);
+                }
+                [] => {}
+            }
+        }
+        worn
     }
 }
 

@@ -15,6 +15,14 @@ const NO_GROUP: &str = "Look";
 /// The exposed parameters as a table of Markdown: a line each, groups together, both in the
 /// artist's order. A sentence that says what to do where the look exposes none.
 pub(super) fn parameter_table(description: &Description) -> String {
+    parameter_table_with(description, |parameter| parameter.name.as_ref()?.to_string().into())
+}
+
+/// The table with the package's own names of parameters; none for those without one.
+pub(super) fn parameter_table_with(
+    description: &Description,
+    name: impl Fn(&ExposedParameter) -> Option<String>,
+) -> String {
     let exposed = || description.parameters.iter().filter(|it| it.name.is_some());
     let mut groups: Vec<&str> = Vec::new();
     for parameter in exposed() {
@@ -28,8 +36,9 @@ pub(super) fn parameter_table(description: &Description) -> String {
     }
     let space = description.color_space;
     let mut table = HEAD.to_owned();
-    for name in groups {
-        table.extend(exposed().filter(|it| group(it) == name).map(|it| row(it, space)));
+    for wanted in groups {
+        let of_group = exposed().filter(|it| group(it) == wanted);
+        table.extend(of_group.map(|it| row(it, &name(it).unwrap_or_default(), space)));
     }
     table
 }
@@ -39,8 +48,7 @@ fn group(parameter: &ExposedParameter) -> &str {
 }
 
 /// The line of a parameter.
-fn row(parameter: &ExposedParameter, space: ColorSpace) -> String {
-    let name = parameter.name.as_ref().map_or("", |name| name.as_str());
+fn row(parameter: &ExposedParameter, name: &str, space: ColorSpace) -> String {
     let [group, label] = [group(parameter), parameter.label.as_str()].map(cell);
     let value = cell(&value(parameter, space));
     format!("| {group} | {label} | `{name}` | {} | {value} |\n", cell(&range(parameter)))
@@ -130,7 +138,7 @@ mod tests {
         (angle.min, angle.max) = (Some(0.0), Some(std::f64::consts::PI));
         angle.unit = "rad".to_owned();
         let wanted = "| Key \\| \\*tone\\* | Cut-off | `` | 0 to 3.1416 rad | 0.5 |\n";
-        assert_eq!(row(&angle, ColorSpace::Display), wanted);
+        assert_eq!(row(&angle, "", ColorSpace::Display), wanted);
         angle.live = false;
         assert_eq!(range(&angle), "fixed by the export");
     }

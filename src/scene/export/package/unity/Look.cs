@@ -1,6 +1,7 @@
 // {{title}}: made by Chiaro {{version}}, for Unity 6 and the Universal Render Pipeline 17.
 
 using System;
+{{collections}}
 using UnityEngine;
 using UnityEngine.Rendering;
 {{using}}

@@ -4,8 +4,9 @@ use std::fmt::Write as _;
 
 use serde_json::{Value, json};
 
+use super::images::{self, UnityImage};
 use super::leaves::Leaf;
-use super::parameters::{ComponentField, fields, light_field, quoted};
+use super::parameters::{ComponentField, light_field, quoted};
 use super::{plain, shader};
 use crate::diag::Diagnostic;
 use crate::document::{ColorSpace, LightSpace};
@@ -31,6 +32,8 @@ pub(super) fn write(
     request: &PackageRequest<'_>,
     class: &str,
     leaves: &[Leaf],
+    parts: &[ComponentField],
+    images: &[UnityImage<'_>],
 ) -> Result<String, Diagnostic> {
     let work = request.work;
     let draw = work.modules.iter().find(|it| it.module == "draw");
@@ -47,7 +50,6 @@ pub(super) fn write(
         None => (String::new(), String::new(), String::new()),
     };
     let is_linear = request.look.color_space == ColorSpace::Linear;
-    let parts = fields(request);
     let reads_colors = parts.iter().any(|field| field.setting.contains("Rgb("));
     let follow = FOLLOW.replace("{{linear}}", if is_linear { ".linear" } else { "" });
     let (follow, rgb) = follow.split_once("// And colors.\n").unwrap_or((&follow, ""));
@@ -59,6 +61,12 @@ pub(super) fn write(
         functions += rgb;
     }
     let using = using(class, &host);
+    let layers = images::layers(images);
+    let collections = match layers.as_str() {
+        "" => "",
+        _ => "using System.Collections.Generic;\n",
+    };
+    functions += &layers;
     let own_work = if host.is_empty() {
         String::new()
     } else {
@@ -69,16 +77,17 @@ pub(super) fn write(
         )
     };
     Ok(TEMPLATE
+        .replace("{{collections}}\n", collections)
         .replace("{{using}}\n", &using)
         .replace("{{title}}", &title)
         .replace("{{class}}", class)
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
-        .replace("{{fields}}\n", &field_texts(request, &parts))
+        .replace("{{fields}}\n", &(field_texts(request, parts) + &images::fields(images)))
         .replace("{{both}}", if shader::draws_both_sides(request) { "true" } else { "false" })
         .replace("{{own_lights}}\n", &own_lights(request))
         .replace("{{properties}}\n", &properties)
-        .replace("{{set}}\n", &set)
-        .replace("{{settings}}\n", &settings(request, &parts))
+        .replace("{{set}}\n", &(set + &images::set(images)))
+        .replace("{{settings}}\n", &settings(request, parts))
         .replace("{{around}}\n", &around(request, !host.is_empty()))
         .replace("{{follow}}\n", &functions)
         .replace("{{property}}\n", if properties.is_empty() { "" } else { PROPERTY })

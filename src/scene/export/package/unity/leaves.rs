@@ -49,7 +49,8 @@ pub(in crate::export::package) fn leaves(
     let mut found = Vec::new();
     members(source, &bound.members, ty, (name, ""), 0, &mut found)?;
     // `key.color` and `key_color` would have one name.
-    let mut taken = HashSet::new();
+    let images = source.images.iter();
+    let mut taken: HashSet<String> = images.map(|image| image.texture.clone()).collect();
     for leaf in &mut found {
         let numbered = (2..).map(|number| format!("{}_{number}", leaf.property));
         let mut names = std::iter::once(leaf.property.clone()).chain(numbered);

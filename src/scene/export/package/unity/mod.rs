@@ -4,14 +4,17 @@
 //!   properties of the material, all in one block, as the SRP Batcher wants them.
 //! - `STEM.hlsl` is the look, as `--to hlsl` writes it, without bindings ([`source`]).
 //! - `CLASSLook.cs` is the component, with parameters, lights and the host work ([`component`]).
+//! - `Samples~/Scene` has a scene that shows the look ([`sample`]).
 //!
 //! Unity's world is left-handed, Chiaro's right-handed: x is mirrored, as Unity's own importers of
 //! meshes do, so that what is to the viewer's left of a mesh stays there. A mesh that Unity has
 //! imported has x mirrored itself; shader and component mirror it back before the look sees it.
 
 mod component;
+mod images;
 pub(super) mod leaves;
 mod parameters;
+mod sample;
 pub(super) mod shader;
 pub(super) mod source;
 
@@ -20,9 +23,12 @@ use serde_json::json;
 use super::super::ExportFile;
 use super::super::pretty::pretty;
 use super::materials::class_name;
+use super::parameter_table::parameter_table_with;
 use super::stable_id::stable_id;
 use super::{Package, PackageRequest};
 use crate::diag::Diagnostic;
+use crate::document::ColorSpace;
+use parameters::ComponentField;
 
 /// The package.
 pub(super) const PACKAGE: Package = Package {
@@ -37,36 +43,52 @@ pub(super) const PACKAGE: Package = Package {
 /// The text of one screen for whoever gets the folder.
 const README: &str = include_str!("README.md");
 
+/// What the text says where the look reads images.
+const IMAGES: &str = "\
+- **Images** are in the component's fields from the start. How they repeat and are filtered are
+  their import settings, which the export brings along. A painted surface is a file of bytes, of
+  which the component makes one array of textures for all objects.
+";
+
 /// The Unity and the pipeline that the text is made for.
 const UNITY: &str = "6000.0";
 
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
     request.refuse_passes("the package unity does not").map_err(one)?;
-    request.refuse_images("unity", IMAGES_HELP).map_err(one)?;
-    let source = source::Source::of(request, &source::TAKEN).map_err(one)?;
+    let mut source = source::Source::of(request, &source::UNITY).map_err(one)?;
+    source.text = images::from_below(&source.text).map_err(one)?;
     let leaves = leaves::leaves(request, &source).map_err(one)?;
     let (stem, class) = (request.stem, class_name(request.stem));
-    let component = component::write(request, &class, &leaves).map_err(one)?;
+    let parts = parameters::fields(request);
+    let images = images::images(request, &source.images, &parts);
+    let component = component::write(request, &class, &leaves, &parts, &images).map_err(one)?;
     let title = plain(request.title);
     let mut files = vec![
-        ExportFile::text(format!("{stem}.shader"), shader::write(request, &source, &leaves)),
-        ExportFile::text(format!("{stem}.hlsl"), source.text),
+        ExportFile::text(
+            format!("{stem}.shader"),
+            shader::write(request, &source, &leaves, &images),
+        ),
+        ExportFile::text(format!("{stem}.hlsl"), source.text.clone()),
         ExportFile::text(format!("{class}Look.cs"), component),
+        images::component_meta(stem, &format!("{class}Look.cs"), &images),
         ExportFile::text(format!("Chiaro.{class}.asmdef"), assembly(&class)),
         ExportFile::text("package.json".to_owned(), manifest(&class, &title)),
-        ExportFile::text("README.md".to_owned(), readme(request, &class, &title)),
+        ExportFile::text("README.md".to_owned(), readme(request, &class, &title, &parts)),
     ];
-    let others = files.clone();
-    files.extend(others.iter().map(|file| meta(&file.name, stem)));
-    files.push(meta(super::EXPECTED, stem));
-    files.push(meta("chiaro.json", stem));
+    files.extend(images::files(request, &images));
+    let has_tangents = source.attributes.iter().any(|it| it.name == "tangent");
+    files.extend(sample::files(request, &class, &images, has_tangents));
+    // Whatever has no import settings of its own has an id.
+    let names: Vec<String> = files.iter().map(|file| file.name.clone()).collect();
+    let own = names.iter().map(String::as_str).filter(|name| !name.ends_with(".meta"));
+    for name in own.chain([super::EXPECTED, "chiaro.json"]) {
+        if !names.contains(&format!("{name}.meta")) {
+            files.push(meta(name, stem));
+        }
+    }
     Ok(files)
 }
-
-/// Help for images, which the packages for Unity and Unreal do not carry.
-pub(super) const IMAGES_HELP: &str =
-    "export the look `--to hlsl` and bind its images, or `--to web` or `three`";
 
 /// A title without what would end a text of ShaderLab, C#, XML or a menu's entry.
 pub(super) fn plain(title: &str) -> String {
@@ -89,6 +111,11 @@ fn manifest(class: &str, title: &str) -> String {
         "description": "A look made with Chiaro.",
         "unity": UNITY,
         "dependencies": {"com.unity.render-pipelines.universal": "17.0.3"},
+        "samples": [{
+            "displayName": "Scene",
+            "description": "The look on a mesh, with a camera.",
+            "path": sample::FOLDER,
+        }],
         "author": {"name": format!("made by Chiaro {}", env!("CARGO_PKG_VERSION"))},
     }))
 }
@@ -100,26 +127,33 @@ fn meta(name: &str, stem: &str) -> ExportFile {
     ExportFile::text(format!("{name}.meta"), text)
 }
 
-fn readme(request: &PackageRequest<'_>, class: &str, title: &str) -> String {
+fn readme(
+    request: &PackageRequest<'_>,
+    class: &str,
+    title: &str,
+    fields: &[ComponentField],
+) -> String {
     let lights = request.description.lights.iter();
     let lights: Vec<String> = lights.map(|light| format!("`{}`", light.id)).collect();
-    let parameters = parameters::fields(request);
-    let parameters: Vec<String> =
-        parameters.iter().map(|field| format!("`{}`", field.name)).collect();
-    let list = |names: &[String], none: &str| match names {
-        [] => none.to_owned(),
-        _ => names.join(", "),
-    };
+    let lights = if lights.is_empty() { "none here".to_owned() } else { lights.join(", ") };
+    let table = parameter_table_with(request.description, |parameter| {
+        let name = parameter.name.as_ref()?;
+        let field = fields.iter().find(|field| field.parameter == name.as_str());
+        Some(field.map_or_else(|| name.to_string(), |field| field.name.clone()))
+    });
+    // Only a project of linear light decodes images as they are read.
+    let needs_linear = request.look.color_space == ColorSpace::Linear
+        && request.description.images.iter().any(|it| it.kind == "image" && it.encoding == "color");
+    let gamma = if needs_linear { ": this look's images want a linear project" } else { "" };
     README
         .replace("{{name}}", title)
         .replace("{{class}}", class)
         .replace("{{stem}}", request.stem)
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
-        .replace("{{lights}}", &list(&lights, "none here"))
-        .replace(
-            "{{parameters}}",
-            &list(&parameters, "none here: expose some in Chiaro, or export with `--live`"),
-        )
+        .replace("{{lights}}", &lights)
+        .replace("{{images}}\n", if request.description.images.is_empty() { "" } else { IMAGES })
+        .replace("{{gamma}}", gamma)
+        .replace("{{table}}\n", &table)
 }
 
 #[cfg(test)]

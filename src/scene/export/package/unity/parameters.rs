@@ -11,6 +11,8 @@ use crate::library::Type;
 /// A field of the component.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct ComponentField {
+    /// The artist's name of the parameter.
+    pub(super) parameter: String,
     /// Name of the field.
     pub(super) name: String,
     /// Type of the field in C#.
@@ -42,7 +44,9 @@ pub(super) fn fields(request: &PackageRequest<'_>) -> Vec<ComponentField> {
                 None => continue,
             },
         };
-        let name = free_name(name.as_str(), &found, request);
+        let is_taken = |name: &str| found.iter().any(|field| field.name == name);
+        let own = name.to_string();
+        let name = free_name(name.as_str(), is_taken, request);
         let mut attributes = Vec::new();
         let label = if parameter.label.is_empty() {
             parameter.name.as_ref().map(ToString::to_string)
@@ -74,6 +78,7 @@ pub(super) fn fields(request: &PackageRequest<'_>) -> Vec<ComponentField> {
             }
         }
         found.push(ComponentField {
+            parameter: own,
             setting: format!("{member} = {};", kind.read(&name, request)),
             default: kind.literal(&default, request),
             ty: kind.ty(),
@@ -121,18 +126,19 @@ const TAKEN: [&str; 32] = [
     "objectId",
 ];
 
-/// A name that neither the component nor a field before has.
-fn free_name(wanted: &str, before: &[ComponentField], request: &PackageRequest<'_>) -> String {
+/// A name that neither the component has nor what is taken.
+pub(super) fn free_name(
+    wanted: &str,
+    is_taken: impl Fn(&str) -> bool,
+    request: &PackageRequest<'_>,
+) -> String {
     let kept = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
     let word: String = wanted.chars().map(kept).collect();
     let name = CSHARP.member_name(word.trim_start_matches(|c: char| !c.is_ascii_alphabetic()));
     let is_light =
         |name: &str| request.work.lights.iter().any(|light| light_field(light.id.as_str()) == name);
-    let is_free = |name: &String| {
-        !TAKEN.contains(&name.as_str())
-            && !is_light(name)
-            && before.iter().all(|field| field.name != *name)
-    };
+    let is_free =
+        |name: &String| !TAKEN.contains(&name.as_str()) && !is_light(name) && !is_taken(name);
     let candidates = [name.clone(), format!("{name}Value")].into_iter();
     let numbered = (2..).map(|number| format!("{name}{number}"));
     candidates.chain(numbered).find(is_free).unwrap_or(name)
@@ -233,17 +239,21 @@ impl FieldKind {
             Self::Number => float(number(0)),
             Self::Vector(count) => format!("new Vector{count}({})", list(count)),
             Self::Rgb | Self::Rgba => {
-                let shown = |x: f64| match request.look.color_space {
-                    ColorSpace::Display => x,
-                    ColorSpace::Linear if x <= 0.003_130_8 => 12.92 * x,
-                    ColorSpace::Linear => 1.055 * x.powf(1.0 / 2.4) - 0.055,
-                };
                 let alpha =
                     if self == Self::Rgb { 1.0 } else { numbers.get(3).copied().unwrap_or(1.0) };
-                let [r, g, b] = [0, 1, 2].map(|index| float(shown(number(index))));
+                let [r, g, b] = [0, 1, 2].map(|index| float(shown(number(index), request)));
                 format!("new Color({r}, {g}, {b}, {})", float(alpha))
             }
         }
+    }
+}
+
+/// A number of a color of the look, as shown.
+pub(super) fn shown(x: f64, request: &PackageRequest<'_>) -> f64 {
+    match request.look.color_space {
+        ColorSpace::Display => x,
+        ColorSpace::Linear if x <= 0.003_130_8 => 12.92 * x,
+        ColorSpace::Linear => 1.055 * x.powf(1.0 / 2.4) - 0.055,
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::images::{self, UnityImage};
 use super::leaves::Leaf;
 use super::plain;
 use super::source::{Field, Source};
@@ -12,7 +13,12 @@ use crate::export::package::PackageRequest;
 const TEMPLATE: &str = include_str!("look.shader");
 
 /// Writes the shader.
-pub(super) fn write(request: &PackageRequest<'_>, source: &Source, leaves: &[Leaf]) -> String {
+pub(super) fn write(
+    request: &PackageRequest<'_>,
+    source: &Source,
+    leaves: &[Leaf],
+    images: &[UnityImage<'_>],
+) -> String {
     let description = request.description;
     let (queue, blend) = if description.opaque {
         ("\"RenderType\" = \"Opaque\" \"Queue\" = \"Geometry\"", "")
@@ -48,7 +54,7 @@ pub(super) fn write(request: &PackageRequest<'_>, source: &Source, leaves: &[Lea
         .replace("{{queue}}", queue)
         .replace("{{blend}}\n", blend)
         .replace("{{cull}}", if draws_both_sides(request) { "0" } else { "2" })
-        .replace("{{properties}}\n", &properties(leaves))
+        .replace("{{properties}}\n", &(images::properties(images) + &properties(leaves)))
         .replace("{{numbers}}\n", &declarations(leaves))
         .replace("{{attributes}}\n", &attributes(source))
         .replace("{{varyings}}\n", &varyings(source))

@@ -3,7 +3,10 @@
 //! Uniform blocks become variables of the file, which the shader's entry points fill from what
 //! Unity has bound; entry points become functions. Names that Unity's includes have are changed.
 
+use std::path::Path;
+
 use crate::diag::Diagnostic;
+use crate::export::description::Feed;
 use crate::export::header;
 use crate::export::package::PackageRequest;
 use crate::wgsl::rename_identifiers;
@@ -23,6 +26,29 @@ pub(in crate::export::package) struct Source {
     pub(in crate::export::package) reads_pixel: bool,
     /// Uniform blocks: name and type.
     pub(in crate::export::package) blocks: Vec<(String, String)>,
+    /// Images, in the order of the look's bindings.
+    pub(in crate::export::package) images: Vec<SourceImage>,
+}
+
+/// An image that the look's text reads.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(in crate::export::package) struct SourceImage {
+    /// Name of the texture in the text.
+    pub(in crate::export::package) texture: String,
+    /// Name of the sampler in the text.
+    pub(in crate::export::package) sampler: String,
+    /// Index of the image in the description.
+    pub(in crate::export::package) image: usize,
+    /// True for the layers of a painted surface.
+    pub(in crate::export::package) is_painted: bool,
+}
+
+/// An engine's own names of things that a look may have, too.
+pub(in crate::export::package) struct EngineNames<'a> {
+    /// Names of types and macros that get others in the look's text.
+    pub(in crate::export::package) taken: &'a [&'a str],
+    /// Names of the texture and the sampler of an image of a name such as `tone_air`.
+    pub(in crate::export::package) image: fn(&str) -> [String; 2],
 }
 
 /// A member of a struct.
@@ -35,8 +61,12 @@ pub(in crate::export::package) struct Field {
     pub(in crate::export::package) semantic: String,
 }
 
+/// Unity's names: those of its includes, and those by which it knows a texture's sampler.
+pub(super) const UNITY: EngineNames<'_> =
+    EngineNames { taken: &TAKEN, image: |name| [format!("_{name}"), format!("sampler_{name}")] };
+
 /// Names of types and macros of Unity's includes that a look may have, too.
-pub(super) const TAKEN: [&str; 14] = [
+const TAKEN: [&str; 14] = [
     "Light",
     "InputData",
     "SurfaceData",
@@ -54,13 +84,13 @@ pub(super) const TAKEN: [&str; 14] = [
 ];
 
 impl Source {
-    /// The source of the look's picture. Names of `taken` are the engine's own, and get others.
+    /// The source of the look's picture for an engine that has `names` of its own.
     ///
     /// # Errors
     /// - `export-failed`: the look cannot be written as HLSL, or not in the form that is sought.
     pub(in crate::export::package) fn of(
         request: &PackageRequest<'_>,
-        taken: &[&str],
+        names: &EngineNames<'_>,
     ) -> Result<Self, Diagnostic> {
         let lost = |what: &str| {
             Diagnostic::error("export-failed", format!("the look's HLSL has no {what}"))
@@ -73,7 +103,8 @@ impl Source {
         let file = written.files.first().ok_or_else(|| lost("file"))?;
         let text = String::from_utf8_lossy(&file.bytes).into_owned();
         let body = text.split_once("\n\n").map_or(text.as_str(), |(_, body)| body);
-        let body = free_names(body, taken);
+        let (body, images) = with_images(body, request, names);
+        let body = free_names(&body, names.taken);
         let vertex = head(&body, "vs_main").ok_or_else(|| lost("function `vs_main`"))?;
         let fragment = head(&body, "fs_main").ok_or_else(|| lost("function `fs_main`"))?;
         let named = |name: &str| structure(&body, name).ok_or_else(|| lost(name));
@@ -87,7 +118,7 @@ impl Source {
             format!("The look itself; {}.shader includes this file.", request.stem),
         ];
         let text = format!("{}\n{}\n", header::comment(&lines), body.trim_end());
-        Ok(Self { text, attributes, varyings, inputs, reads_pixel, blocks })
+        Ok(Self { text, attributes, varyings, inputs, reads_pixel, blocks, images })
     }
 
     /// Members of a type of the look, without those that fill up space.
@@ -97,6 +128,54 @@ impl Source {
             |field: &Field| field.name.starts_with("_pad") || field.name.starts_with("_end_pad");
         members.retain(|field| !is_filling(field));
         Some(members)
+    }
+}
+
+/// The text with an engine's names for images and their samplers, after the images' files.
+fn with_images(
+    text: &str,
+    request: &PackageRequest<'_>,
+    names: &EngineNames<'_>,
+) -> (String, Vec<SourceImage>) {
+    let module = request.description.modules.iter().find(|module| module.name == "draw");
+    let bindings = module.map_or(&[][..], |module| &module.bindings[..]);
+    let mut images: Vec<SourceImage> = Vec::new();
+    let mut renamed: Vec<(String, String)> = Vec::new();
+    for binding in bindings {
+        let Feed::Image { image } = binding.feed else { continue };
+        let Some(described) = request.description.images.get(image) else { continue };
+        let own = image_name(&described.path);
+        let numbered = (2..).map(|number| format!("{own}_{number}"));
+        let free = std::iter::once(own.clone()).chain(numbered).map(|name| (names.image)(&name));
+        let is_free = |it: &[String; 2]| images.iter().all(|other| other.texture != it[0]);
+        let Some([texture, sampler]) = free.into_iter().find(is_free) else { continue };
+        let feed = Feed::Sampler { image };
+        if let Some(binding) = bindings.iter().find(|binding| binding.feed == feed) {
+            renamed.push((binding.name.clone(), sampler.clone()));
+        }
+        renamed.push((binding.name.clone(), texture.clone()));
+        let is_painted = described.kind == "hcbtf";
+        images.push(SourceImage { texture, sampler, image, is_painted });
+    }
+    // Names that end with a digit get a `_` from the writer of HLSL.
+    let written = |name: &str| {
+        let ends = name.ends_with(|c: char| c.is_ascii_digit());
+        if ends { format!("{name}_") } else { name.to_owned() }
+    };
+    let text = rename_identifiers(text, |word| {
+        renamed.iter().find(|(name, _)| written(name) == word).map(|(_, new)| new.clone())
+    });
+    (text, images)
+}
+
+/// A name of the language for an image: `tone_air` of `papers/Tone air.png`.
+fn image_name(path: &str) -> String {
+    let stem = Path::new(path).file_stem().map_or("image".into(), |stem| stem.to_string_lossy());
+    let words = stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    let name = words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("_");
+    match name.chars().next() {
+        Some(first) if first.is_ascii_alphabetic() => name,
+        _ => format!("image_{name}").trim_end_matches('_').to_owned(),
     }
 }
 
@@ -145,6 +224,7 @@ fn structure(text: &str, name: &str) -> Option<Vec<Field>> {
 /// The text with variables for uniform blocks and without semantics, and the blocks.
 fn without_bindings(text: &str) -> (String, Vec<(String, String)>) {
     let mut blocks = Vec::new();
+    let mut has_images = false;
     let mut result = String::with_capacity(text.len());
     for line in text.lines() {
         // cbuffer look : register(b2) { Look look; }
@@ -159,6 +239,15 @@ fn without_bindings(text: &str) -> (String, Vec<(String, String)>) {
                 }
                 blocks.push((name.to_owned(), ty.to_owned()));
                 result += &format!("static {ty} {name};");
+            }
+            None if line.starts_with("Texture2D") || line.starts_with("SamplerState") => {
+                if !has_images {
+                    result += "\n// Images, sampled as their import settings say.\n";
+                }
+                has_images = true;
+                let end = line.find(" : register(").map_or("", |_| ";");
+                result += line.split(" : register(").next().unwrap_or(line);
+                result += end;
             }
             None => result += &without_semantic(line),
         }
@@ -222,5 +311,12 @@ float4 fs_main(Inputs inputs) : SV_Target0
     #[test]
     fn names_of_unity_are_left_to_it() {
         assert_eq!(free_names("Light PI real a.PI", &TAKEN), "LookLight LOOK_PI real_of_look a.PI");
+    }
+
+    #[test]
+    fn images_have_names_of_the_language() {
+        assert_eq!(image_name("papers/Tone air.png"), "tone_air");
+        assert_eq!(image_name("2-rim.hcbtf"), "image_2_rim");
+        assert_eq!(image_name("….png"), "image");
     }
 }

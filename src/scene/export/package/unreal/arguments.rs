@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 
+use super::shader::capitals;
 use crate::document::{ColorSpace, LightQuantity, Target};
 use crate::export::exposed::ExposedParameter;
 use crate::export::package::PackageRequest;
@@ -155,9 +156,7 @@ fn of_light(request: &PackageRequest<'_>, name: &str) -> Option<(String, Argumen
 
 /// `MoveX` of `move_x`, unlike `class` and all before.
 fn free_name(wanted: &str, class: &str, before: &[Argument<'_>]) -> String {
-    let words = wanted.split(|c: char| !c.is_ascii_alphanumeric()).filter(|it| !it.is_empty());
-    let capital = |word: &str| word[..1].to_ascii_uppercase() + &word[1..];
-    let name: String = words.map(capital).collect();
+    let name = capitals(wanted);
     let name = match name.chars().next() {
         Some(first) if first.is_ascii_alphabetic() => name,
         _ => format!("Value{name}"),

@@ -6,7 +6,8 @@
 use std::fmt::Write as _;
 
 use super::arguments::{Argument, ArgumentKind, shown_default};
-use super::shader::{PixelInput, UnrealShader};
+use super::images::{self, UnrealImage};
+use super::shader::UnrealShader;
 use crate::export::package::PackageRequest;
 use crate::export::package::stable_id::stable_id;
 
@@ -79,11 +80,14 @@ pub(super) fn write(
     request: &PackageRequest<'_>,
     class: &str,
     arguments: &[Argument<'_>],
-    shader: &UnrealShader,
+    shader: &UnrealShader<'_>,
 ) -> String {
     let mut sources: Vec<Source> = Vec::new();
     for (index, argument) in arguments.iter().enumerate() {
         sources.push(parameter(request, index, argument));
+    }
+    for image in &shader.images {
+        sources.push(texture(request, image));
     }
     for input in &shader.inputs {
         let Some((name, class, properties)) = NODES.iter().find(|it| it.0 == input.name) else {
@@ -149,6 +153,25 @@ fn parameter(request: &PackageRequest<'_>, index: usize, argument: &Argument<'_>
     Source { class, id: argument.name.to_owned(), properties, fed_by: None, takers }
 }
 
+/// The node of an image: a texture that instances of the material may change.
+fn texture(request: &PackageRequest<'_>, image: &UnrealImage<'_>) -> Source {
+    let (class, asset) = (image.asset_class(), image.asset());
+    let sampler = match image.is_decoded(request.look.color_space) {
+        true => "SAMPLERTYPE_Color",
+        false => "SAMPLERTYPE_LinearColor",
+    };
+    let name = &image.texture;
+    let properties = vec![
+        format!("ParameterName={}", quoted(name)),
+        format!("ExpressionGUID={}", id(request, &format!("parameter {name}"))),
+        "Group=\"Images\"".to_owned(),
+        format!("Texture=\"/Script/Engine.{class}'/Game/Chiaro/{asset}.{asset}'\""),
+        format!("SamplerType={sampler}"),
+    ];
+    let takers = vec![Taker { name: name.clone(), output: Output::Whole }];
+    Source { class: "TextureObjectParameter", id: name.clone(), properties, fed_by: None, takers }
+}
+
 /// Help of a parameter, with its unit.
 fn help(argument: &Argument<'_>) -> String {
     let described = argument.described;
@@ -174,11 +197,11 @@ fn custom(
     request: &PackageRequest<'_>,
     class: &str,
     arguments: &[Argument<'_>],
-    shader: &UnrealShader,
+    shader: &UnrealShader<'_>,
     sources: &[Source],
 ) -> String {
     let mut properties = vec![
-        format!("Code={}", quoted(&code(class, arguments, &shader.inputs))),
+        format!("Code={}", quoted(&code(class, arguments, shader))),
         "OutputType=CMOT_Float3".to_owned(),
         format!("Description={}", quoted(request.title)),
     ];
@@ -219,9 +242,9 @@ pub(super) fn include_path(request: &PackageRequest<'_>) -> String {
 }
 
 /// The code of the Custom node.
-fn code(class: &str, arguments: &[Argument<'_>], inputs: &[&PixelInput]) -> String {
+fn code(class: &str, arguments: &[Argument<'_>], shader: &UnrealShader<'_>) -> String {
     let mut text = format!("{class}::PixelInUnreal pixel;\n");
-    for input in inputs {
+    for input in &shader.inputs {
         let _ = writeln!(text, "pixel.{} = {};", input.name, input.value);
     }
     let value = |argument: &Argument<'_>| match argument.kind.count() {
@@ -229,7 +252,8 @@ fn code(class: &str, arguments: &[Argument<'_>], inputs: &[&PixelInput]) -> Stri
         4 => format!("float4({0}, {0}A)", argument.input),
         _ => argument.input.clone(),
     };
-    let values: String = arguments.iter().map(|argument| value(argument) + ", ").collect();
+    let values = arguments.iter().map(value).chain(images::arguments(&shader.images));
+    let values: String = values.map(|value| value + ", ").collect();
     let _ = write!(
         text,
         "float4 color = {class}::Draw({values}pixel);\nOpacity = color.a;\nreturn color.rgb;"

@@ -31,7 +31,7 @@ pub(super) struct HostText {
 }
 
 /// The host work; `None` where the look has no numbers. Names of `taken` are those of the look's
-/// own text.
+/// own text and Unreal's.
 ///
 /// # Errors
 /// Host work that is no HLSL.
@@ -50,7 +50,9 @@ pub(super) fn write(
         scan(&source).declarations.into_iter().map(|it| it.name).collect();
     let source = rename_identifiers(&source, |name| {
         let is_both = names.contains(name) && taken.contains(name);
+        let is_loud = name.chars().all(|c| c.is_ascii_uppercase() || c == '_');
         is_both.then(|| match name.chars().next() {
+            _ if is_loud => format!("HOST_{name}"),
             Some(first) if first.is_ascii_uppercase() => format!("Host{name}"),
             _ => format!("host_{name}"),
         })

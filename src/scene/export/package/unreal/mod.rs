@@ -12,13 +12,14 @@
 mod arguments;
 mod graph;
 mod host;
+mod images;
 mod pieces;
 mod shader;
 
 use super::super::ExportFile;
 use super::materials::class_name;
+use super::unity::plain;
 use super::unity::shader::draws_both_sides;
-use super::unity::{IMAGES_HELP, plain};
 use super::{Package, PackageRequest, refusal};
 use crate::diag::Diagnostic;
 
@@ -37,23 +38,25 @@ const README: &str = include_str!("README.md");
 
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
     refuse(request).map_err(|problem| vec![problem])?;
+    request.refuse_blocks("Unreal's importer")?;
     let one = |problem: Diagnostic| vec![problem];
     let (stem, class) = (request.stem, class_name(request.stem));
     let arguments = arguments::arguments(request, &class);
     let shader = shader::write(request, &class, &arguments).map_err(one)?;
     let material = graph::write(request, &class, &arguments, &shader);
-    let readme = readme(request, shader.cuts);
-    Ok(vec![
+    let readme = readme(request, &shader);
+    let mut files = vec![
         ExportFile::text(format!("{stem}.ush"), shader.text),
         ExportFile::text(format!("{stem}.material.txt"), material),
         ExportFile::text("README.md".to_owned(), readme),
-    ])
+    ];
+    files.extend(images::files(request, &shader.images));
+    Ok(files)
 }
 
 /// Refuses what the package cannot draw.
 fn refuse(request: &PackageRequest<'_>) -> Result<(), Diagnostic> {
     request.refuse_passes("the package unreal does not")?;
-    request.refuse_images("unreal", IMAGES_HELP)?;
     if !request.work.near.is_empty() {
         return Err(refusal(
             "keys of the look follow the distance of other objects, which a material does not know",
@@ -63,9 +66,9 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Diagnostic> {
     Ok(())
 }
 
-fn readme(request: &PackageRequest<'_>, cuts: bool) -> String {
+fn readme(request: &PackageRequest<'_>, shader: &shader::UnrealShader<'_>) -> String {
     let is_opaque = request.description.opaque;
-    let (blend, links) = match (cuts, is_opaque) {
+    let (blend, links) = match (shader.cuts, is_opaque) {
         (true, _) => ("*Masked*", "*return* into *Emissive Color*, *Opacity* into *Opacity Mask*"),
         (_, false) => (
             "*Translucent* (*Opaque* while colors are opaque)",
@@ -82,5 +85,6 @@ fn readme(request: &PackageRequest<'_>, cuts: bool) -> String {
         .replace("{{blend}}", blend)
         .replace("{{sides}}", sides)
         .replace("{{links}}", links)
+        .replace("{{images}}\n", &images::steps(&shader.images, request.look.color_space))
         .replace("{{table}}\n", &request.tables())
 }

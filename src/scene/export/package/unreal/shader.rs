@@ -5,23 +5,26 @@ use std::fmt::Write as _;
 
 use super::arguments::{Argument, ArgumentKind};
 use super::host::{self, FUNCTION, HostText};
+use super::images::{self, UnrealImage};
 use super::pieces::{HlslDeclaration, declarations, joined};
 use super::plain;
 use crate::diag::Diagnostic;
 use crate::document::ColorSpace;
 use crate::export::package::unity::leaves::{Leaf, leaves};
-use crate::export::package::unity::source::Source;
+use crate::export::package::unity::source::{EngineNames, Source};
 use crate::export::package::{PackageRequest, refusal};
 
 /// The text around the look's own.
 const TEMPLATE: &str = include_str!("look.ush");
 
 /// The shader and what it asks of the material.
-pub(super) struct UnrealShader {
+pub(super) struct UnrealShader<'a> {
     /// The file.
     pub(super) text: String,
     /// Members of `PixelInUnreal` that the look needs.
     pub(super) inputs: Vec<&'static PixelInput>,
+    /// Images that the look reads.
+    pub(super) images: Vec<UnrealImage<'a>>,
     /// True if the look cuts parts away.
     pub(super) cuts: bool,
 }
@@ -41,10 +44,12 @@ const fn input(name: &'static str, ty: &'static str, value: &'static str) -> Pix
 
 /// All members, in their order. Values are inputs of the Custom node, or what Unreal knows of the
 /// view.
-const INPUTS: [PixelInput; 14] = [
+const INPUTS: [PixelInput; 16] = [
     input("WorldPosition", "float3", "WorldPosition"),
     input("LocalPosition", "float3", "LocalPosition"),
     input("VertexNormal", "float3", "VertexNormal"),
+    input("Tangent", "float3", "Parameters.TangentToWorld[0]"),
+    input("Bitangent", "float3", "Parameters.TangentToWorld[1]"),
     input("TwoSidedSign", "float", "TwoSidedSign"),
     input("TexCoord", "float2", "TexCoord"),
     input("VertexColor", "float4", "float4(VertexColor, VertexAlpha)"),
@@ -60,6 +65,18 @@ const INPUTS: [PixelInput; 14] = [
 
 /// The time, which only keys and animated looks read.
 const TIME: PixelInput = input("Time", "float", "Time");
+
+/// Unreal's names: a texture that is an input of a Custom node has a sampler of that name.
+const UNREAL: EngineNames<'_> = EngineNames {
+    taken: &TAKEN,
+    image: |name| [format!("{}Image", capitals(name)), format!("{}ImageSampler", capitals(name))],
+};
+
+/// `ToneAir` of `tone_air`.
+pub(super) fn capitals(words: &str) -> String {
+    let words = words.split(|c: char| !c.is_ascii_alphanumeric()).filter(|it| !it.is_empty());
+    words.map(|word| word[..1].to_ascii_uppercase() + &word[1..]).collect()
+}
 
 /// Names of Unreal's that no namespace hides: constants and macros, and uniform blocks, whose
 /// members Unreal finds by the text alone.
@@ -81,16 +98,19 @@ const TAKEN: [&str; 10] = [
 /// # Errors
 /// - `not-in-package`: what a Custom node does not know.
 /// - `export-failed`: a form of HLSL that is not known.
-pub(super) fn write(
-    request: &PackageRequest<'_>,
+pub(super) fn write<'a>(
+    request: &PackageRequest<'a>,
     class: &str,
     arguments: &[Argument<'_>],
-) -> Result<UnrealShader, Diagnostic> {
-    let source = Source::of(request, &TAKEN)?;
+) -> Result<UnrealShader<'a>, Diagnostic> {
+    let source = Source::of(request, &UNREAL)?;
     let leaves = leaves(request, &source)?;
-    let look = look(&source);
-    refuse(&source, &look)?;
-    let taken: BTreeSet<String> = look.iter().map(|it| it.name.clone()).collect();
+    let mut look = look(&source);
+    let images = images::images(request, &source.images)?;
+    let readers = images::handed_on(&mut look, &images);
+    refuse(&look)?;
+    let of_look = look.iter().map(|it| it.name.clone());
+    let taken: BTreeSet<String> = of_look.chain(TAKEN.map(str::to_owned)).collect();
     let host = host::write(request, arguments, &leaves, &taken)?;
     // Functions that naga adds to both texts are there once.
     let of_host: Vec<HlslDeclaration> = host.as_ref().map_or_else(Vec::new, |host| {
@@ -104,7 +124,8 @@ pub(super) fn write(
     let mut body = Body::new(request, &source, &look, host.as_ref());
     body.surroundings();
     body.numbers(arguments, &leaves);
-    body.drawing();
+    let of_main = if readers.contains("fs_main") { images::arguments(&images) } else { vec![] };
+    body.drawing(&of_main);
     let inputs: Vec<&PixelInput> =
         INPUTS.iter().chain([&TIME]).filter(|it| body.reads(it.name)).collect();
     let members = inputs.iter().map(|it| format!("    {} {};\n", it.ty, it.name));
@@ -125,17 +146,18 @@ pub(super) fn write(
         .replace("{{host}}\n\n", &if host_text.is_empty() { host_text } else { host_text + "\n" })
         .replace("{{members}}\n", &members)
         .replace("{{curves}}\n\n", &curves(request, arguments))
-        .replace("{{arguments}}", &heads(arguments))
+        .replace("{{arguments}}", &heads(arguments, &images))
         .replace("{{body}}\n", &body.text);
-    Ok(UnrealShader { text, inputs, cuts: body.cuts })
+    Ok(UnrealShader { text, inputs, images, cuts: body.cuts })
 }
 
 /// The arguments of the function.
-fn heads(arguments: &[Argument<'_>]) -> String {
+fn heads(arguments: &[Argument<'_>], images: &[UnrealImage<'_>]) -> String {
     let mut text = String::new();
     let mut width = "float4 Draw(".len();
-    for argument in arguments {
-        let one = format!("{} {}, ", argument.kind.hlsl(), argument.input);
+    let arguments = arguments.iter().map(|it| format!("{} {}", it.kind.hlsl(), it.input));
+    for one in arguments.chain(images.iter().flat_map(UnrealImage::heads)) {
+        let one = format!("{one}, ");
         if width + one.len() > 96 {
             text = text.trim_end().to_owned() + "\n    ";
             width = 4;
@@ -194,15 +216,11 @@ fn without_member(text: &str, member: &str) -> String {
 }
 
 /// Refuses what a Custom node does not know of a pixel.
-fn refuse(source: &Source, look: &[HlslDeclaration]) -> Result<(), Diagnostic> {
+fn refuse(look: &[HlslDeclaration]) -> Result<(), Diagnostic> {
     let refusal = |what: &str| {
         let message = format!("the look reads {what}, which the package unreal does not carry yet");
         refusal(message, "export the look `--to hlsl` for a material of your own, or `--to web`")
     };
-    let varyings = located(source);
-    if varyings.iter().any(|(name, _)| name == "tangent") {
-        return Err(refusal("tangents of the mesh"));
-    }
     let object = look.iter().find_map(|it| {
         let (_, rest) = it.text.split_once("object.")?;
         Some(rest.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').next()?.to_owned())
@@ -390,14 +408,25 @@ impl<'a> Body<'a> {
     }
 
     /// The pixel and its color.
-    fn drawing(&mut self) {
+    fn drawing(&mut self, images: &[String]) {
         let ty = self.source.inputs.0.clone();
+        let passed = located(self.source);
+        if passed.iter().any(|(name, _)| name == "tangent") {
+            self.line(
+                "// Rows of images run down in Unreal, and the third axis of tangents with them.",
+            );
+            self.line("float3 normal = direction_in_look(pixel.VertexNormal);");
+            self.line("float3 tangent = direction_in_look(pixel.Tangent);");
+            self.line("float3 bitangent = -direction_in_look(pixel.Bitangent);");
+            self.line("float side = dot(cross(normal, tangent), bitangent) < 0.0 ? -1.0 : 1.0;");
+        }
         self.line(&format!("{ty} input;"));
-        for (name, member) in located(self.source) {
+        for (name, member) in passed {
             let value = match name.as_str() {
                 "position" => "place_in_look(pixel.WorldPosition)",
                 "position_object" => "place_in_look(pixel.LocalPosition)",
                 "normal" => "direction_in_look(pixel.VertexNormal)",
+                "tangent" => "float4(tangent, side)",
                 "uv" => "float2(pixel.TexCoord.x, 1.0 - pixel.TexCoord.y)",
                 "color" => "pixel.VertexColor",
                 "is_front" => "pixel.TwoSidedSign > 0.0",
@@ -406,7 +435,8 @@ impl<'a> Body<'a> {
             };
             self.line(&format!("input.{member} = {value};"));
         }
-        self.line("float4 color = fs_main(input);");
+        let images: String = images.iter().map(|image| format!(", {image}")).collect();
+        self.line(&format!("float4 color = fs_main(input{images});"));
         if self.cuts {
             self.line("color.a = is_cut ? 0.0 : color.a;");
         }
