@@ -77,6 +77,11 @@ namespace UnityEngine
         public static void DestroyImmediate(Object one) { }
     }
 
+    public static class Debug
+    {
+        public static void LogError(object message, Object context) { }
+    }
+
     public class Component : Object
     {
         public Transform transform;

@@ -32,9 +32,9 @@ pub(super) const LANGUAGE: Language = Language {
     texts: &[TextFile { ending: ".hlsl", content: "shader" }],
     verified_by: Some("glslangValidator and slangc"),
     clip_space: ClipSpace::WEBGPU,
-    note: "Direct3D's own compilers have not seen it. Attributes have the semantic LOC followed by \
-           their location. Matrices are declared row_major, each row holding a column of the \
-           uniform's bytes.",
+    note: "HLSL 2018: dxc takes it with -HV 2018. Direct3D's own compilers have not seen it. \
+           Attributes have the semantic LOC followed by their location. Matrices are declared \
+           row_major, each row holding a column of the uniform's bytes.",
     write,
 };
 

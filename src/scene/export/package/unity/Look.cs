@@ -43,14 +43,26 @@ namespace Chiaro
             {
                 Reset();
             }
+            if (shader == null)
+            {
+                Debug.LogError("The build has no shader \"Chiaro/{{title}}\": put the component "
+                    + "on an object of a scene, or the shader among Always Included Shaders in "
+                    + "Project Settings, Graphics.", this);
+                return;
+            }
             wearer = GetComponent<Renderer>();
             material = new Material(shader)
             {
                 name = "{{title}}",
                 hideFlags = HideFlags.DontSave,
             };
-            wornBefore = wearer.sharedMaterials;
-            var worn = new Material[Math.Max(wornBefore.Length, 1)];
+            var found = wearer.sharedMaterials;
+            // A scene that was saved while the look is worn has no materials there.
+            if (wornBefore == null || Array.Exists(found, one => one != null))
+            {
+                wornBefore = found;
+            }
+            var worn = new Material[Math.Max(found.Length, 1)];
             for (int part = 0; part < worn.Length; part++)
             {
                 worn[part] = material;
@@ -61,6 +73,10 @@ namespace Chiaro
 
         void OnDisable()
         {
+            if (material == null)
+            {
+                return;
+            }
             RenderPipelineManager.beginCameraRendering -= BeforeCamera;
             wearer.sharedMaterials = wornBefore;
             if (Application.isPlaying)
