@@ -21,20 +21,26 @@ mod figure1_layers_scene;
 #[path = "crates/figure5-directional/examples/show/scene.rs"]
 mod figure5_directional_scene;
 #[allow(dead_code, unreachable_pub, reason = "the text is that of an example")]
+#[path = "crates/long-shadows/examples/show/scene.rs"]
+mod long_shadows_scene;
+#[allow(dead_code, unreachable_pub, reason = "the text is that of an example")]
 #[path = "crates/xtoon-orientation/examples/show/scene.rs"]
 mod xtoon_orientation_scene;
 
 /// Looks whose crates are kept, with arguments of the export: all values as uniforms, with passes;
-/// keys; an image.
-const KEPT: [(&str, &[&str]); 3] = [
+/// keys; an image; shadow maps.
+const KEPT: [(&str, &[&str]); 4] = [
     ("looks/figure1-layers", &["--live"]),
     ("looks/figure5-directional", &[]),
     ("images/xtoon-orientation", &[]),
+    ("shadows/long-shadows", &[]),
 ];
 
 /// A trial of a look on the ring.
 fn trial(example: &str, ring: &'static str) -> Trial {
-    Trial::of(example).with(Vec::leak(vec!["--mesh", ring])).here()
+    let trial = Trial::of(example).with(Vec::leak(vec!["--mesh", ring])).here();
+    // No package traces shadows.
+    if example.starts_with("shadows") { trial.in_tier("balanced") } else { trial }
 }
 
 /// The ring as a file that stays while the tests run.
@@ -204,6 +210,12 @@ fn figure1(gpu: &Gpu, set: fn(&mut figure1_layers::Material)) -> RgbaImage {
     picture!(gpu, figure1_layers, figure1_layers_scene, new, set)
 }
 
+/// The picture of `long-shadows`.
+fn long_shadows(gpu: &Gpu) -> RgbaImage {
+    let new = |gpu: &Gpu, output| long_shadows::Material::new(&gpu.device, output);
+    picture!(gpu, long_shadows, long_shadows_scene, new, |_| ())
+}
+
 /// The picture of `xtoon-orientation`.
 fn xtoon(gpu: &Gpu) -> RgbaImage {
     let new = |gpu: &Gpu, output| xtoon_orientation::Material::new(&gpu.device, &gpu.queue, output);
@@ -217,6 +229,7 @@ fn crates_draw_what_we_draw() {
         ("looks/figure1-layers", figure1(&gpu, |_| ())),
         ("looks/figure5-directional", figure5(&gpu, |_| ())),
         ("images/xtoon-orientation", xtoon(&gpu)),
+        ("shadows/long-shadows", long_shadows(&gpu)),
     ];
     let mut measured = BTreeMap::new();
     for (example, picture) in drawn {

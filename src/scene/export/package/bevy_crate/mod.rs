@@ -14,13 +14,14 @@ use super::super::ExportFile;
 use super::super::program::LightSetting;
 use super::materials::class_name;
 use super::rust::{
-    HostModule, Lights, MATH, Parameters, Template, Values, crate_name, image_files, plain,
-    structure, wide,
+    HostModule, LOOK, Lights, MATH, Parameters, PassTable, SHADOW_MAPS, Template, UNIFORMS, Values,
+    crate_name, image_files, plain, structure, wide,
 };
-use super::{Package, PackageRequest, javascript, refusal};
+use super::{Package, PackageRequest, is_in_blocks, javascript, refusal};
 use crate::diag::Diagnostic;
 use crate::document::{ColorSpace, LightKind, LightSpace};
 use crate::export::description::DrawnSides;
+use shader::PassMap;
 
 /// The package.
 pub(super) const PACKAGE: Package = Package {
@@ -38,13 +39,12 @@ const VERSION: &str = "0.19";
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
     let described = json!(request.description);
     let module = draw_module(&described);
-    refuse(request, &module)?;
+    refuse(request)?;
     let one = |problem: Diagnostic| vec![problem];
     let host = HostModule::of(request).map_err(one)?;
     let shader = shader::write(request, &module).ok_or_else(|| {
-        let message = "the look's shader reads numbers of the object for each fragment, which the \
-                       crate cannot give";
-        one(refusal(message, "take what tells objects apart out of it, or export it `--to wgpu`"))
+        let message = "the look's shader has a form that the crate does not know";
+        one(refusal(message, "export it `--to wgpu`"))
     })?;
     let (parameters, lights) = (Parameters::of(request), Lights::of(request));
     let mut template = Template::default();
@@ -56,7 +56,7 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     let mut names = [format!("{class}Plugin"), "Drives".to_owned(), "LightName".to_owned()];
     names.sort();
     template.place("plugin_names", names.join(", "));
-    template.place("class", class);
+    template.place("class", &class);
     template.place("version", env!("CARGO_PKG_VERSION"));
     template.place("library", VERSION);
     let values = Values { host: &host, parameters: &parameters, lights: &lights };
@@ -68,6 +68,8 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     fill_numbers(&mut template, request, &parameters, &lights, &module);
     fill_images(&mut template, request);
     fill_examples(&mut template, &parameters, &lights);
+    fill_passes(&mut template, request, &module);
+    fill_words(&mut template, &class);
 
     let mut files = vec![
         template.file("Cargo.toml", include_str!("template/Cargo.toml.in")),
@@ -79,13 +81,33 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
         template.file("examples/show.rs", include_str!("template/show.rs.in")),
         ExportFile::text("src/shaders/draw.wgsl".to_owned(), shader),
     ];
-    if let Some(host) = &host {
-        files.push(host.file("src/host.rs"));
+    files.extend(host.iter().map(|host| host.file("src/host.rs")));
+    if template.has("math") {
         files.push(template.file("src/math.rs", MATH));
+    }
+    if template.has("passes") {
+        files.push(template.file("src/frame.rs", include_str!("template/frame.rs.in")));
+        files.push(template.file("src/look.rs", LOOK));
+        files.push(template.file("src/passes.rs", include_str!("template/passes.rs.in")));
+        files.push(template.file("src/uniforms.rs", UNIFORMS));
+        files.extend(pass_shaders(request));
+    }
+    if template.has("shadows") {
+        files.push(template.file("src/shadow_maps.rs", SHADOW_MAPS));
     }
     files.extend(values.files(&template));
     files.extend(image_files(request));
     Ok(files)
+}
+
+/// Shaders of passes. Bevy's texture coordinates have v down.
+fn pass_shaders(request: &PackageRequest<'_>) -> impl Iterator<Item = ExportFile> {
+    let modules = request.description.modules.iter().filter(|module| module.name != "draw");
+    modules.map(|module| {
+        let text = javascript::source(request.sources, "wgsl", module.name, ".wgsl");
+        let text = text.replace("vertex.uv", "vec2f(vertex.uv.x, 1.0 - vertex.uv.y)");
+        ExportFile::text(format!("src/shaders/{}.wgsl", module.name), text)
+    })
 }
 
 /// The module that draws the picture, with its bindings.
@@ -97,31 +119,111 @@ fn draw_module(described: &Value) -> Value {
 }
 
 /// Refuses what the crate cannot draw.
-fn refuse(request: &PackageRequest<'_>, module: &Value) -> Result<(), Vec<Diagnostic>> {
-    let description = request.description;
-    let passes: Vec<&str> =
-        description.passes.iter().map(|it| it.name).filter(|name| *name != "draw").collect();
-    let mut attributes = module["attributes"].as_array().into_iter().flatten();
-    let is_readable = |file: &str| file.to_lowercase().ends_with(".png");
-    let found = if !passes.is_empty() {
-        let message = format!(
-            "the look draws passes before the picture ({}), which the crate cannot",
-            passes.join(", ")
-        );
-        refusal(message, "take curvature, lines and shadows out of it, or export it `--to wgpu`")
-    } else if attributes.any(|attribute| attribute["name"] == "tangent") {
-        let message = "the look reads tangents, which Bevy counts the other way";
-        refusal(message, "export it `--to wgpu` or `--to web`")
-    } else if !request.work.near.is_empty() {
+fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
+    let is_readable = |file: &str| {
+        let file = file.to_lowercase();
+        file.ends_with(".png") || file.ends_with(".ktx2")
+    };
+    let mut images = request.description.images.iter();
+    let found = if !request.work.near.is_empty() {
         let message = "keys of the look are driven by distances of other objects";
         refusal(message, "drive them by something else, or export it `--to wgpu`")
-    } else if description.images.iter().any(|it| !it.file.as_deref().is_some_and(is_readable)) {
+    } else if images.any(|it| !it.file.as_deref().is_some_and(is_readable)) {
         let message = "the crate reads images as PNG alone, and one of the look's is none";
         refusal(message, "save the image as PNG, or export it `--to wgpu`")
     } else {
         return Ok(());
     };
     Err(vec![found])
+}
+
+/// Passes before the picture, and what the material reads of them.
+fn fill_passes(template: &mut Template, request: &PackageRequest<'_>, module: &Value) {
+    let passes = &request.description.passes;
+    let modules: Vec<&str> = passes.iter().map(|it| it.module).filter(|it| *it != "draw").collect();
+    if modules.is_empty() {
+        return;
+    }
+    template.section("bevy", true);
+    template.section("places", true);
+    let is_numbered = request.work.modules.iter().any(|it| modules.contains(&it.module));
+    PassTable::of(request, |pass| pass.module != "draw").fill(template, request, is_numbered);
+    template.section("measures", template.has("shadows"));
+    let has_shadows = template.has("shadows");
+    let is_array = if has_shadows { ", pass.draws == Draws::Lights" } else { "" };
+    template.place("is_array_argument", is_array);
+    let names = if has_shadows { "{self, Place, Uniforms}" } else { "{Place, Uniforms}" };
+    template.place("uniform_names", names);
+    let has_numbers = template.has("numbers");
+    template.place("msaa_type", if has_numbers { ", &Msaa" } else { "" });
+    template.place("msaa_name", if has_numbers { ", msaa" } else { "" });
+    let has_look = template.has("look");
+    let names =
+        if has_look { "mesh, handle, transform, bounds" } else { "mesh, handle, transform" };
+    template.place("seen_names", names);
+    let numbers = if has_look { ", and computes the numbers of materials" } else { "" };
+    template.place("and_numbers", numbers);
+
+    let maps = shader::pass_maps(request, module);
+    let mut members = Vec::new();
+    for map in &maps {
+        let [pass, _] = map.source;
+        let array = if map.is_array { ", dimension = \"2d_array\"" } else { "" };
+        members.push(format!("    /// What the pass `{}` has drawn.", passes[pass].name));
+        members.push(format!(
+            "    #[texture({}, sample_type = \"float\", filterable = false{array})]",
+            map.binding
+        ));
+        members.push(format!("    pub(crate) {}: Option<Handle<Image>>,", map.name));
+    }
+    template.lines("maps", members);
+    let none = maps.iter().map(|map| format!("            {}: None,", map.name));
+    template.lines("map_defaults", none.collect());
+    template.place("map_count", maps.len().to_string());
+    let list = |start: &str, item: &dyn Fn(&PassMap) -> String, end: &str, indent: usize| {
+        let items: Vec<String> = maps.iter().map(item).collect();
+        let margin = " ".repeat(indent);
+        let lines = wide(start, &items.join(", "), end, indent + 4).unwrap_or_else(|| {
+            let items = items.iter().map(|item| format!("    {item},"));
+            std::iter::once(start.to_owned()).chain(items).chain([end.to_owned()]).collect()
+        });
+        lines.into_iter().map(|line| margin.clone() + &line).collect::<Vec<_>>()
+    };
+    let image = |map: &PassMap| format!("frame.image({}, {})", map.source[0], map.source[1]);
+    template.lines("map_list", list("let maps = [", &image, "];", 4));
+    let own = |map: &PassMap| format!("&self.{}", map.name);
+    template.lines("map_references", list("[", &own, "]", 0));
+    let own = |map: &PassMap| format!("self.{}", map.name);
+    template.lines("map_assignment", list("[", &own, "] = maps;", 0));
+}
+
+/// What several files say of the material.
+fn fill_words(template: &mut Template, class: &str) {
+    let material = format!("{class}Material");
+    let braces = |mut names: Vec<String>| {
+        names.sort();
+        if names.len() == 1 { names.concat() } else { format!("{{{}}}", names.join(", ")) }
+    };
+    let (has_look, has_passes) = (template.has("look"), template.has("passes"));
+    let numbers = |is_there: bool| is_there.then(|| "LookNumbers".to_owned());
+    let own = std::iter::once(material.clone());
+    template
+        .place("plugin_material", braces(own.chain(numbers(has_look && !has_passes)).collect()));
+    let own = [material, "MaterialKey".to_owned()].into_iter();
+    template.place("material_names", braces(own.chain(numbers(has_look)).collect()));
+    template.place("key_visibility", if has_passes { "pub(crate) " } else { "" });
+    let is_keyed = template.has("keyed");
+    template.place("settings_visibility", if is_keyed { "" } else { "pub(crate) " });
+    let call = if is_keyed { "material.settings_in(around)" } else { "material.settings()" };
+    template.place("settings_call", call);
+    let what = ", and computes its numbers";
+    let more = ", computes its numbers, and draws its passes";
+    template.place("and_what", if has_passes { more } else { what });
+    let has_shadows = template.has("shadows");
+    let shadows = if has_shadows { "shadows of Bevy's lights" } else { "shadows" };
+    template.place("not_here", format!("{shadows}, skins and morphs"));
+    template.section("math", has_look || has_passes);
+    template.section("look_or_wgpu", has_look);
 }
 
 fn fill_material(
@@ -156,6 +258,8 @@ fn fill_material(
         format!("            Mesh::ATTRIBUTE_{name}.at_shader_location({location}),")
     });
     template.lines("attributes", attributes.collect());
+    let mut attributes = module["attributes"].as_array().into_iter().flatten();
+    template.section("tangents", attributes.any(|attribute| attribute["name"] == "tangent"));
 }
 
 fn fill_lights(template: &mut Template, request: &PackageRequest<'_>, lights: &Lights<'_>) {
@@ -234,7 +338,12 @@ fn fill_numbers(
 fn fill_images(template: &mut Template, request: &PackageRequest<'_>) {
     let images = &request.description.images;
     template.section("images", !images.is_empty());
-    template.place("image_features", if images.is_empty() { "" } else { ", \"png\"" });
+    let is_layered = |file: &str| file.ends_with(".ktx2");
+    let mut names = images.iter().filter_map(|image| image.file.as_deref());
+    template.section("layered", names.clone().any(is_layered));
+    template.section("flat", names.any(|file| !is_layered(file)));
+    template.section("blocks", request.textures.iter().any(is_in_blocks));
+    template.place("image_features", if template.has("flat") { ", \"png\"" } else { "" });
     template.place("derive_default", if images.is_empty() { ", Default" } else { "" });
     let class = class_name(request.stem);
     let construct = if images.is_empty() { "default()" } else { "new(&assets)" };
@@ -246,7 +355,8 @@ fn fill_images(template: &mut Template, request: &PackageRequest<'_>) {
         let Some(file) = &image.file else { continue };
         let (texture, sampler) = shader::places(index);
         members.push(format!("    /// The image `{}`.", plain(&image.path)));
-        members.push(format!("    #[texture({texture})]"));
+        let array = if is_layered(file) { ", dimension = \"2d_array\"" } else { "" };
+        members.push(format!("    #[texture({texture}{array})]"));
         members.push(format!("    #[sampler({sampler})]"));
         members.push(format!("    pub image_{}: Handle<Image>,", index + 1));
         let wrap = match image.wrap.as_str() {
@@ -256,17 +366,22 @@ fn fill_images(template: &mut Template, request: &PackageRequest<'_>) {
         };
         let filter = if image.filter == "nearest" { "Nearest" } else { "Linear" };
         let is_srgb = is_linear && image.encoding == "color";
-        handles.push(format!("            image_{}: image(", index + 1));
+        let load = if is_layered(file) { "layers" } else { "image" };
+        handles.push(format!("            image_{}: {load}(", index + 1));
         handles.push("                assets,".to_owned());
-        handles.push(format!(
-            "                \"embedded://{}_bevy_0_19/images/{file}\",",
-            crate_name(request.stem).replace('-', "_")
-        ));
-        handles.push(format!("                {is_srgb},"));
+        if is_layered(file) {
+            handles.push(format!("                include_bytes!(\"images/{file}\"),"));
+        } else {
+            handles.push(format!(
+                "                \"embedded://{}_bevy_0_19/images/{file}\",",
+                crate_name(request.stem).replace('-', "_")
+            ));
+            handles.push(format!("                {is_srgb},"));
+            files.insert(file.clone());
+        }
         handles.push(format!("                ImageAddressMode::{wrap},"));
         handles.push(format!("                ImageFilterMode::{filter},"));
         handles.push("            ),".to_owned());
-        files.insert(file.clone());
     }
     template.lines("images", members);
     template.lines("image_handles", handles);

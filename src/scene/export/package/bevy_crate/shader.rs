@@ -63,11 +63,45 @@ pub(super) fn places(image: usize) -> (usize, usize) {
     (1 + 2 * image, 2 + 2 * image)
 }
 
-/// The shader; `None` where fragments read the object, which Bevy's do not know.
+/// A texture that an earlier pass draws.
+pub(super) struct PassMap {
+    /// Name of the texture in the shader.
+    pub(super) name: String,
+    /// Binding in the material's group.
+    pub(super) binding: usize,
+    /// Indices of the pass and of its output.
+    pub(super) source: [usize; 2],
+    /// True for an array of layers.
+    pub(super) is_array: bool,
+}
+
+/// The textures of earlier passes that the module reads.
+pub(super) fn pass_maps(request: &PackageRequest<'_>, module: &Value) -> Vec<PassMap> {
+    let passes = &request.description.passes;
+    let bindings = module["bindings"].as_array().into_iter().flatten();
+    let read = bindings.filter(|binding| binding["feed"]["from"] == "pass");
+    let first = places(request.description.images.len()).0;
+    let map = |(index, binding): (usize, &Value)| {
+        let feed = &binding["feed"];
+        let pass = passes.iter().position(|it| feed["pass"] == it.name).unwrap_or_default();
+        let outputs = passes.get(pass).map(|it| it.outputs.as_slice()).unwrap_or_default();
+        let output = outputs.iter().position(|it| feed["output"] == it.name);
+        PassMap {
+            name: binding["name"].as_str().unwrap_or_default().to_owned(),
+            binding: first + index,
+            source: [pass, output.unwrap_or_default()],
+            is_array: binding["type"].as_str().is_some_and(|it| it.contains("array")),
+        }
+    };
+    read.enumerate().map(map).collect()
+}
+
+/// The shader; `None` for a source that has not the form that the compiler gives it.
 pub(super) fn write(request: &PackageRequest<'_>, module: &Value) -> Option<String> {
     let source = javascript::source(request.sources, "wgsl", "draw", ".wgsl");
     // The header's lines are about the WGSL of other packages.
     let (_, source) = source.split_once("\n\n")?;
+    let maps = pass_maps(request, module);
     let mut text = header::comment(&[
         format!("{}: made by Chiaro {}, WGSL for Bevy.", request.title, env!("CARGO_PKG_VERSION")),
         "Camera and object are Bevy's; the look's own bindings lie in the material's group."
@@ -79,7 +113,12 @@ pub(super) fn write(request: &PackageRequest<'_>, module: &Value) -> Option<Stri
         let old = format!("@group(0) @binding({}) ", binding["wgsl"]["binding"]);
         let image = binding["feed"]["image"].as_u64().unwrap_or_default() as usize;
         let group = "@group(#{MATERIAL_BIND_GROUP})";
+        let name = binding["name"].as_str().unwrap_or_default();
         let new = match binding["feed"]["from"].as_str()? {
+            "pass" => {
+                let map = maps.iter().find(|map| map.name == name)?;
+                format!("{group} @binding({}) ", map.binding)
+            }
             "view" | "object" => String::new(),
             "look" => format!("{group} @binding(0) "),
             "image" => format!("{group} @binding({}) ", places(image).0),
@@ -103,9 +142,13 @@ pub(super) fn write(request: &PackageRequest<'_>, module: &Value) -> Option<Stri
         .replace("MATERIAL", if has_material { ", 0.0" } else { "" });
     let (before, after) = text.split_once("\n@vertex\n")?;
     let (vertex, fragment) = after.split_once("\n@fragment\n")?;
-    // Only the vertex shader knows the object.
-    if fragment.contains("object.") || before.contains("object.") {
-        return None;
+    let is_code = |line: &&str| !line.trim_start().starts_with("//");
+    let reads_object = before.lines().chain(fragment.lines()).filter(is_code);
+    let reads_object = reads_object.into_iter().any(|line| line.contains("object."));
+    let mut before = before.to_owned();
+    let mut vertex = vertex.to_owned();
+    if reads_object {
+        (before, vertex) = with_instance(&before, &vertex)?;
     }
     let before = before.replacen(
         "struct Vertex {\n",
@@ -132,8 +175,18 @@ pub(super) fn write(request: &PackageRequest<'_>, module: &Value) -> Option<Stri
         plain.iter().map(|it| it.split(':').next().unwrap_or_default()).collect();
     let is_linear = request.description.color_space == ColorSpace::Linear;
     let entry = if is_linear { LINEAR } else { DISPLAY };
-    let entry = entry.replace("PARAMETERS", parameters).replace("ARGUMENTS", &arguments.join(", "));
-    let mut whole = before.to_owned();
+    let mut entry =
+        entry.replace("PARAMETERS", parameters).replace("ARGUMENTS", &arguments.join(", "));
+    if reads_object {
+        let surface = arguments.first()?;
+        let object = format!("\n    object = object_of_mesh({surface}.instance);");
+        entry = entry.replacen(
+            "view = view_of_camera();",
+            &format!("view = view_of_camera();{object}"),
+            1,
+        );
+    }
+    let mut whole = before;
     let _infallible = write!(
         whole,
         "{entries}\n@vertex\n{vertex}\n/// The look's color: straight RGBA.\n\
@@ -142,4 +195,17 @@ pub(super) fn write(request: &PackageRequest<'_>, module: &Value) -> Option<Stri
         body.trim_end()
     );
     Some(whole)
+}
+
+/// The declarations and the vertex shader with the mesh's instance among what fragments are given.
+fn with_instance(before: &str, vertex: &str) -> Option<(String, String)> {
+    let (start, varyings) = before.split_once("struct Varyings {\n")?;
+    let (members, rest) = varyings.split_once("\n}")?;
+    let location = members.matches("@location(").count();
+    let before = format!(
+        "{start}struct Varyings {{\n{members}\n    @location({location}) @interpolate(flat) \
+         instance: u32,\n}}{rest}"
+    );
+    let (body, end) = vertex.rsplit_once(");\n}")?;
+    Some((before, format!("{body}, vertex.instance);\n}}{end}")))
 }

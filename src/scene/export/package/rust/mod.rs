@@ -1,11 +1,15 @@
 //! Parts that packages in Rust share: templates, names, and the look's parameters, lights and host
 //! work as modules of a crate.
 
+mod passes;
+mod shadow_maps;
 mod template;
 mod values;
 
 use super::super::ExportFile;
 use super::PackageRequest;
+pub(super) use passes::{LOOK, PassTable, UNIFORMS};
+pub(super) use shadow_maps::{SHADOW_MAPS, fill_shadow_maps};
 pub(super) use template::Template;
 pub(super) use values::{HostModule, Lights, Parameters, float};
 
@@ -79,7 +83,9 @@ pub(super) fn member(name: &str) -> String {
 
 /// A crate's name from the name of files: small letters, digits and hyphens.
 pub(super) fn crate_name(stem: &str) -> String {
-    let kept = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
+    let kept = |c: char| {
+        if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' }
+    };
     let text: String = stem.chars().map(kept).collect();
     let words: Vec<&str> = text.split('-').filter(|word| !word.is_empty()).collect();
     let name = words.join("-");

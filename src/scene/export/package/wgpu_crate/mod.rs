@@ -11,8 +11,8 @@ mod tables;
 
 use super::super::ExportFile;
 use super::rust::{
-    HostModule, Lights, MATH, Parameters, Template, Values, crate_name, image_files, plain,
-    structure,
+    HostModule, LOOK, Lights, MATH, Parameters, SHADOW_MAPS, Template, UNIFORMS, Values,
+    crate_name, image_files, plain, structure,
 };
 use super::{Package, PackageRequest, javascript, refusal};
 use crate::diag::Diagnostic;
@@ -47,11 +47,16 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     template.place("version", env!("CARGO_PKG_VERSION"));
     template.place("library", VERSION);
     template.section("wgpu", true);
+    template.section("measures", true);
+    template.section("places", true);
+    template.section("look_or_wgpu", true);
+    template.place("none_for_picture", "; none for the picture");
+    template.place("last_draws", "; the last one draws the picture");
     template.section("linear", request.description.color_space == ColorSpace::Linear);
     let values = Values { host: &host, parameters: &parameters, lights: &lights };
     values.choose_sections(&mut template, request);
-    fill_settings(&mut template, request, &parameters, &lights);
     tables.fill(&mut template, request, &parameters);
+    fill_settings(&mut template, request, &parameters, &lights);
     fill_examples(&mut template, &parameters, &lights);
 
     let mut files = vec![
@@ -60,17 +65,20 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
         template.file("README.md", include_str!("template/README.md.in")),
         template.file("src/lib.rs", include_str!("template/lib.rs.in")),
         template.file("src/error.rs", include_str!("template/error.rs.in")),
-        template.file("src/look.rs", include_str!("template/look.rs.in")),
+        template.file("src/look.rs", LOOK),
         template.file("src/material.rs", include_str!("template/material.rs.in")),
         template.file("src/math.rs", MATH),
         template.file("src/scene.rs", include_str!("template/scene.rs.in")),
-        template.file("src/uniforms.rs", include_str!("template/uniforms.rs.in")),
+        template.file("src/uniforms.rs", UNIFORMS),
         template.file("examples/show/main.rs", include_str!("template/main.rs.in")),
     ];
     files.extend(host.iter().map(|host| host.file("src/host.rs")));
     files.extend(values.files(&template));
     if template.has("images") {
         files.push(template.file("src/images.rs", include_str!("template/images.rs.in")));
+    }
+    if template.has("shadows") {
+        files.push(template.file("src/shadow_maps.rs", SHADOW_MAPS));
     }
     if template.has("passes") {
         files.push(template.file("src/targets.rs", include_str!("template/targets.rs.in")));
@@ -87,14 +95,7 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
 /// Refuses what the crate cannot draw.
 fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
     let refused = |message: String, help: &str| Err(vec![refusal(message, help)]);
-    let description = request.description;
-    if let Some(pass) = description.passes.iter().find(|pass| pass.draws == "lights") {
-        return refused(
-            format!("the look draws shadow maps (pass `{}`), which the crate cannot", pass.name),
-            "take *Cast shadow* out of the look, or export it `--to web`",
-        );
-    }
-    for image in &description.images {
+    for image in &request.description.images {
         let Some(file) = &image.file else {
             return refused(
                 format!("the image `{}` cannot be read, and a crate is built with it", image.path),
@@ -129,11 +130,27 @@ fn fill_settings(
         members.push(format!("    /// Distance from the object's middle to that of `{id}`, which"));
         members.push("    /// drives keys, in scene units.".to_owned());
         members.push(format!("    pub {member}: f64,"));
-        defaults.push(format!("            {member}: 1e6,"));
+        defaults.push(format!("{member}: 1e6"));
         around.push(format!("            {member}: self.{member},"));
     }
     template.lines("near", members);
-    template.lines("near_default", defaults);
+    let mut fields = vec![
+        ("parameters", "parameters: Parameters::default()"),
+        ("lights", "lights: Lights::default()"),
+        ("illumination", "illumination: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]"),
+        ("time", "time: 0.0"),
+    ];
+    fields.extend(defaults.iter().map(|field| ("wgpu", field.as_str())));
+    fields.extend([
+        ("wgpu", "output"),
+        ("wgpu", "pipelines"),
+        ("images", "images: images::upload(device, queue)?"),
+        ("targets", "targets: None"),
+        ("shadows", "shadows: None"),
+    ]);
+    let kept = fields.into_iter().filter(|(section, _)| template.has(section));
+    let fields: Vec<String> = kept.map(|(_, field)| field.to_owned()).collect();
+    template.lines("material", structure("Ok(Self", &fields, ")", 8));
     template.lines("near_surroundings", around);
 }
 
