@@ -103,7 +103,10 @@ impl Writer<'_> {
         let own = match (&term.origin, own.is_empty()) {
             (_, false) => word(own),
             (Origin::Component(place), _) => {
-                let source = &self.names[term.sources[0].0];
+                let source = match &self.terms.term(term.sources[0]).origin {
+                    Origin::Input(place) => self.inputs[*place].name,
+                    _ => self.names[term.sources[0].0].as_str(),
+                };
                 return format!("{source}_{}", ["x", "y", "z", "w"][*place]);
             }
             (Origin::Node(kind), _) => match *kind {
