@@ -130,6 +130,8 @@ impl Material {
              ResolvedView.ViewUp = turned(UNITY_MATRIX_V[1].xyz);\n\
              ResolvedView.ViewForward = -turned(UNITY_MATRIX_V[2].xyz);\n\
              ResolvedView.ViewToClip = (float4x4)0;\n\
+             ResolvedView.ViewToClip[0][0] = unity_CameraProjection[0][0];\n\
+             ResolvedView.ViewToClip[1][1] = unity_CameraProjection[1][1];\n\
              ResolvedView.ViewRectMin = float4(7.0, 9.0, 0.0, 0.0);\n\
              ResolvedView.ViewSizeAndInvSize = float4(_ScreenParams.xy, 1.0 / _ScreenParams.xy);\n\
              FMaterialPixelParameters Parameters;\n\

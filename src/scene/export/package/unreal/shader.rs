@@ -44,7 +44,7 @@ const fn input(name: &'static str, ty: &'static str, value: &'static str) -> Pix
 
 /// All members, in their order. Values are inputs of the Custom node, or what Unreal knows of the
 /// view.
-const INPUTS: [PixelInput; 16] = [
+const INPUTS: [PixelInput; 17] = [
     input("WorldPosition", "float3", "WorldPosition"),
     input("LocalPosition", "float3", "LocalPosition"),
     input("VertexNormal", "float3", "VertexNormal"),
@@ -58,6 +58,11 @@ const INPUTS: [PixelInput; 16] = [
     input("ViewUp", "float3", "ResolvedView.ViewUp"),
     input("ViewForward", "float3", "ResolvedView.ViewForward"),
     input("IsParallel", "bool", "ResolvedView.ViewToClip[3][3] >= 1.0"),
+    input(
+        "ClipScale",
+        "float2",
+        "float2(ResolvedView.ViewToClip[0][0], ResolvedView.ViewToClip[1][1])",
+    ),
     input("Position", "float2", "Parameters.SvPosition.xy - ResolvedView.ViewRectMin.xy"),
     input("ViewSize", "float2", "ResolvedView.ViewSizeAndInvSize.xy"),
     input("ObjectPosition", "float3", "ObjectPosition"),
@@ -278,6 +283,7 @@ struct Body<'a> {
     host: Option<&'a HostText>,
     /// True if the look reads a member of the view.
     reads_axes: bool,
+    reads_clip: bool,
     reads_screen: bool,
     reads_eye: bool,
     cuts: bool,
@@ -297,6 +303,7 @@ impl<'a> Body<'a> {
             source,
             host,
             reads_axes: is_read("view.camera_from_world"),
+            reads_clip: is_read("view.clip_from_world"),
             reads_screen: is_read("view.screen"),
             reads_eye: is_read("view.eye"),
             cuts: is_read("is_cut = true;"),
@@ -327,9 +334,10 @@ impl<'a> Body<'a> {
 
     /// Surroundings of the pixel, for the look and its host work.
     fn surroundings(&mut self) {
-        let needs_axes = self.reads_axes || self.host_reads("camera_from_world");
+        let needs_axes = self.reads_axes || self.reads_clip || self.host_reads("camera_from_world");
         let needs_toward = self.reads_eye || self.host_reads("parallel") || needs_axes;
-        let needs_eye = self.reads_eye || self.reads_axes || self.host_reads("eye");
+        let needs_eye =
+            self.reads_eye || self.reads_axes || self.reads_clip || self.host_reads("eye");
         if needs_toward {
             self.line("float3 toward_viewer = -direction_in_look(pixel.ViewForward);");
         }
@@ -355,6 +363,26 @@ impl<'a> Body<'a> {
             self.line("view.camera_from_world = float4x4(");
             self.line("    float4(camera._11_21_31, 0.0), float4(camera._12_22_32, 0.0),");
             self.line("    float4(camera._13_23_33, 0.0), float4(-mul(camera, eye), 1.0));");
+        }
+        if self.reads_clip {
+            self.line("// Clip space without its depth; a parallel view counts in centimeters.");
+            self.line(
+                "float2 scale = pixel.IsParallel ? 100.0 * pixel.ClipScale : pixel.ClipScale;",
+            );
+            self.line("float3x4 clip = float3x4(");
+            self.line("    scale.x * float4(camera[0], -dot(camera[0], eye)),");
+            self.line("    scale.y * float4(camera[1], -dot(camera[1], eye)),");
+            self.line(
+                "    pixel.IsParallel ? float4(0.0, 0.0, 0.0, 1.0) : \
+                 float4(-toward_viewer, dot(toward_viewer, eye)));",
+            );
+            self.line("view.clip_from_world = float4x4(");
+            self.line(
+                "    float4(clip._11_21, 0.0, clip._31), float4(clip._12_22, 0.0, clip._32),",
+            );
+            self.line(
+                "    float4(clip._13_23, 0.0, clip._33), float4(clip._14_24, 0.0, clip._34));",
+            );
         }
         if self.reads_screen {
             self.line("view.screen = float4(1.0, 1.0, 0.0, 0.0);");
