@@ -238,16 +238,15 @@ fn fill_material(
     let index = pass.and_then(|pass| pass.sides_parameter);
     let cuts = index.and_then(|index| parameters.member_of(request, index));
     let is_cut = pass.is_some_and(|pass| pass.sides == Some(DrawnSides::Both));
-    template.place(
-        "shows_backs",
-        match cuts {
-            Some(member) => {
-                format!("material.is_two_sided || material.parameters.{member} > 0.0")
-            }
-            None if is_cut => "true".to_owned(),
-            None => "material.is_two_sided".to_owned(),
-        },
-    );
+    let shows_backs = match cuts {
+        Some(member) => {
+            format!("material.is_two_sided || material.parameters.{member} > 0.0")
+        }
+        None if is_cut => "true".to_owned(),
+        None => "material.is_two_sided".to_owned(),
+    };
+    template.place("key_of", if shows_backs == "true" { "_material" } else { "material" });
+    template.place("shows_backs", shows_backs);
     let attributes = module["attributes"].as_array().into_iter().flatten();
     let attributes = attributes.map(|attribute| {
         let name = match attribute["name"].as_str().unwrap_or_default() {

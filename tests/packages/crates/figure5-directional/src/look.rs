@@ -19,7 +19,7 @@ pub(crate) struct Pass {
     pub(crate) outputs: &'static [PassOutput],
 }
 
-/// Geometry of a pass.
+/// What a pass draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Draws {
     /// Every mesh.
@@ -69,17 +69,18 @@ pub(crate) enum Feed {
 
 impl Feed {
     pub(crate) fn binding_type(self) -> wgpu::BindingType {
+        let uniform = wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        };
         match self {
             Self::Pass { .. } => wgpu::BindingType::Texture {
                 sample_type: wgpu::TextureSampleType::Float { filterable: false },
                 view_dimension: wgpu::TextureViewDimension::D2,
                 multisampled: false,
             },
-            Self::View | Self::Object | Self::Look | Self::Numbers => wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Uniform,
-                has_dynamic_offset: false,
-                min_binding_size: None,
-            },
+            Self::View | Self::Object | Self::Look | Self::Numbers => uniform,
         }
     }
 }

@@ -122,14 +122,15 @@ impl Material {
         objects: &[Object<'_>],
     ) -> Picture {
         let mut uniforms = Uniforms::new(device);
-        let view = uniforms.add(&uniforms::view(camera));
-        let numbers = uniforms::numbers(camera, size[1], self.output.samples);
+        let view = uniforms.add(&camera.uniform());
+        let pixel = camera.pixel(size[1]);
+        let samples = self.output.samples;
+        let numbers = uniforms::numbers(pixel, camera.is_parallel(), size[1], samples);
         let numbers = uniforms.add(&numbers);
         let mut placed = Vec::new();
         for (id, object) in objects.iter().enumerate() {
             let around = self.surroundings(camera, size, object, id);
-            let settings = self.settings();
-            let settings = host::keyed(settings, around);
+            let settings = host::keyed(self.settings(), around);
             let look = PASSES.each_ref().map(|pass| {
                 let numbers = pass.numbers?;
                 Some(uniforms.add(&numbers(settings, around)))
@@ -138,7 +139,7 @@ impl Material {
             let is_eye_within = math::length(from_middle) < object.radius();
             let parts = object.mesh.parts.iter().enumerate().map(|(material, part)| PlacedPart {
                 indices: part.indices.clone(),
-                uniform: uniforms.add(&uniforms::object(object, id, material)),
+                uniform: uniforms.add(&uniforms::object(object.matrix(), id, material)),
                 shows_backs: part.is_two_sided || is_eye_within,
             });
             placed.push(PlacedObject {
@@ -447,7 +448,7 @@ fn make_pipeline(
             ..Default::default()
         },
         // The triangle over the whole target has no depth.
-        depth_stencil: (pass.draws == look::Draws::Meshes).then_some(depth_stencil),
+        depth_stencil: (pass.draws != look::Draws::Screen).then_some(depth_stencil),
         multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
         fragment: Some(wgpu::FragmentState {
             module: &of.shader,

@@ -5,6 +5,7 @@ use std::ops::Range;
 use wgpu::util::DeviceExt as _;
 
 use crate::math::{self, Matrix4};
+use crate::uniforms;
 
 /// A camera: where it stands and what it sees.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,6 +86,14 @@ impl Camera {
     pub(crate) fn toward(&self) -> [f64; 3] {
         let axes = math::transposed(&math::linear(&self.camera_from_world));
         math::unit_or(axes[2], [0.0, 0.0, 1.0])
+    }
+
+    /// Bytes of the camera's uniform.
+    pub(crate) fn uniform(&self) -> Vec<u8> {
+        let clip_from_world = math::product(&self.clip_from_camera, &self.camera_from_world);
+        let ([x, y, z], w) =
+            if self.is_parallel() { (self.toward(), 0.0) } else { (self.eye(), 1.0) };
+        uniforms::view(clip_from_world, self.camera_from_world, [x, y, z, w])
     }
 
     /// Size of a pixel in scene units: at depth 1 in perspective, at every depth otherwise.

@@ -2,8 +2,7 @@
 
 use wgpu::util::DeviceExt as _;
 
-use crate::math;
-use crate::scene::{Camera, Object};
+use crate::math::{self, Matrix4};
 
 /// Place of a uniform in the frame's buffer.
 #[derive(Clone, Copy, Debug)]
@@ -61,30 +60,27 @@ fn columns(matrix: math::Matrix3) -> impl Iterator<Item = f64> {
     matrix.into_iter().flat_map(|[x, y, z]| [x, y, z, 0.0])
 }
 
-/// Bytes of the uniform `view`.
-pub(crate) fn view(camera: &Camera) -> Vec<u8> {
-    let clip_from_world = math::product(&camera.clip_from_camera, &camera.camera_from_world);
-    let ([x, y, z], w) =
-        if camera.is_parallel() { (camera.toward(), 0.0) } else { (camera.eye(), 1.0) };
-    let matrices = [clip_from_world, camera.camera_from_world].into_iter().flatten().flatten();
+/// Bytes of the uniform `view`. `eye` is the eye and 1, or the direction toward the viewer of a
+/// parallel view and 0.
+pub(crate) fn view(clip_from_world: Matrix4, camera_from_world: Matrix4, eye: [f64; 4]) -> Vec<u8> {
+    let matrices = [clip_from_world, camera_from_world].into_iter().flatten().flatten();
     // The last four say that rows are counted from the top.
-    bytes(matrices.chain([x, y, z, w]).chain([1.0, 1.0, 0.0, 0.0]))
+    bytes(matrices.chain(eye).chain([1.0, 1.0, 0.0, 0.0]))
 }
 
 /// Bytes of the uniform `object`. `id` counts objects from 0, `material` the parts of one.
-pub(crate) fn object(object: &Object<'_>, id: usize, material: usize) -> Vec<u8> {
-    let world_from_object = object.matrix();
+pub(crate) fn object(world_from_object: Matrix4, id: usize, material: usize) -> Vec<u8> {
     let world_from_normal = math::inverse_transpose(&math::linear(&world_from_object));
     let matrices = world_from_object.into_iter().flatten().chain(columns(world_from_normal));
     bytes(matrices.chain([id as f64, material as f64]))
 }
 
-/// Bytes of the uniform of passes over the picture.
-pub(crate) fn numbers(camera: &Camera, height: u32, samples: u32) -> Vec<u8> {
-    let perspective = f64::from(u8::from(!camera.is_parallel()));
+/// Bytes of the uniform of passes over the picture. `pixel` is the size of a pixel in scene units:
+/// at depth 1 in perspective, at every depth otherwise.
+pub(crate) fn numbers(pixel: f64, is_parallel: bool, height: u32, samples: u32) -> Vec<u8> {
+    let perspective = f64::from(u8::from(!is_parallel));
     let rows_up = 0.0;
-    let numbers = [camera.pixel(height), perspective, height.into(), rows_up, samples.into()];
-    bytes(numbers)
+    bytes([pixel, perspective, height.into(), rows_up, samples.into()])
 }
 
 /// Bytes of the look's own numbers, one for each four bytes; `integers` are those that are read as

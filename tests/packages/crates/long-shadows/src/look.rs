@@ -71,6 +71,11 @@ pub(crate) enum Feed {
 
 impl Feed {
     pub(crate) fn binding_type(self) -> wgpu::BindingType {
+        let uniform = wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        };
         match self {
             Self::ShadowMaps(_) => wgpu::BindingType::Texture {
                 sample_type: wgpu::TextureSampleType::Float { filterable: false },
@@ -81,11 +86,7 @@ impl Feed {
             | Self::Object
             | Self::Look
             | Self::LightLayer
-            | Self::LightCaster => wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Uniform,
-                has_dynamic_offset: false,
-                min_binding_size: None,
-            },
+            | Self::LightCaster => uniform,
         }
     }
 }

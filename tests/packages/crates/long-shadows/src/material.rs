@@ -72,12 +72,7 @@ impl Material {
         for (pass, pipelines) in PASSES.iter().zip(&mut pipelines) {
             pipelines.pipeline(device, pass, output, Sides::default());
         }
-        Ok(Self {
-            lights: Lights::default(),
-            output,
-            pipelines,
-            shadows: None,
-        })
+        Ok(Self { lights: Lights::default(), output, pipelines, shadows: None })
     }
 
     /// Draws objects into a target: everything in one call.

@@ -63,8 +63,8 @@ impl<'a> ShadowMaps<'a> {
 
     /// Finds maps for the lights whose shadows the look reads, and writes their places into the
     /// settings.
-    pub(crate) fn place(&mut self, settings: &mut host::Settings, around: &host::Surroundings) {
-        let world = LightFrame { world_from_own: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], origin: [0.0; 3] };
+    pub(crate) fn place(&mut self, settings: &mut host::Settings, _around: &host::Surroundings) {
+        let world = frame([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0; 3]);
         settings.sun_light.shadow_map = self.sun(settings.sun_light, world);
     }
 
@@ -98,6 +98,10 @@ impl<'a> ShadowMaps<'a> {
         self.places.push((source, place));
         place
     }
+}
+
+fn frame(world_from_own: math::Matrix3, origin: [f64; 3]) -> LightFrame {
+    LightFrame { world_from_own, origin }
 }
 
 /// The layer of a directional light, its middle, and half of its side.

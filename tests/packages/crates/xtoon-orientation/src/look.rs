@@ -57,6 +57,11 @@ pub(crate) enum Feed {
 
 impl Feed {
     pub(crate) fn binding_type(self) -> wgpu::BindingType {
+        let uniform = wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        };
         match self {
             Self::Image(_) => wgpu::BindingType::Texture {
                 sample_type: wgpu::TextureSampleType::Float { filterable: true },
@@ -64,11 +69,7 @@ impl Feed {
                 multisampled: false,
             },
             Self::Sampler(_) => wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
-            Self::View | Self::Object | Self::Look => wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Uniform,
-                has_dynamic_offset: false,
-                min_binding_size: None,
-            },
+            Self::View | Self::Object | Self::Look => uniform,
         }
     }
 }

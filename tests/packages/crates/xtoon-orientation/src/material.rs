@@ -121,7 +121,7 @@ impl Material {
         objects: &[Object<'_>],
     ) -> Picture {
         let mut uniforms = Uniforms::new(device);
-        let view = uniforms.add(&uniforms::view(camera));
+        let view = uniforms.add(&camera.uniform());
         let mut placed = Vec::new();
         for (id, object) in objects.iter().enumerate() {
             let around = self.surroundings(camera, size, object, id);
@@ -134,7 +134,7 @@ impl Material {
             let is_eye_within = math::length(from_middle) < object.radius();
             let parts = object.mesh.parts.iter().enumerate().map(|(material, part)| PlacedPart {
                 indices: part.indices.clone(),
-                uniform: uniforms.add(&uniforms::object(object, id, material)),
+                uniform: uniforms.add(&uniforms::object(object.matrix(), id, material)),
                 shows_backs: part.is_two_sided || is_eye_within,
             });
             placed.push(PlacedObject {
