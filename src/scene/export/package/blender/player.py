@@ -372,6 +372,9 @@ class Player:
         moved = Matrix.Translation((2.0 * across / size[0], 2.0 * down / size[1], 0.0))
         clip = moved @ turned @ projection @ Matrix.Scale(1.0 / scale, 4) @ camera
         is_parallel = abs(projection[3][3]) > 0.5
+        if not is_parallel:
+            # Looks measure sizes on the picture by the matrix's rows, at unit size.
+            clip = clip * scale
         back = camera.inverted()
         eye, toward = back.to_translation(), back.to_3x3() @ Vector((0, 0, 1))
         pixel = 2.0 / projection[1][1] / size[1] * (scale if is_parallel else 1.0)
