@@ -3,7 +3,7 @@
 //!
 //! Blender's OpenGL is Mesa's in software, and so is the Vulkan that our own pictures are drawn
 //! with here: another rasterizer takes other derivatives within four pixels, and other pixels at
-//! edges.
+//! edges. Cycles traces one ray through the middle of each pixel.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -256,7 +256,37 @@ fn scenes_of_people_are_drawn() {
     assert!(output.status.success(), "{}", said.get(from..).unwrap_or(&said));
 }
 
-/// All example looks in the viewport's player.
+/// Cycles shows a look by its shader as we draw it, follows parameters and a sun. Edges alone
+/// differ: Cycles smooths them by its samples, of which there is one.
+#[test]
+fn cycles_shows_what_we_show() {
+    let Some(python) = python() else { return };
+    let stage = Stage::new(python);
+    let trial = Trial::of("looks/highlight-moves").here();
+    let package = trial.package("blender");
+    let before = trial.with(stage.arguments).ours();
+    let turned = Trial::changed("looks/highlight-moves", |look| {
+        look["nodes"][0]["values"]["color"] = json!([0.6, 0.2, 0.1, 1.0]);
+        look["lights"]["key"]["direction"] = json!([0.7, 0.1, 0.7]);
+    });
+    let turned = turned.here().with(stage.arguments).ours();
+    let values = json!({"color": [0.6, 0.2, 0.1, 1.0]});
+    let suns = json!({"key": [0.7, 0.1, 0.7]});
+    let drawn = stage.pictures(
+        &package,
+        vec![json!({"cycles": true}), json!({"cycles": true, "parameters": values, "suns": suns})],
+    );
+    let mut measured = BTreeMap::new();
+    for (name, drawn, ours) in [("nothing", &drawn[0], &before), ("turned", &drawn[1], &turned)] {
+        let found = Difference::of(drawn, ours);
+        measured.insert(format!("blender-cycles cpu highlight-moves-{name}"), found);
+    }
+    assert!(measured.values().all(|found| found.beyond < 400), "{measured:?}");
+    table::check(&measured);
+}
+
+/// All example looks in the viewport's player and, where their folder has a shader for it, in
+/// Cycles: hours of pictures.
 #[test]
 #[ignore = "draws all example looks in Blender"]
 fn soak_blender_draws_all_examples() {
@@ -265,8 +295,17 @@ fn soak_blender_draws_all_examples() {
     for (name, trial) in soak_trials("blender", Trial::here) {
         let package = trial.package("blender");
         let ours = trial.ours_with_arguments(stage.arguments);
-        let drawn = stage.pictures(&package, vec![json!({})]);
-        let found = Difference::of(&drawn[0], &ours);
-        table::check(&BTreeMap::from([(format!("blender gpu {name}"), found)]));
+        let has_shader = std::fs::read_dir(&package)
+            .expect("a package")
+            .any(|file| file.is_ok_and(|it| it.path().extension().is_some_and(|it| it == "osl")));
+        let mut asked = vec![("blender gpu", json!({}))];
+        asked.extend(has_shader.then(|| ("blender-cycles cpu", json!({"cycles": true}))));
+        let pictures = asked.iter().map(|(_, picture)| picture.clone()).collect();
+        let drawn = stage.pictures(&package, pictures);
+        let measured = asked
+            .iter()
+            .zip(&drawn)
+            .map(|((kind, _), drawn)| (format!("{kind} {name}"), Difference::of(drawn, &ours)));
+        table::check(&measured.collect());
     }
 }

@@ -64,6 +64,11 @@ pub(super) trait Dialect {
         index.clone()
     }
 
+    /// A component of a vector, by an index computed at run time.
+    fn component(&self, base: &Term, index: &Term, _: &ValueType) -> Term {
+        self.element(base, &self.index(index))
+    }
+
     /// A part of a vector, a matrix or an array, by its index.
     fn part(&self, base: &Term, index: usize, _: &ValueType) -> Term {
         self.element(base, &Term::primary(index.to_string()))
@@ -84,6 +89,18 @@ pub(super) trait Dialect {
         _helpers: &mut Helpers,
     ) -> Option<Term> {
         None
+    }
+
+    /// A choice between two composite values by one condition, for languages whose operator chooses
+    /// between numbers alone; `types` and `operands` are condition, value where it holds, and other
+    /// value.
+    fn choice(&self, _: &[ValueType], _: &[Term], _: &mut Helpers) -> Option<Term> {
+        None
+    }
+
+    /// True if a part can be taken of any value; false where the value needs a name first.
+    fn takes_parts_of_results(&self) -> bool {
+        true
     }
 
     /// Name of a thing as the language's people write it.
@@ -118,6 +135,12 @@ pub(super) trait Dialect {
 
     /// The declaration of a value, or of a variable that is set again.
     fn declare(&self, name: &str, ty: &ValueType, value: &Term, is_variable: bool) -> String;
+
+    /// The declaration of a variable that is filled part by part, where the language needs no value
+    /// for it.
+    fn declare_empty(&self, _name: &str, _ty: &ValueType) -> Option<String> {
+        None
+    }
 
     /// An assignment.
     fn assign(&self, place: &Term, value: &Term) -> String {

@@ -2,8 +2,8 @@
 
 use naga::proc::TypeResolution;
 use naga::{
-    BinaryOperator, Expression, Handle, Literal, MathFunction, RelationalFunction, ScalarKind,
-    SwizzleComponent, UnaryOperator,
+    BinaryOperator, DerivativeAxis, Expression, Handle, Literal, MathFunction, RelationalFunction,
+    ScalarKind, SwizzleComponent, UnaryOperator,
 };
 
 use super::dialect::{Kind, Level, NameOf, Term, ValueType};
@@ -63,9 +63,13 @@ impl FunctionWriter<'_> {
             }
             Expression::Load { pointer } => self.load(*pointer),
             Expression::Access { base, index } => {
-                let base = self.term(*base)?;
+                let ty = self.type_of(*base)?;
+                let base = self.base_of_part(*base)?;
                 let index = self.term(*index)?;
-                Ok(self.dialect.element(&base, &self.dialect.index(&index)))
+                Ok(match ty {
+                    ValueType::Vector(..) => self.dialect.component(&base, &index, &ty),
+                    _ => self.dialect.element(&base, &self.dialect.index(&index)),
+                })
             }
             Expression::AccessIndex { base, index } => self.access(*base, *index),
             Expression::Unary { op, expr } => {
@@ -87,6 +91,15 @@ impl FunctionWriter<'_> {
                 self.math(*fun, &operands)
             }
             Expression::As { expr, kind, convert } => self.convert(*expr, *kind, convert.is_some()),
+            Expression::Derivative { axis, expr, .. } => {
+                let operation = match axis {
+                    DerivativeAxis::X => "dpdx",
+                    DerivativeAxis::Y => "dpdy",
+                    DerivativeAxis::Width => "fwidth",
+                };
+                let found = self.operation(operation, &[*expr]);
+                found.map_err(|_| self.refusal("`Derivative`"))
+            }
             other => {
                 let debug = format!("{other:?}");
                 let name = debug.split([' ', '(', '{']).next().unwrap_or_default();
@@ -221,7 +234,26 @@ impl FunctionWriter<'_> {
     fn simple(&mut self, handle: Handle<Expression>) -> Result<Term, Refusal> {
         let ty = self.type_of(handle)?;
         let term = self.term(handle)?;
+        let is_constant = matches!(self.function.expressions[handle], Expression::Constant(_));
+        if is_constant && !self.dialect.takes_parts_of_results() {
+            return Ok(self.declare_value("value", &ty, &term));
+        }
         Ok(self.named_if_long(term, &ty))
+    }
+
+    /// The term of a value that a part is taken of.
+    fn base_of_part(&mut self, handle: Handle<Expression>) -> Result<Term, Refusal> {
+        let term = self.term(handle)?;
+        let is_path = match self.function.expressions[handle] {
+            Expression::Constant(_) => false,
+            Expression::Access { .. } | Expression::AccessIndex { .. } => true,
+            _ => !term.text.contains(['(', ' ']),
+        };
+        if is_path || self.is_place(handle) || self.dialect.takes_parts_of_results() {
+            return Ok(term);
+        }
+        let ty = self.type_of(handle)?;
+        Ok(self.declare_value("value", &ty, &term))
     }
 
     fn named_if_long(&mut self, term: Term, ty: &ValueType) -> Term {
@@ -239,7 +271,7 @@ impl FunctionWriter<'_> {
 
     fn access(&mut self, base: Handle<Expression>, index: u32) -> Result<Term, Refusal> {
         let ty = self.type_of(base)?;
-        let term = self.term(base)?;
+        let term = self.base_of_part(base)?;
         match &ty {
             ValueType::Struct(name) => {
                 let members = self.members(name)?;
@@ -413,6 +445,12 @@ impl FunctionWriter<'_> {
         // A choice between whole values is one, whatever they are.
         let is_choice = operation == "select" && !is_vector(&types[0]);
         let vector = types.iter().find(|ty| is_vector(ty)).filter(|_| !is_choice).cloned();
+        if is_choice && types[1].is_composite() {
+            let mut helpers = self.shared.helpers.borrow_mut();
+            if let Some(term) = self.dialect.choice(&types, &terms, &mut helpers) {
+                return Ok(term);
+            }
+        }
         let Some(vector) = vector else {
             let mut helpers = self.shared.helpers.borrow_mut();
             let found = self.dialect.scalar(operation, kind, &terms, &mut helpers);

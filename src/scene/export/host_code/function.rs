@@ -178,11 +178,18 @@ impl<'a> FunctionWriter<'a> {
                 continue;
             }
             let ty = types::of(self.module, local.ty).ok_or_else(|| self.refusal("a type"))?;
+            self.declared.insert(variable);
+            let name = &self.variables[&variable];
+            if local.init.is_none()
+                && let Some(line) = self.dialect.declare_empty(name, &ty)
+            {
+                self.line(&line);
+                continue;
+            }
             let value = match local.init {
                 Some(init) => self.term(init)?,
                 None => self.zero(&ty)?,
             };
-            self.declared.insert(variable);
             let line = self.dialect.declare(&self.variables[&variable], &ty, &value, true);
             self.line(&line);
         }
@@ -323,7 +330,7 @@ impl<'a> FunctionWriter<'a> {
     }
 
     /// True for an expression that points to a variable or into it.
-    fn is_place(&self, handle: Handle<Expression>) -> bool {
+    pub(super) fn is_place(&self, handle: Handle<Expression>) -> bool {
         let inner = self.info[handle].ty.inner_with(&self.module.types);
         matches!(inner, naga::TypeInner::Pointer { .. } | naga::TypeInner::ValuePointer { .. })
     }
@@ -463,7 +470,13 @@ impl<'a> FunctionWriter<'a> {
         self.line(&opening);
         self.inside(|writer| writer.block(accept))?;
         if let Some((condition, accept, reject)) = self.else_if(reject) {
-            return self.branch(condition, accept, reject, true);
+            let before = self.lines.len();
+            self.term(condition)?;
+            if self.lines.len() == before {
+                return self.branch(condition, accept, reject, true);
+            }
+            // A part of the condition got a name, which is declared in a block of its own.
+            self.lines.truncate(before);
         }
         if !reject.is_empty() {
             let opening = self.dialect.open(&Head::Else);
@@ -574,12 +587,20 @@ impl<'a> FunctionWriter<'a> {
         continuing: &'a Block,
         break_if: Option<Handle<Expression>>,
     ) -> Result<(), Refusal> {
-        let (condition, rest) = self.condition(body);
+        let (condition, mut rest) = self.condition(body);
         // What a condition reads has to be declared before the loop.
         let opening = match condition {
             Some(condition) => {
+                let before = self.lines.len();
                 let condition = self.term(condition)?;
-                self.dialect.open(&Head::While(&condition))
+                if self.lines.len() == before {
+                    self.dialect.open(&Head::While(&condition))
+                } else {
+                    // A part of the condition got a name, and changes from turn to turn.
+                    self.lines.truncate(before);
+                    rest = body;
+                    self.dialect.open(&Head::Forever)
+                }
             }
             None => self.dialect.open(&Head::Forever),
         };

@@ -13,6 +13,7 @@ mod gdscript;
 mod javascript;
 mod module;
 mod names;
+mod osl;
 mod python;
 mod pythonic;
 mod rust;
@@ -57,6 +58,13 @@ pub const GDSCRIPT: HostLanguage =
 /// it.
 pub const CSHARP: HostLanguage =
     HostLanguage { slug: "csharp", label: "C#", dialect: &csharp::CSharp };
+
+/// The Open Shading Language, in which looks are written as a whole; [`with_osl_preamble`] adds
+/// what the text needs. No language of host programs: floats are 32 bits wide.
+pub(super) const OSL: HostLanguage =
+    HostLanguage { slug: "osl", label: "OSL", dialect: &osl::Osl };
+
+pub(super) use osl::with_preamble as with_osl_preamble;
 
 /// All languages of host code.
 pub const HOST_LANGUAGES: [&HostLanguage; 5] = [&JAVASCRIPT, &PYTHON, &RUST, &GDSCRIPT, &CSHARP];

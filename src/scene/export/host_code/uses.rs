@@ -73,7 +73,9 @@ pub(super) fn each_operand(expression: &Expression, mut with: impl FnMut(Handle<
         Expression::Splat { value, .. } => with(*value),
         Expression::Swizzle { vector, .. } => with(*vector),
         Expression::Load { pointer } => with(*pointer),
-        Expression::Unary { expr, .. } | Expression::As { expr, .. } => with(*expr),
+        Expression::Unary { expr, .. }
+        | Expression::As { expr, .. }
+        | Expression::Derivative { expr, .. } => with(*expr),
         Expression::Binary { left, right, .. } => {
             with(*left);
             with(*right);

@@ -133,7 +133,7 @@ fn parameter(setting: &ParameterSetting) -> String {
 }
 
 /// A JSON value as Python, its lines after the first indented by four times `depth`.
-fn literal(value: &Value, depth: usize) -> String {
+pub(super) fn literal(value: &Value, depth: usize) -> String {
     let is_flat = |value: &Value| !value.is_array() && !value.is_object();
     let lines = |open: &str, parts: Vec<String>, close: &str| {
         let inner = "    ".repeat(depth + 1);

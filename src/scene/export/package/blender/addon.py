@@ -20,6 +20,7 @@ LIGHT_MEMBERS = members_of("light_", [one["id"] for one in LOOK["lights"]])
 
 
 def redraw(_owner=None, _context=None):
+    update_cycles(bpy.context.scene)
     for window in bpy.context.window_manager.windows if bpy.context.window_manager else []:
         for area in window.screen.areas:
             if area.type == "VIEW_3D":
@@ -146,6 +147,36 @@ class CHIARO_OT_wear(bpy.types.Operator):
         return {"FINISHED"}
 
 
+class CHIARO_OT_cycles(bpy.types.Operator):
+    """Gives the selected objects a material that shows the look in Cycles, in place of theirs"""
+
+    bl_idname = f"object.{STORED}_cycles"
+    bl_label = "Material for Cycles"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, _context):
+        if CYCLES is None:
+            cls.poll_message_set(f"No shader for Cycles: {NOT_IN_CYCLES}")
+        return CYCLES is not None
+
+    def execute(self, context):
+        things = [thing for thing in context.selected_objects if thing.type in WEARERS]
+        if not things:
+            self.report({"WARNING"}, "Select a mesh first")
+            return {"CANCELLED"}
+        before = context.scene.view_settings.view_transform
+        try:
+            for thing in things:
+                wear_in_cycles(thing, context.scene)
+        except (OSError, RuntimeError, ValueError) as problem:
+            self.report({"ERROR"}, str(problem))
+            return {"CANCELLED"}
+        if before != "Standard":
+            self.report({"INFO"}, "The view transform is Standard now, to show colors as they are")
+        return {"FINISHED"}
+
+
 class CHIARO_OT_try_again(bpy.types.Operator):
     """Draws again what could not be drawn"""
 
@@ -187,6 +218,7 @@ class CHIARO_PT_look(LookPanel, bpy.types.Panel):
         row = self.layout.row(align=True)
         row.operator(CHIARO_OT_wear.bl_idname, text="Put on selected")
         row.operator(CHIARO_OT_wear.bl_idname, text="Take off").takes_off = True
+        self.layout.operator(CHIARO_OT_cycles.bl_idname)
         told = FAILURE + [f"{name}: {problem}" for name, problem in PROBLEMS.items()]
         for text in told:
             self.layout.label(text=text, icon="ERROR")
@@ -336,21 +368,25 @@ def draw_viewport():
 def after_load(*_):
     """Objects of another file may have the ids of those before."""
     PROBLEMS.clear()
+    MEASURED.clear()
     if PLAYER is not None:
         PLAYER.bodies.clear()
 
 
 @bpy.app.handlers.persistent
-def after_change(_scene, depsgraph):
+def after_change(scene, depsgraph):
     """Meshes that were edited, or that a new frame deforms, are read again."""
     for update in depsgraph.updates:
         if isinstance(update.id, bpy.types.Object) and update.is_updated_geometry:
             PROBLEMS.pop(update.id.name, None)
+            MEASURED.pop(update.id.original.session_uid, None)
             if PLAYER is not None:
                 PLAYER.forget(update.id.original)
+    update_cycles(scene)
 
 
-CLASSES = (settings_type, CHIARO_OT_wear, CHIARO_OT_try_again, CHIARO_PT_look, *panels())
+OPERATORS = (CHIARO_OT_wear, CHIARO_OT_cycles, CHIARO_OT_try_again)
+CLASSES = (settings_type, *OPERATORS, CHIARO_PT_look, *panels())
 LISTENERS = (
     (bpy.app.handlers.depsgraph_update_post, after_change),
     (bpy.app.handlers.frame_change_post, after_change),

@@ -5,9 +5,12 @@
 //! which draws with Blender's GPU module, and `addon.py`, the panel. `__init__.py` and
 //! `blender_manifest.toml` make an extension of the whole folder, which carries images along.
 
+mod osl;
+
 use super::super::ExportFile;
 use super::{Package, PackageRequest, python, refusal};
 use crate::diag::Diagnostic;
+use serde_json::json;
 
 /// The package.
 pub(super) const PACKAGE: Package = Package {
@@ -22,6 +25,9 @@ pub(super) const PACKAGE: Package = Package {
 /// The text of the player.
 const PLAYER: &str = include_str!("player.py");
 
+/// The text of the material for Cycles.
+const MATERIAL: &str = include_str!("material.py");
+
 /// The text of the panel.
 const ADDON: &str = include_str!("addon.py");
 
@@ -31,12 +37,21 @@ const EXTENSION: &str = include_str!("extension.py");
 /// The extension's description.
 const MANIFEST: &str = include_str!("blender_manifest.toml");
 
+/// Part of the README on the shader for Cycles.
+const CYCLES: &str = include_str!("cycles.md");
+
 /// The text of one screen for whoever gets the folder.
 const README: &str = include_str!("README.md");
 
 fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>> {
     refuse(request)?;
     let look = python::write(request).map_err(|problem| vec![problem])?;
+    let shader = osl::OslShader::of(request);
+    let cycles = match &shader {
+        Ok(shader) => python::literal(&shader.about, 0),
+        Err(_) => "None".to_owned(),
+    };
+    let reason = shader.as_ref().err().map_or("", |problem| problem.message.as_str());
     let (title, version) = (request.title, env!("CARGO_PKG_VERSION"));
     let name = serde_json::Value::from(title);
     let numbers = concat!(
@@ -64,14 +79,21 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
          import bpy\nimport gpu\nimport numpy as np\nfrom mathutils import Matrix, Vector\n\n\
          # Name of the look's settings in a scene, and of the mark of what wears the look.\n\
          STORED = \"{stored}\"\n\n\
-         {look}\n\n{PLAYER}\n\n{ADDON}"
+         # Names of the parameters of the shader for Cycles; None where there is none, and why.\n\
+         CYCLES = {cycles}\n\
+         NOT_IN_CYCLES = {}\n\n\
+         {look}\n\n{PLAYER}\n\n{MATERIAL}\n\n{ADDON}",
+        json!(reason)
     );
     let mut files = vec![
         ExportFile::text(format!("{}.py", module_name(request.stem)), text),
         ExportFile::text("__init__.py".to_owned(), filled(EXTENSION, request)),
         ExportFile::text("blender_manifest.toml".to_owned(), filled(MANIFEST, request)),
-        ExportFile::text("README.md".to_owned(), filled(README, request)),
+        ExportFile::text("README.md".to_owned(), readme(request, &shader)),
     ];
+    if let Ok(shader) = shader {
+        files.push(ExportFile::text(format!("{}.osl", request.stem), shader.text));
+    }
     files.extend(request.textures.iter().cloned());
     Ok(files)
 }
@@ -113,6 +135,18 @@ fn extension_id(stem: &str) -> String {
     words.join("_")
 }
 
+/// The README, which tells of Cycles what there is.
+fn readme(request: &PackageRequest<'_>, shader: &Result<osl::OslShader, Diagnostic>) -> String {
+    let cycles = match shader {
+        Ok(_) => CYCLES.to_owned(),
+        Err(problem) => format!(
+            "**Cycles.** There is no shader for Cycles here: {}.\n",
+            problem.message.trim_end_matches('.')
+        ),
+    };
+    filled(&README.replace("{{cycles}}\n", &cycles), request)
+}
+
 /// A template with its places filled.
 fn filled(template: &str, request: &PackageRequest<'_>) -> String {
     let description = request.description;
@@ -129,6 +163,7 @@ fn filled(template: &str, request: &PackageRequest<'_>) -> String {
         .replace("{{quoted}}", &serde_json::Value::from(request.title).to_string())
         .replace("{{title}}", request.title)
         .replace("{{stem}}", &module_name(request.stem))
+        .replace("{{osl}}", request.stem)
         .replace("{{id}}", &extension_id(request.stem))
         .replace("{{stored}}", &stored_name(request.stem))
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))

@@ -15,6 +15,8 @@ use super::{Package, PackageRequest, refusal};
 use crate::diag::Diagnostic;
 use crate::document::LightSpace;
 
+pub(super) use source::{rename_clashes, without_attributes};
+
 /// The package.
 pub(super) const PACKAGE: Package = Package {
     slug: "materialx",

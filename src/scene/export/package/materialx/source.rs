@@ -188,7 +188,7 @@ fn parts(request: &PackageRequest<'_>, module: &ShaderModule) -> Result<Parts, D
 
 /// The host work with other names for functions that the look has in another form: the compiler
 /// leaves out of the look's what its constants decide.
-fn rename_clashes(host: &str, known: &BTreeMap<String, String>) -> String {
+pub(in super::super) fn rename_clashes(host: &str, known: &BTreeMap<String, String>) -> String {
     let differs = |declaration: &Declaration| {
         let own = known.get(&declaration.name);
         own.is_some_and(|own| *own != host[declaration.span.clone()])
@@ -241,7 +241,7 @@ fn refuse_pixels() -> Diagnostic {
 }
 
 /// A declaration without the attributes of entry points, and of its lines those that are wanted.
-fn without_attributes(text: &str, is_wanted: impl Fn(&str) -> bool) -> String {
+pub(in super::super) fn without_attributes(text: &str, is_wanted: impl Fn(&str) -> bool) -> String {
     let mut result = String::new();
     for line in text.lines() {
         let mut kept = line.replace("@fragment", "");
