@@ -20,11 +20,11 @@ use chiaro_scene::geometry::Mesh;
 use chiaro_test_support::wait::block_on;
 
 /// A renderer that a test has for as long as it holds this.
-pub struct Lent {
-    kind: LentKind,
+pub struct RendererLoan {
+    kind: LoanKind,
 }
 
-enum LentKind {
+enum LoanKind {
     /// One of the two that the test program has.
     Shared(MutexGuard<'static, Renderer>),
     /// One for this test alone.
@@ -36,29 +36,29 @@ thread_local! {
     static HOLDS_SHARED: Cell<bool> = const { Cell::new(false) };
 }
 
-impl Deref for Lent {
+impl Deref for RendererLoan {
     type Target = Renderer;
 
     fn deref(&self) -> &Renderer {
         match &self.kind {
-            LentKind::Shared(renderer) => renderer,
-            LentKind::Own(renderer) => renderer,
+            LoanKind::Shared(renderer) => renderer,
+            LoanKind::Own(renderer) => renderer,
         }
     }
 }
 
-impl DerefMut for Lent {
+impl DerefMut for RendererLoan {
     fn deref_mut(&mut self) -> &mut Renderer {
         match &mut self.kind {
-            LentKind::Shared(renderer) => renderer,
-            LentKind::Own(renderer) => renderer,
+            LoanKind::Shared(renderer) => renderer,
+            LoanKind::Own(renderer) => renderer,
         }
     }
 }
 
-impl Drop for Lent {
+impl Drop for RendererLoan {
     fn drop(&mut self) {
-        if matches!(self.kind, LentKind::Shared(_)) {
+        if matches!(self.kind, LoanKind::Shared(_)) {
             HOLDS_SHARED.set(false);
         }
     }
@@ -66,7 +66,7 @@ impl Drop for Lent {
 
 /// A renderer of the test program that is free; tests that find none free wait for one. A test that
 /// holds one already is given one of its own, on a device that is there.
-pub fn renderer() -> Lent {
+pub fn renderer() -> RendererLoan {
     static GPUS: [OnceLock<Gpu>; 2] = [const { OnceLock::new() }; 2];
     static RENDERERS: [OnceLock<Mutex<Renderer>>; 2] = [const { OnceLock::new() }; 2];
     let gpu = |index: usize| {
@@ -74,13 +74,13 @@ pub fn renderer() -> Lent {
         GPUS[index].get_or_init(make).clone()
     };
     if HOLDS_SHARED.get() {
-        return Lent { kind: LentKind::Own(Box::new(Renderer::new(gpu(0)))) };
+        return RendererLoan { kind: LoanKind::Own(Box::new(Renderer::new(gpu(0)))) };
     }
     let shared =
         |index: usize| RENDERERS[index].get_or_init(|| Mutex::new(Renderer::new(gpu(index))));
     let lend = |renderer| {
         HOLDS_SHARED.set(true);
-        Lent { kind: LentKind::Shared(renderer) }
+        RendererLoan { kind: LoanKind::Shared(renderer) }
     };
     for index in 0..RENDERERS.len() {
         match shared(index).try_lock() {

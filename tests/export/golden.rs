@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use crate::support::files;
-use crate::support::validators::{ShaderStage, glslang, glslang_reflection, hlsl, slang, spirv_val, tint};
+use crate::support::validators::{
+    ShaderStage, glslang, glslang_reflection, hlsl, slang, spirv_val, tint,
+};
 use chiaro::compile::{
     CompileOptions, HostInputs, LightValues, Live, Stage as CompileStage, compile,
 };

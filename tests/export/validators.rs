@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use crate::support::files;
 use crate::support::ledger::{Ledger, ProofKey};
 use crate::support::validators::{
-    ShaderStage, Tool, glslang, glslang_hlsl, hlsl, slang, slang_hlsl, spirv_val, tint, tools_are_required,
+    ShaderStage, Tool, glslang, glslang_hlsl, hlsl, slang, slang_hlsl, spirv_val, tint,
+    tools_are_required,
 };
 use chiaro::document::Look;
 use chiaro::export::{LANGUAGES, export};

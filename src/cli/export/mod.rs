@@ -40,8 +40,8 @@ Examples:
   chiaro export look.json --to three -o game/look --watch
   chiaro export look.json --to wgsl --live -o shaders/      with every value as a parameter
 
-Languages: wgsl, glsl-es300, glsl-330, glsl-450, hlsl, slang, msl, spirv. Beside the shaders lies a \
-JSON file with
+Languages: wgsl, glsl-es300, glsl-330, glsl-450, hlsl, slang, msl, spirv. Beside the shaders lies \
+a JSON file with
 uniforms, bindings, attributes, passes, exposed parameters and how they become uniforms. MSL is \
 unverified: no compiler
 for it runs in Chiaro's tests, and its files say so.";

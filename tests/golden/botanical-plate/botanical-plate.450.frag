@@ -335,21 +335,12 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
         vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
         vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    uint i_2 = 1u;
     uint at = 0u;
     vec4 from_a = vec4(0.0);
     vec4 to_b = vec4(0.0);
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i_2 = i_2 + 1u;
-        }
-        loop_init = false;
-        if (!(i_2 < 5u)) {
-            break;
-        }
+    for (uint i_2 = 1u; (i_2 < 5u); i_2 = i_2 + 1u) {
         float places_now = places[i_2 / 4u][i_2 % 4u];
         at = places_now <= x ? i_2 : at;
     }
@@ -414,27 +405,15 @@ vec3 fade_quintic(vec3 t) {
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
 float perlin_noise(vec3 p, uint seed) {
     float sum = 0.0;
-    int i = 0;
     vec3 corner = floor(p);
     vec3 d = p - corner;
     vec3 f = fade_quintic(d);
     ivec3 cell = ivec3(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (i < 8) {
-        } else {
-            break;
-        }
-        {
-            ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
-            vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
-            float gradient_dot_value = gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
-            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
-        }
+    for (int i = 0; (i < 8); i = i + 1) {
+        ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
+        vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
+        float gradient_dot_value = gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
+        sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
     }
     // The twelve gradients reach 1.0364 at most.
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
@@ -445,20 +424,11 @@ float perlin_noise(vec3 p, uint seed) {
 /// fades to its average, so that distance does not make it flicker.
 float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, float w) {
     float octave = 0.0;
-    int i = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (!(i < 3)) {
-            break;
-        }
+    for (int i = 0; (i < 3); i = i + 1) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
@@ -557,22 +527,13 @@ float picture_square(vec2 offset, vec3 stretch) {
 /// The ink of one octave's dots, of which the share `ink` is drawn; `stretch` is that of a unit of
 /// the octave.
 float dots_of_octave(vec2 place, int zoom, float ink, vec3 stretch, float w, Dots style) {
-    int i = 0;
     float sum = 0.0;
     uint tile[256] = BLUE_TILE;
     vec2 p = clamp(place * uintBitsToFloat(uint(zoom + 127) << 23u), vec2(-4194304.0),
         vec2(4194304.0));
     vec2 corner = floor(p);
     float reach = 1.0 - 0.5 * style.scatter;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (!(i < 9)) {
-            break;
-        }
+    for (int i = 0; (i < 9); i = i + 1) {
         ivec2 cell = ivec2(corner) + ivec2(i % 3 - 1, i / 3 - 1);
         vec3 chance = vec3(hash_pcg3d(uvec3(ivec3(cell, zoom)) + uvec3(0u, 0u, 0u)) >> uvec3(8u))
             * 5.9604645e-8;

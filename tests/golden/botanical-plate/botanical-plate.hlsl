@@ -190,14 +190,14 @@ cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_map : register(t0);
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position_1 : LOC0;
     float3 position_object : LOC1;
     float3 normal_1 : LOC2;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_2 : LOC0;
     float3 position_object_1 : LOC1;
     float3 normal_2 : LOC2;
@@ -212,7 +212,7 @@ float4 finite_vec4(float4 v)
     return (asuint(v) & exponent) != exponent ? v : (0.0).xxxx;
 }
 
-int naga_f2i32(float value) {
+int to_int(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -225,7 +225,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
+    return twice * asfloat(uint(asint(asuint(to_int(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -402,22 +402,13 @@ float4 ramp_at(Ramp ramp, float x, float w)
         (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
         (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
-    uint i_2 = 1u;
     uint at = 0u;
     float4 from_a = (0.0).xxxx;
     float4 to_b = (0.0).xxxx;
 
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i_2 = i_2 + 1u;
-        }
-        loop_init = false;
-        if (!(i_2 < 5u)) {
-            break;
-        }
+    for (uint i_2 = 1u; (i_2 < 5u); i_2 = i_2 + 1u) {
         float places_now = places[min(uint(naga_div(i_2, 4u)), 3u)][min(uint(naga_mod(i_2, 4u)),
             3u)];
         at = places_now <= x ? i_2 : at;
@@ -497,7 +488,7 @@ float3 fade_quintic(float3 t)
     return t * t * t * (t * (t * 6.0 - (15.0).xxx) + (10.0).xxx);
 }
 
-int3 naga_f2i32(float3 value) {
+int3 to_int(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -505,29 +496,17 @@ int3 naga_f2i32(float3 value) {
 float perlin_noise(float3 p, uint seed)
 {
     float sum = 0.0;
-    int i = int(0);
 
     float3 corner = floor(p);
     float3 d = p - corner;
     const float3 f = fade_quintic(d);
-    int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (i < int(8)) {
-        } else {
-            break;
-        }
-        {
-            int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
-            float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
-            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
-                + asuint(at)), seed), d - float3(at));
-            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
-        }
+    int3 cell = to_int(corner);
+    for (int i = 0; (i < 8); i++) {
+        int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
+        float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+        const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)),
+            seed), d - float3(at));
+        sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
     }
     // The twelve gradients reach 1.0364 at most.
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
@@ -539,21 +518,12 @@ float perlin_noise(float3 p, uint seed)
 float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed, float w)
 {
     float octave = (float)0;
-    int i = int(0);
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
 
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(i < int(3))) {
-            break;
-        }
+    for (int i = 0; (i < 3); i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
@@ -617,10 +587,10 @@ uint blue_index(int2 cell)
     return 8u * at.y + (at.x >> 2u);
 }
 
-StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
+StretchedPlace ConstructStretchedPlace(float2 place, float3 stretch) {
     StretchedPlace ret = (StretchedPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -637,10 +607,10 @@ StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float an
     return ConstructStretchedPlace(turned, stretch);
 }
 
-SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
+SpacedPlace ConstructSpacedPlace(float2 place, float3 stretch) {
     SpacedPlace ret = (SpacedPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -682,7 +652,7 @@ int naga_div(int lhs, int rhs) {
     return lhs / (((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs);
 }
 
-int2 naga_f2i32(float2 value) {
+int2 to_int(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -690,7 +660,6 @@ int2 naga_f2i32(float2 value) {
 /// the octave.
 float dots_of_octave(float2 place, int zoom, float ink, float3 stretch, float w, Dots style)
 {
-    int i = int(0);
     float sum = 0.0;
     uint tile[256] = BLUE_TILE;
 
@@ -698,16 +667,8 @@ float dots_of_octave(float2 place, int zoom, float ink, float3 stretch, float w,
         (-4194304.0).xx, (4194304.0).xx);
     float2 corner = floor(p);
     float reach = 1.0 - 0.5 * style.scatter;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(i < int(9))) {
-            break;
-        }
-        int2 cell = asint(asuint(naga_f2i32(corner))
+    for (int i = 0; (i < 9); i++) {
+        int2 cell = asint(asuint(to_int(corner))
             + asuint(int2(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))),
             asint(asuint(naga_div(i, int(3))) - asuint(int(1))))));
         float3 chance = float3(hash_pcg3d(asuint(int3(cell, zoom)) + uint3(0u, 0u, 0u))
@@ -744,23 +705,22 @@ float stippled(SpacedPlace at, float ink, Dots style)
     float coarse = 1.0 - f;
     float fine = (1.0 - coarse * coarse_cells) / (4.0 * coarse_cells);
     const float exp2_stable_value = exp2_stable(2.0 * zoom);
-    dots = dots_of_octave(at.place, naga_f2i32(zoom), ink * coarse, at.stretch * exp2_stable_value,
-        w, style);
+    dots = dots_of_octave(at.place, to_int(zoom), ink * coarse, at.stretch * exp2_stable_value, w,
+        style);
     if (fine > 0.0) {
         const float exp2_stable_value_1 = exp2_stable(2.0 * zoom + 2.0);
-        const float finer = dots_of_octave(at.place,
-            asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), ink * fine, at.stretch
-            * exp2_stable_value_1, w, style);
+        const float finer = dots_of_octave(at.place, asint(asuint(to_int(zoom)) + asuint(int(1))),
+            ink * fine, at.stretch * exp2_stable_value_1, w, style);
         dots = max(dots, finer);
     }
     float mean = ink * (0.7853982 * style.size * style.size);
     return lerp(dots, mean, eased_2(w, 0.75, 1.5));
 }
 
-MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
+MarkPlace ConstructMarkPlace(float2 place, float3 stretch) {
     MarkPlace ret = (MarkPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -792,19 +752,19 @@ float noise_perlin(float3 position, float scale, int octaves, float roughness, i
     return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
-VectorParts ConstructVectorParts(float arg0, float arg1, float arg2) {
+VectorParts ConstructVectorParts(float x, float y, float z) {
     VectorParts ret = (VectorParts)0;
-    ret.x = arg0;
-    ret.y = arg1;
-    ret.z = arg2;
+    ret.x = x;
+    ret.y = y;
+    ret.z = z;
     return ret;
 }
 
-Dots ConstructDots(float arg0, float arg1, uint arg2) {
+Dots ConstructDots(float size, float scatter, uint seed) {
     Dots ret = (Dots)0;
-    ret.size = arg0;
-    ret.scatter = arg1;
-    ret.seed = arg2;
+    ret.size = size;
+    ret.scatter = scatter;
+    ret.seed = seed;
     return ret;
 }
 
@@ -845,45 +805,44 @@ float4 shade(Surface surface)
     return finite_vec4(plate_2);
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 position_object, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.position_object = arg2;
-    ret.normal = arg3;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.position_object = position_object;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
-        varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.position_object, varyings.normal,
+        varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float arg3, float2 arg4,
-    float3 arg5) {
+Surface ConstructSurface(float3 normal, float3 view, float3 position_object, float kappa,
+    float2 pixel, float3 anchor) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
-    ret.position_object = arg2;
-    ret.kappa = arg3;
-    ret.pixel = arg4;
-    ret.anchor = arg5;
+    ret.normal = normal;
+    ret.view = view;
+    ret.position_object = position_object;
+    ret.kappa = kappa;
+    ret.pixel = pixel;
+    ret.anchor = anchor;
     return ret;
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2,
-        fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_2 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_2, input.position_object_1, input.normal_2 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
     float3 normal = is_front ? facing : -facing;
-    float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 texel = curvature_map.Load(int3(to_int(in_.clip_.xy), int(0)));
     const float3 anchor_on_screen_value = anchor_on_screen(mul(float4(object.world_from_object[3].xyz,
         1.0), view.camera_from_world).xyz, view.eye.w,
         length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y,

@@ -436,21 +436,12 @@ Color ramp_at(
 ) {
     type_7 colors = {};
     type_8 places = {};
-    uint i_2 = 1u;
     uint at = 0u;
     metal::float4 from_a = metal::float4(0.0);
     metal::float4 to_b = metal::float4(0.0);
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i_2 = i_2 + 1u;
-        }
-        loop_init = false;
-        if (!(i_2 < 5u)) {
-            break;
-        }
+    for (uint i_2 = 1u; (i_2 < 5u); i_2++) {
         float places_now = places.inner[naga_div(i_2, 4u)][naga_mod(i_2, 4u)];
         at = places_now <= x ? i_2 : at;
     }
@@ -540,29 +531,17 @@ float perlin_noise(
     uint seed
 ) {
     float sum = 0.0;
-    int i = 0;
     metal::float3 corner = metal::floor(p);
     metal::float3 d = p - corner;
     metal::float3 f = fade_quintic(d);
     metal::int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (i < 8) {
-        } else {
-            break;
-        }
-        {
-            metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
-            metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
-                seed);
-            sum = sum + weight.x * weight.y * weight.z
-                * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
-        }
+    for (int i = 0; i < 8; i++) {
+        metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
+        metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
+        metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
+            seed);
+        sum = sum + weight.x * weight.y * weight.z
+            * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
     }
     // The twelve gradients reach 1.0364 at most.
     return metal::clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
@@ -580,20 +559,11 @@ float fractal_noise(
     float w
 ) {
     float octave = {};
-    int i = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(i < 3)) {
-            break;
-        }
+    for (int i = 0; (i < 3); i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
@@ -749,7 +719,6 @@ float dots_of_octave(
     float w,
     Dots style
 ) {
-    int i = 0;
     float sum = 0.0;
     type_13 tile = BLUE_TILE;
     metal::float2 p = metal::clamp(place
@@ -757,15 +726,7 @@ float dots_of_octave(
         << 23u), metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float2 corner = metal::floor(p);
     float reach = 1.0 - 0.5 * style.scatter;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(i < 9)) {
-            break;
-        }
+    for (int i = 0; (i < 9); i++) {
         metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(naga_f2i32(corner))
             + as_type<metal::uint2>(metal::int2(as_type<int>(as_type<uint>(naga_mod(i, 3))
             - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 3)) - as_type<uint>(1)))));

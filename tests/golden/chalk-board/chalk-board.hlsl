@@ -143,12 +143,12 @@ cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_map : register(t0);
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 normal : LOC0;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 normal_1 : LOC0;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
@@ -193,10 +193,10 @@ float angle_footprint(Angle u)
     return min(w, 0.5);
 }
 
-Angle ConstructAngle(float arg0, float arg1) {
+Angle ConstructAngle(float half_sin, float half_cos) {
     Angle ret = (Angle)0;
-    ret.half_sin = arg0;
-    ret.half_cos = arg1;
+    ret.half_sin = half_sin;
+    ret.half_cos = half_cos;
     return ret;
 }
 
@@ -280,29 +280,20 @@ float gradient_dot(uint3 hash, float3 d)
     return ((hash.y >> 31u) == 0u ? a : -a) + ((hash.z >> 31u) == 0u ? b : -b);
 }
 
-int3 naga_f2i32(float3 value) {
+int3 to_int(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
 float perlin_noise(float3 p, uint seed)
 {
-    int i = int(0);
     float sum = 0.0;
 
     float3 corner = floor(p);
     float3 d = p - corner;
     float3 f = d * d * d * (d * (d * 6.0 - (15.0).xxx) + (10.0).xxx);
-    int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(i < int(8))) {
-            break;
-        }
+    int3 cell = to_int(corner);
+    for (int i = 0; (i < 8); i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
         float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
         const uint3 hash_pcg3d_value = hash_pcg3d(asuint(asint(asuint(cell) + asuint(at))) + seed
@@ -337,10 +328,10 @@ float2 place_in_picture(float2 pixel, float2 viewport)
     return float2(from_middle.x, -from_middle.y) / (max(viewport.y, 1.0)).xx;
 }
 
-StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
+StretchedPlace ConstructStretchedPlace(float2 place, float3 stretch) {
     StretchedPlace ret = (StretchedPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -357,10 +348,10 @@ StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float an
     return ConstructStretchedPlace(turned, stretch);
 }
 
-SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
+SpacedPlace ConstructSpacedPlace(float2 place, float3 stretch) {
     SpacedPlace ret = (SpacedPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -383,10 +374,10 @@ float area_square(float3 stretch)
     return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
-MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
+MarkPlace ConstructMarkPlace(float2 place, float3 stretch) {
     MarkPlace ret = (MarkPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -414,7 +405,7 @@ float paper_octave(float2 place, int zoom, float w, float fiber, uint seed)
     return clamp(0.5 + 1.4 * (coarse_seen * grain + fiber * felt_seen * felt), 0.0, 1.0);
 }
 
-int naga_f2i32(float value) {
+int to_int(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -430,20 +421,20 @@ float paper_height(SpacedPlace at, float fiber, uint seed)
     float level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     float zoom = floor(level);
     float f = level - zoom;
-    height = paper_octave(at.place, naga_f2i32(zoom), w, fiber, seed);
+    height = paper_octave(at.place, to_int(zoom), w, fiber, seed);
     if (f > 0.0) {
         const float paper_octave_value = paper_octave(at.place,
-            asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), w, fiber, seed);
+            asint(asuint(to_int(zoom)) + asuint(int(1))), w, fiber, seed);
         float both = lerp(height, paper_octave_value, f);
         height = clamp(0.5 + (both - 0.5) / sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0, 1.0);
     }
     return height;
 }
 
-PaperGrain ConstructPaperGrain(float arg0, float arg1) {
+PaperGrain ConstructPaperGrain(float tone, float height) {
     PaperGrain ret = (PaperGrain)0;
-    ret.tone = arg0;
-    ret.height = arg1;
+    ret.tone = tone;
+    ret.height = height;
     return ret;
 }
 
@@ -526,42 +517,42 @@ float4 shade(Surface surface)
     return white;
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1) {
+Varyings ConstructVaryings(float4 clip_, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.normal = arg1;
+    ret.clip_ = clip_;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world),
         mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float arg1, float2 arg2, float3 arg3) {
+Surface ConstructSurface(float3 normal, float kappa, float2 pixel, float3 anchor) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.kappa = arg1;
-    ret.pixel = arg2;
-    ret.anchor = arg3;
+    ret.normal = normal;
+    ret.kappa = kappa;
+    ret.pixel = pixel;
+    ret.anchor = anchor;
     return ret;
 }
 
-int2 naga_f2i32(float2 value) {
+int2 to_int(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.normal_1 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
     float3 normal = is_front ? facing : -facing;
-    float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 texel = curvature_map.Load(int3(to_int(in_.clip_.xy), int(0)));
     const float3 anchor_on_screen_value = anchor_on_screen(mul(float4(object.world_from_object[3].xyz,
         1.0), view.camera_from_world).xyz, view.eye.w,
         length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y,

@@ -123,20 +123,20 @@ cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_map : register(t0);
 Texture2D<float4> curvature_tensor_map : register(t1);
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position : LOC0;
     float3 normal_2 : LOC1;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_1 : LOC0;
     float3 normal_3 : LOC1;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
 
-int naga_f2i32(float value) {
+int to_int(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -151,7 +151,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
+    return twice * asfloat(uint(asint(asuint(to_int(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -164,7 +164,7 @@ float exp2_stable_2(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
+    return twice * asfloat(uint(asint(asuint(to_int(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -308,11 +308,11 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
-RampPlace ConstructRampPlace(float4 arg0, float4 arg1, float arg2) {
+RampPlace ConstructRampPlace(float4 before, float4 after, float t) {
     RampPlace ret = (RampPlace)0;
-    ret.before = arg0;
-    ret.after = arg1;
-    ret.t = arg2;
+    ret.before = before;
+    ret.after = after;
+    ret.t = t;
     return ret;
 }
 
@@ -323,20 +323,11 @@ RampPlace ramp_place(Ramp ramp, float x)
         (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
         (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
-    uint i = 1u;
     uint at = 0u;
 
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 5u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 5u); i = i + 1u) {
         float places_now = places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)];
         at = places_now <= x ? i : at;
     }
@@ -447,12 +438,12 @@ float radiance_scaling(float tone, float kappa, float amount, float slope, float
     return min(curved == 0.0 ? tone : radiance_scaled_value, 1.0);
 }
 
-Relief ConstructRelief(float arg0, float arg1, float arg2, float arg3) {
+Relief ConstructRelief(float shape, float strength, float greatest, float least) {
     Relief ret = (Relief)0;
-    ret.shape = arg0;
-    ret.strength = arg1;
-    ret.greatest = arg2;
-    ret.least = arg3;
+    ret.shape = shape;
+    ret.strength = strength;
+    ret.greatest = greatest;
+    ret.least = least;
     return ret;
 }
 
@@ -490,45 +481,44 @@ float4 shade(Surface surface)
     return cool_edge;
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.normal = arg2;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float arg2, float3 arg3) {
+Surface ConstructSurface(float3 normal, float3 view, float kappa, float3 curvature_tensor) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
-    ret.kappa = arg2;
-    ret.curvature_tensor = arg3;
+    ret.normal = normal;
+    ret.view = view;
+    ret.kappa = kappa;
+    ret.curvature_tensor = curvature_tensor;
     return ret;
 }
 
-int2 naga_f2i32(float2 value) {
+int2 to_int(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
-        fragmentinput_fs_main.normal_3 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_1, input.normal_3 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
     float3 normal = is_front ? facing : -facing;
-    float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4 texel_1 = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 texel = curvature_map.Load(int3(to_int(in_.clip_.xy), int(0)));
+    float4 texel_1 = curvature_tensor_map.Load(int3(to_int(in_.clip_.xy), int(0)));
     Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
         texel.x, texel_1.xyz);
     return shade(surface);

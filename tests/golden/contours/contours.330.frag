@@ -134,19 +134,10 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
         vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 color = vec4(0.0);
-    uint i = 1u;
     colors = ramp.colors;
     places = ramp.places;
     color = colors[0];
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 3u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 3u); i = i + 1u) {
         color = color + (colors[i] - colors[i - 1u]) * step_filtered(x, places[0][i % 4u], w);
     }
     return color;

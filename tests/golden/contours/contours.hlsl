@@ -99,13 +99,13 @@ cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_tensor_map : register(t0);
 Texture2D<float4> smooth_normal_4_map : register(t1);
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position : LOC0;
     float3 normal_3 : LOC1;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_1 : LOC0;
     float3 normal_4 : LOC1;
     float4 clip_1 : SV_Position;
@@ -180,20 +180,11 @@ float4 ramp_at(Ramp ramp, float x, float w)
         (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     float4 color = (float4)0;
-    uint i = 1u;
 
     colors = ramp.colors;
     places = ramp.places;
     color = colors[0];
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 3u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 3u); i = i + 1u) {
         const float step_filtered_value = step_filtered(x,
             places[0][min(uint(naga_mod(i, 4u)), 3u)], w);
         color = color + (colors[min(uint(i), 15u)] - colors[min(uint(i - 1u), 15u)])
@@ -288,46 +279,46 @@ float4 shade(Surface surface)
     return ink;
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.normal = arg2;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float3 arg4) {
+Surface ConstructSurface(float3 normal, float3 view, float3 position_camera,
+    float3 curvature_tensor, float3 smooth_normal_4_) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
-    ret.position_camera = arg2;
-    ret.curvature_tensor = arg3;
-    ret.smooth_normal_4_ = arg4;
+    ret.normal = normal;
+    ret.view = view;
+    ret.position_camera = position_camera;
+    ret.curvature_tensor = curvature_tensor;
+    ret.smooth_normal_4_ = smooth_normal_4_;
     return ret;
 }
 
-int2 naga_f2i32(float2 value) {
+int2 to_int(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
-        fragmentinput_fs_main.normal_4 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_1, input.normal_4 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
     float3 normal = is_front ? facing : -facing;
-    float4 texel = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4 texel_1 = smooth_normal_4_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 texel = curvature_tensor_map.Load(int3(to_int(in_.clip_.xy), int(0)));
+    float4 texel_1 = smooth_normal_4_map.Load(int3(to_int(in_.clip_.xy), int(0)));
     Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
         mul(float4(in_.position, 1.0), view.camera_from_world).xyz, texel.xyz,
         mul(view.camera_from_world, float4(texel_1.xyz, 0.0)).xyz);

@@ -180,19 +180,10 @@ Color ramp_at(
     type_7 colors = {};
     type_8 places = {};
     metal::float4 color = {};
-    uint i = 1u;
     colors = ramp.colors;
     places = ramp.places;
     color = colors.inner[0];
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 3u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 3u); i++) {
         color = color + (colors.inner[i] - colors.inner[i - 1u])
             * step_filtered(x, places.inner[0][naga_mod(i, 4u)], w);
     }

@@ -72,12 +72,12 @@ static const Ramp color_code = {{float4(1.0, 0.9686, 0.8392, 1.0), float4(1.0, 0
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float2 uv : LOC0;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float2 uv_1 : LOC0;
     float4 clip_1 : SV_Position;
 };
@@ -178,22 +178,13 @@ float4 ramp_at(Ramp ramp, float x, float w)
         (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
         (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
-    uint i_2 = 1u;
     uint at = 0u;
     float4 from_a = (0.0).xxxx;
     float4 to_b = (0.0).xxxx;
 
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i_2 = i_2 + 1u;
-        }
-        loop_init = false;
-        if (!(i_2 < 7u)) {
-            break;
-        }
+    for (uint i_2 = 1u; (i_2 < 7u); i_2 = i_2 + 1u) {
         float places_now = places[min(uint(naga_div(i_2, 4u)), 3u)][min(uint(naga_mod(i_2, 4u)),
             3u)];
         at = places_now <= x ? i_2 : at;
@@ -254,11 +245,11 @@ float4 output(float4 color)
     return finite_vec4(straight(color));
 }
 
-VectorParts ConstructVectorParts(float arg0, float arg1, float arg2) {
+VectorParts ConstructVectorParts(float x, float y, float z) {
     VectorParts ret = (VectorParts)0;
-    ret.x = arg0;
-    ret.y = arg1;
-    ret.z = arg2;
+    ret.x = x;
+    ret.y = y;
+    ret.z = z;
     return ret;
 }
 
@@ -280,30 +271,30 @@ float4 shade(Surface surface)
     return output(premultiplied(output_alpha));
 }
 
-Varyings ConstructVaryings(float4 arg0, float2 arg1) {
+Varyings ConstructVaryings(float4 clip_, float2 uv) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.uv = arg1;
+    ret.clip_ = clip_;
+    ret.uv = uv;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), vertex.uv);
-    const VertexOutput_vs_main varyings_1 = { varyings.uv, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.uv, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float2 arg0) {
+Surface ConstructSurface(float2 uv) {
     Surface ret = (Surface)0;
-    ret.uv = arg0;
+    ret.uv = uv;
     return ret;
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.uv_1 };
+    Varyings in_ = { input.clip_1, input.uv_1 };
     Surface surface = ConstructSurface(in_.uv);
     return finite_vec4(shade(surface));
 }

@@ -204,21 +204,12 @@ Color ramp_at(
 ) {
     type_5 colors = {};
     type_6 places = {};
-    uint i_2 = 1u;
     uint at = 0u;
     metal::float4 from_a = metal::float4(0.0);
     metal::float4 to_b = metal::float4(0.0);
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i_2 = i_2 + 1u;
-        }
-        loop_init = false;
-        if (!(i_2 < 7u)) {
-            break;
-        }
+    for (uint i_2 = 1u; (i_2 < 7u); i_2++) {
         float places_now = places.inner[naga_div(i_2, 4u)][naga_mod(i_2, 4u)];
         at = places_now <= x ? i_2 : at;
     }

@@ -177,21 +177,12 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
         vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
         vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    uint i_2 = 1u;
     uint at = 0u;
     vec4 from_a = vec4(0.0);
     vec4 to_b = vec4(0.0);
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i_2 = i_2 + 1u;
-        }
-        loop_init = false;
-        if (!(i_2 < 7u)) {
-            break;
-        }
+    for (uint i_2 = 1u; (i_2 < 7u); i_2 = i_2 + 1u) {
         float places_now = places[i_2 / 4u][i_2 % 4u];
         at = places_now <= x ? i_2 : at;
     }

@@ -84,12 +84,12 @@ static const ProfileShape custom_shape = {0.9689124, 0.24740396, 1.6523834, 4.01
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float2 uv : LOC0;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float2 uv_1 : LOC0;
     float4 clip_1 : SV_Position;
 };
@@ -126,10 +126,10 @@ float2 sin_cos_quarter(float x)
     return float2(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
-Angle ConstructAngle(float arg0, float arg1) {
+Angle ConstructAngle(float half_sin, float half_cos) {
     Angle ret = (Angle)0;
-    ret.half_sin = arg0;
-    ret.half_cos = arg1;
+    ret.half_sin = half_sin;
+    ret.half_cos = half_cos;
     return ret;
 }
 
@@ -290,11 +290,11 @@ float threshold(float value, float edge, float softness)
     return step_filtered(value, edge, length(float2(footprint_of(value), softness)));
 }
 
-VectorParts ConstructVectorParts(float arg0, float arg1, float arg2) {
+VectorParts ConstructVectorParts(float x, float y, float z) {
     VectorParts ret = (VectorParts)0;
-    ret.x = arg0;
-    ret.y = arg1;
-    ret.z = arg2;
+    ret.x = x;
+    ret.y = y;
+    ret.z = z;
     return ret;
 }
 
@@ -359,30 +359,30 @@ float4 shade(Surface surface)
     return custom_2;
 }
 
-Varyings ConstructVaryings(float4 arg0, float2 arg1) {
+Varyings ConstructVaryings(float4 clip_, float2 uv) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.uv = arg1;
+    ret.clip_ = clip_;
+    ret.uv = uv;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), vertex.uv);
-    const VertexOutput_vs_main varyings_1 = { varyings.uv, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.uv, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float2 arg0) {
+Surface ConstructSurface(float2 uv) {
     Surface ret = (Surface)0;
-    ret.uv = arg0;
+    ret.uv = uv;
     return ret;
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.uv_1 };
+    Varyings in_ = { input.clip_1, input.uv_1 };
     Surface surface = ConstructSurface(in_.uv);
     return shade(surface);
 }

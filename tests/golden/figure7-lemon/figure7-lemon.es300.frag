@@ -382,27 +382,15 @@ vec3 fade_quintic(vec3 t) {
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
 float perlin_noise(vec3 p, uint seed) {
     float sum = 0.0;
-    int i = 0;
     vec3 corner = floor(p);
     vec3 d = p - corner;
     vec3 f = fade_quintic(d);
     ivec3 cell = ivec3(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (i < 8) {
-        } else {
-            break;
-        }
-        {
-            ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
-            vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
-            sum = sum + weight.x * weight.y * weight.z
-                * gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
-        }
+    for (int i = 0; (i < 8); i = i + 1) {
+        ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
+        vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
+        sum = sum + weight.x * weight.y * weight.z
+            * gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
     }
     // The twelve gradients reach 1.0364 at most.
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
@@ -413,20 +401,11 @@ float perlin_noise(vec3 p, uint seed) {
 /// fades to its average, so that distance does not make it flicker.
 float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, float w) {
     float octave = 0.0;
-    int i = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (!(i < 2)) {
-            break;
-        }
+    for (int i = 0; (i < 2); i = i + 1) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

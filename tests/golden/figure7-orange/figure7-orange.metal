@@ -514,29 +514,17 @@ float perlin_noise(
     uint seed
 ) {
     float sum = 0.0;
-    int i = 0;
     metal::float3 corner = metal::floor(p);
     metal::float3 d = p - corner;
     metal::float3 f = fade_quintic(d);
     metal::int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (i < 8) {
-        } else {
-            break;
-        }
-        {
-            metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
-            metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
-                seed);
-            sum = sum + weight.x * weight.y * weight.z
-                * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
-        }
+    for (int i = 0; i < 8; i++) {
+        metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
+        metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
+        metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
+            seed);
+        sum = sum + weight.x * weight.y * weight.z
+            * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
     }
     // The twelve gradients reach 1.0364 at most.
     return metal::clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
@@ -554,20 +542,11 @@ float fractal_noise(
     float w
 ) {
     float octave = {};
-    int i = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(i < 2)) {
-            break;
-        }
+    for (int i = 0; (i < 2); i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

@@ -249,18 +249,9 @@ float curve_at(Curve curve, float x, float w) {
     vec4 points[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
         vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
         vec4(0.0), vec4(0.0));
-    uint i_2 = 1u;
     uint at = 0u;
     points = curve.points;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i_2 = i_2 + 1u;
-        }
-        loop_init = false;
-        if (!(i_2 < 6u)) {
-            break;
-        }
+    for (uint i_2 = 1u; (i_2 < 6u); i_2 = i_2 + 1u) {
         at = points[i_2].x <= x ? i_2 : at;
     }
     vec4 a = points[at];
@@ -278,18 +269,9 @@ float curve_at_2(Curve curve, float x, float w) {
     vec4 points[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
         vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
         vec4(0.0), vec4(0.0));
-    uint i_2 = 1u;
     uint at = 0u;
     points = curve.points;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i_2 = i_2 + 1u;
-        }
-        loop_init = false;
-        if (!(i_2 < 4u)) {
-            break;
-        }
+    for (uint i_2 = 1u; (i_2 < 4u); i_2 = i_2 + 1u) {
         at = points[i_2].x <= x ? i_2 : at;
     }
     vec4 a = points[at];

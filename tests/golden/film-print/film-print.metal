@@ -326,18 +326,9 @@ float curve_at(
     float w
 ) {
     type_5 points = {};
-    uint i_2 = 1u;
     uint at = 0u;
     points = curve.points;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i_2 = i_2 + 1u;
-        }
-        loop_init = false;
-        if (!(i_2 < 6u)) {
-            break;
-        }
+    for (uint i_2 = 1u; (i_2 < 6u); i_2++) {
         at = points.inner[i_2].x <= x ? i_2 : at;
     }
     metal::float4 a = points.inner[at];
@@ -359,18 +350,9 @@ float curve_at_2(
     float w
 ) {
     type_5 points = {};
-    uint i_2 = 1u;
     uint at = 0u;
     points = curve.points;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i_2 = i_2 + 1u;
-        }
-        loop_init = false;
-        if (!(i_2 < 4u)) {
-            break;
-        }
+    for (uint i_2 = 1u; (i_2 < 4u); i_2++) {
         at = points.inner[i_2].x <= x ? i_2 : at;
     }
     metal::float4 a = points.inner[at];

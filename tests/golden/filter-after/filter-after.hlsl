@@ -157,13 +157,13 @@ cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position_4 : LOC0;
     float3 normal : LOC1;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_5 : LOC0;
     float3 normal_1 : LOC1;
     float4 clip_1 : SV_Position;
@@ -253,10 +253,10 @@ float angle_footprint(Angle u)
     return min(w, 0.5);
 }
 
-Angle ConstructAngle(float arg0, float arg1) {
+Angle ConstructAngle(float half_sin, float half_cos) {
     Angle ret = (Angle)0;
-    ret.half_sin = arg0;
-    ret.half_cos = arg1;
+    ret.half_sin = half_sin;
+    ret.half_cos = half_cos;
     return ret;
 }
 
@@ -432,12 +432,12 @@ float light_fading(float distance_, float2 fading)
     return left;
 }
 
-Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
+Light ConstructLight(float3 direction, float3 own_direction, float3 color, float intensity) {
     Light ret = (Light)0;
-    ret.direction = arg0;
-    ret.own_direction = arg1;
-    ret.color = arg2;
-    ret.intensity = arg3;
+    ret.direction = direction;
+    ret.own_direction = own_direction;
+    ret.color = color;
+    ret.intensity = intensity;
     return ret;
 }
 
@@ -473,10 +473,10 @@ Light light_spot(float3 light_position, float3 aim, float3x3 own_from_world, flo
     return light;
 }
 
-LitLayer ConstructLitLayer(float4 arg0, float arg1) {
+LitLayer ConstructLitLayer(float4 color, float tone) {
     LitLayer ret = (LitLayer)0;
-    ret.color = arg0;
-    ret.tone = arg1;
+    ret.color = color;
+    ret.tone = tone;
     return ret;
 }
 
@@ -490,10 +490,10 @@ LitLayer light_apply(Light light, float4 color, float tone)
     return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
-PlaceInLight ConstructPlaceInLight(float2 arg0, float arg1) {
+PlaceInLight ConstructPlaceInLight(float2 uv, float inside) {
     PlaceInLight ret = (PlaceInLight)0;
-    ret.uv = arg0;
-    ret.inside = arg1;
+    ret.uv = uv;
+    ret.inside = inside;
     return ret;
 }
 
@@ -595,15 +595,15 @@ int naga_div(int lhs, int rhs) {
     return lhs / (((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs);
 }
 
-Cell ConstructCell(float arg0, float arg1, float arg2) {
+Cell ConstructCell(float border, float random, float distance_) {
     Cell ret = (Cell)0;
-    ret.border = arg0;
-    ret.random = arg1;
-    ret.distance_ = arg2;
+    ret.border = border;
+    ret.random = random;
+    ret.distance_ = distance_;
     return ret;
 }
 
-int3 naga_f2i32(float3 value) {
+int3 to_int(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -616,59 +616,35 @@ Cell nearest_cell(float3 p, uint seed)
 {
     float3 nearest = (4.0).xxx;
     uint3 hash = (0u).xxx;
-    int i = int(0);
     float border = (float)0;
-    int i_1 = int(0);
 
     float3 corner = floor(p);
     float3 d = p - corner;
-    int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (i < int(27)) {
-        } else {
-            break;
-        }
-        {
-            int3 at = int3(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))),
-                asint(asuint(naga_mod(naga_div(i, int(3)), int(3))) - asuint(int(1))),
-                asint(asuint(naga_div(i, int(9))) - asuint(int(1))));
-            const uint3 own = lattice_hash(asint(asuint(cell) + asuint(at)), seed);
-            float3 offset = float3(at) + (0.25).xxx + 0.5 * unit_of_hash(own) - d;
-            if (dot(offset, offset) < dot(nearest, nearest)) {
-                nearest = offset;
-                hash = own;
-            }
+    int3 cell = to_int(corner);
+    for (int i = 0; (i < 27); i++) {
+        int3 at = int3(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))),
+            asint(asuint(naga_mod(naga_div(i, int(3)), int(3))) - asuint(int(1))),
+            asint(asuint(naga_div(i, int(9))) - asuint(int(1))));
+        const uint3 own = lattice_hash(asint(asuint(cell) + asuint(at)), seed);
+        float3 offset = float3(at) + (0.25).xxx + 0.5 * unit_of_hash(own) - d;
+        if (dot(offset, offset) < dot(nearest, nearest)) {
+            nearest = offset;
+            hash = own;
         }
     }
     float distance_ = length(nearest);
     border = max(0.5 * (CELL_REACH - distance_), 0.0);
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            i_1 = asint(asuint(i_1) + asuint(int(1)));
-        }
-        loop_init_1 = false;
-        if (i_1 < int(27)) {
-        } else {
-            break;
-        }
-        {
-            int3 at_1 = int3(asint(asuint(naga_mod(i_1, int(3))) - asuint(int(1))),
-                asint(asuint(naga_mod(naga_div(i_1, int(3)), int(3))) - asuint(int(1))),
-                asint(asuint(naga_div(i_1, int(9))) - asuint(int(1))));
-            const float3 unit_of_hash_value = unit_of_hash(lattice_hash(asint(asuint(cell)
-                + asuint(at_1)), seed));
-            float3 apart = float3(at_1) + (0.25).xxx + 0.5 * unit_of_hash_value - d - nearest;
-            float between = length(apart);
-            // Points are half a cell apart at least; a nearer one is the cell's own.
-            if (between > 0.25) {
-                border = min(border, dot(nearest + 0.5 * apart, apart) / between);
-            }
+    for (int i_1 = 0; (i_1 < 27); i_1++) {
+        int3 at_1 = int3(asint(asuint(naga_mod(i_1, int(3))) - asuint(int(1))),
+            asint(asuint(naga_mod(naga_div(i_1, int(3)), int(3))) - asuint(int(1))),
+            asint(asuint(naga_div(i_1, int(9))) - asuint(int(1))));
+        const float3 unit_of_hash_value = unit_of_hash(lattice_hash(asint(asuint(cell)
+            + asuint(at_1)), seed));
+        float3 apart = float3(at_1) + (0.25).xxx + 0.5 * unit_of_hash_value - d - nearest;
+        float between = length(apart);
+        // Points are half a cell apart at least; a nearer one is the cell's own.
+        if (between > 0.25) {
+            border = min(border, dot(nearest + 0.5 * apart, apart) / between);
         }
     }
     const Cell cell_1 = ConstructCell(max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x,
@@ -678,11 +654,11 @@ Cell nearest_cell(float3 p, uint seed)
     return cell_1;
 }
 
-Cells ConstructCells(float arg0, float arg1, float arg2) {
+Cells ConstructCells(float border, float random, float distance_) {
     Cells ret = (Cells)0;
-    ret.border = arg0;
-    ret.random = arg1;
-    ret.distance_ = arg2;
+    ret.border = border;
+    ret.random = random;
+    ret.distance_ = distance_;
     return ret;
 }
 
@@ -701,10 +677,10 @@ Cells cells(float3 position, float scale, int seed)
     return ConstructCells(seen.x, seen.y, seen.z);
 }
 
-FilteredLight ConstructFilteredLight(Light arg0, Angle arg1) {
+FilteredLight ConstructFilteredLight(Light light, Angle angle) {
     FilteredLight ret = (FilteredLight)0;
-    ret.light = arg0;
-    ret.angle = arg1;
+    ret.light = light;
+    ret.angle = angle;
     return ret;
 }
 
@@ -734,35 +710,34 @@ float4 shade(Surface surface)
     return blend_add(float4(0.13, 0.14, 0.27, 1.0), lit_.color, lit_.tone, 1.0, true);
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.normal = arg2;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1) {
+Surface ConstructSurface(float3 normal, float3 position) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.position = arg1;
+    ret.normal = normal;
+    ret.position = position;
     return ret;
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_5,
-        fragmentinput_fs_main.normal_1 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_5, input.normal_1 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
     float3 normal = is_front ? facing : -facing;
     Surface surface = ConstructSurface(normal, in_.position);

@@ -496,53 +496,29 @@ uvec3 lattice_hash(ivec3 cell, uint seed) {
 Cell nearest_cell(vec3 p, uint seed) {
     vec3 nearest = vec3(4.0);
     uvec3 hash = uvec3(0u);
-    int i = 0;
     float border = 0.0;
-    int i_1 = 0;
     vec3 corner = floor(p);
     vec3 d = p - corner;
     ivec3 cell = ivec3(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (i < 27) {
-        } else {
-            break;
-        }
-        {
-            ivec3 at = ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-            uvec3 own = lattice_hash(cell + at, seed);
-            vec3 offset = vec3(at) + vec3(0.25) + 0.5 * unit_of_hash(own) - d;
-            if (dot(offset, offset) < dot(nearest, nearest)) {
-                nearest = offset;
-                hash = own;
-            }
+    for (int i = 0; (i < 27); i = i + 1) {
+        ivec3 at = ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        uvec3 own = lattice_hash(cell + at, seed);
+        vec3 offset = vec3(at) + vec3(0.25) + 0.5 * unit_of_hash(own) - d;
+        if (dot(offset, offset) < dot(nearest, nearest)) {
+            nearest = offset;
+            hash = own;
         }
     }
     float distance_ = length(nearest);
     border = max(0.5 * (CELL_REACH - distance_), 0.0);
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            i_1 = i_1 + 1;
-        }
-        loop_init_1 = false;
-        if (i_1 < 27) {
-        } else {
-            break;
-        }
-        {
-            ivec3 at_1 = ivec3(i_1 % 3 - 1, i_1 / 3 % 3 - 1, i_1 / 9 - 1);
-            vec3 apart = vec3(at_1) + vec3(0.25) + 0.5
-                * unit_of_hash(lattice_hash(cell + at_1, seed)) - d - nearest;
-            float between = length(apart);
-            // Points are half a cell apart at least; a nearer one is the cell's own.
-            if (between > 0.25) {
-                border = min(border, dot(nearest + 0.5 * apart, apart) / between);
-            }
+    for (int i_1 = 0; (i_1 < 27); i_1 = i_1 + 1) {
+        ivec3 at_1 = ivec3(i_1 % 3 - 1, i_1 / 3 % 3 - 1, i_1 / 9 - 1);
+        vec3 apart = vec3(at_1) + vec3(0.25) + 0.5 * unit_of_hash(lattice_hash(cell + at_1, seed))
+            - d - nearest;
+        float between = length(apart);
+        // Points are half a cell apart at least; a nearer one is the cell's own.
+        if (between > 0.25) {
+            border = min(border, dot(nearest + 0.5 * apart, apart) / between);
         }
     }
     // The number has a hash other than that of the point's place, or it would tell where in its

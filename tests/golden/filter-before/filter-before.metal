@@ -677,64 +677,38 @@ Cell nearest_cell(
 ) {
     metal::float3 nearest = metal::float3(4.0);
     metal::uint3 hash = metal::uint3(0u);
-    int i = 0;
     float border = {};
-    int i_1 = 0;
     metal::float3 corner = metal::floor(p);
     metal::float3 d = p - corner;
     metal::int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (i < 27) {
-        } else {
-            break;
-        }
-        {
-            metal::int3 at = metal::int3(as_type<int>(as_type<uint>(naga_mod(i, 3))
-                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i, 3), 3))
-                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 9))
-                - as_type<uint>(1)));
-            metal::uint3 own = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell)
-                + as_type<metal::uint3>(at)), seed);
-            metal::float3 offset = static_cast<metal::float3>(at) + metal::float3(0.25) + 0.5
-                * unit_of_hash(own) - d;
-            if (metal::dot(offset, offset) < metal::dot(nearest, nearest)) {
-                nearest = offset;
-                hash = own;
-            }
+    for (int i = 0; i < 27; i++) {
+        metal::int3 at = metal::int3(as_type<int>(as_type<uint>(naga_mod(i, 3)) - as_type<uint>(1)),
+            as_type<int>(as_type<uint>(naga_mod(naga_div(i, 3), 3)) - as_type<uint>(1)),
+            as_type<int>(as_type<uint>(naga_div(i, 9)) - as_type<uint>(1)));
+        metal::uint3 own = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell)
+            + as_type<metal::uint3>(at)), seed);
+        metal::float3 offset = static_cast<metal::float3>(at) + metal::float3(0.25) + 0.5
+            * unit_of_hash(own) - d;
+        if (metal::dot(offset, offset) < metal::dot(nearest, nearest)) {
+            nearest = offset;
+            hash = own;
         }
     }
     float distance = metal::length(nearest);
     border = metal::max(0.5 * (CELL_REACH - distance), 0.0);
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            i_1 = as_type<int>(as_type<uint>(i_1) + as_type<uint>(1));
-        }
-        loop_init_1 = false;
-        if (i_1 < 27) {
-        } else {
-            break;
-        }
-        {
-            metal::int3 at_1 = metal::int3(as_type<int>(as_type<uint>(naga_mod(i_1, 3))
-                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i_1, 3), 3))
-                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i_1, 9))
-                - as_type<uint>(1)));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1)),
-                seed);
-            metal::float3 unit_of_hash_value = unit_of_hash(lattice_hash_value);
-            metal::float3 apart = static_cast<metal::float3>(at_1) + metal::float3(0.25) + 0.5
-                * unit_of_hash_value - d - nearest;
-            float between = metal::length(apart);
-            // Points are half a cell apart at least; a nearer one is the cell's own.
-            if (between > 0.25) {
-                border = metal::min(border, metal::dot(nearest + 0.5 * apart, apart) / between);
-            }
+    for (int i_1 = 0; i_1 < 27; i_1++) {
+        metal::int3 at_1 = metal::int3(as_type<int>(as_type<uint>(naga_mod(i_1, 3))
+            - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i_1, 3), 3))
+            - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i_1, 9)) - as_type<uint>(1)));
+        metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1)),
+            seed);
+        metal::float3 unit_of_hash_value = unit_of_hash(lattice_hash_value);
+        metal::float3 apart = static_cast<metal::float3>(at_1) + metal::float3(0.25) + 0.5
+            * unit_of_hash_value - d - nearest;
+        float between = metal::length(apart);
+        // Points are half a cell apart at least; a nearer one is the cell's own.
+        if (between > 0.25) {
+            border = metal::min(border, metal::dot(nearest + 0.5 * apart, apart) / between);
         }
     }
     // The number has a hash other than that of the point's place, or it would tell where in its

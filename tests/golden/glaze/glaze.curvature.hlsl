@@ -58,7 +58,7 @@ struct Ring {
 Texture2D<float4> surface : register(t0);
 cbuffer curvature : register(b0) { Curvature curvature; }
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float4 position_1 : SV_Position;
 };
 
@@ -112,7 +112,7 @@ float4 whole_picture(uint index)
     return float4(float(index & 1u) * 4.0 - 1.0, float(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
-int naga_f2i32(float value) {
+int to_int(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -120,7 +120,7 @@ int naga_f2i32(float value) {
 /// curvature, not a finer one.
 int step_pixels()
 {
-    return max(naga_f2i32(round(curvature.viewport_height / 800.0)), int(1));
+    return max(to_int(round(curvature.viewport_height / 800.0)), int(1));
 }
 
 /// 1 where a row of the image lies above the row before it, -1 where it lies below.
@@ -137,10 +137,10 @@ int2 around(int index)
     return index > int(3) ? int2(side, asint(asuint(int(1)) - asuint(index & int(2)))) : straight;
 }
 
-SeenPixel ConstructSeenPixel(int2 arg0, float4 arg1) {
+SeenPixel ConstructSeenPixel(int2 at, float4 texel) {
     SeenPixel ret = (SeenPixel)0;
-    ret.at = arg0;
-    ret.texel = arg1;
+    ret.at = at;
+    ret.texel = texel;
     return ret;
 }
 
@@ -159,7 +159,6 @@ SeenPixel seen_pixel(int2 pixel)
 {
     SeenPixel seen = (SeenPixel)0;
     bool local = (bool)0;
-    int index = (int)0;
 
     seen = ConstructSeenPixel(pixel, surface.Load(int3(pixel, int(0))));
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
@@ -169,34 +168,22 @@ SeenPixel seen_pixel(int2 pixel)
         local = false;
     }
     bool may_be_missed = local;
-    index = may_be_missed ? int(7) : int(-1);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            index = asint(asuint(index) - asuint(int(1)));
-        }
-        loop_init = false;
-        if (index >= int(0)) {
-        } else {
-            break;
-        }
-        {
-            int2 near = clamp(asint(asuint(pixel) + asuint(around(index))), (int(0)).xx, last);
-            float4 texel = surface.Load(int3(near, int(0)));
-            if (texel.w != 0.0) {
-                seen = ConstructSeenPixel(near, texel);
-            }
+    for (int index = may_be_missed ? 7 : -1; (index >= 0); index--) {
+        int2 near = clamp(asint(asuint(pixel) + asuint(around(index))), (int(0)).xx, last);
+        float4 texel = surface.Load(int3(near, int(0)));
+        if (texel.w != 0.0) {
+            seen = ConstructSeenPixel(near, texel);
         }
     }
     return seen;
 }
 
-Plane ConstructPlane(float arg0, float arg1, float2 arg2, float arg3) {
+Plane ConstructPlane(float object, float depth, float2 rise, float tolerance) {
     Plane ret = (Plane)0;
-    ret.object = arg0;
-    ret.depth = arg1;
-    ret.rise = arg2;
-    ret.tolerance = arg3;
+    ret.object = object;
+    ret.depth = depth;
+    ret.rise = rise;
+    ret.tolerance = tolerance;
     return ret;
 }
 
@@ -220,11 +207,11 @@ float4 neighbor_weights(Plane plane, float4 objects, float4 depths, float4 rises
     return objects == (plane.object).xxxx ? weights : (0.0).xxxx;
 }
 
-Center ConstructCenter(int2 arg0, float2 arg1, Plane arg2) {
+Center ConstructCenter(int2 at, float2 slope, Plane plane) {
     Center ret = (Center)0;
-    ret.at = arg0;
-    ret.slope = arg1;
-    ret.plane = arg2;
+    ret.at = at;
+    ret.slope = slope;
+    ret.plane = plane;
     return ret;
 }
 
@@ -236,11 +223,11 @@ Center center_at(int2 pixel)
     return ConstructCenter(seen.at, texel.xy, plane_of(abs(texel.w), texel.z, normal_of(texel)));
 }
 
-Ring ConstructRing(float4 arg0, float4 arg1, float4 arg2) {
+Ring ConstructRing(float4 x, float4 y, float4 weights) {
     Ring ret = (Ring)0;
-    ret.x = arg0;
-    ret.y = arg1;
-    ret.weights = arg2;
+    ret.x = x;
+    ret.y = y;
+    ret.weights = weights;
     return ret;
 }
 
@@ -308,14 +295,14 @@ float4 vs_main(uint index : SV_VertexID) : SV_Position
     return whole_picture(index);
 }
 
-int2 naga_f2i32(float2 value) {
+int2 to_int(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float fs_main(FragmentInput input) : SV_Target0
 {
-    float4 position = fragmentinput_fs_main.position_1;
-    const Center center_ = center_at(naga_f2i32(position.xy));
+    float4 position = input.position_1;
+    const Center center_ = center_at(to_int(position.xy));
     if (center_.plane.object == 0.0) {
         return 0.0;
     }

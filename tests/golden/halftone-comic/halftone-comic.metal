@@ -232,21 +232,12 @@ float dot_radius(
     float share
 ) {
     float a = {};
-    int i = 0;
     if (share <= 0.7853982) {
         return metal::sqrt(share * 0.31830987);
     }
     float s = (share - 0.7853982) / 0.21460183;
     a = metal::mix(0.5227232 * metal::sqrt(s), 0.7853982 - 0.3275682 * metal::sqrt(1.0 - s), s);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(i < 2)) {
-            break;
-        }
+    for (int i = 0; (i < 2); i++) {
         metal::float2 turn = sin_cos_quarter(metal::clamp(a, 0.0, 0.7853982));
         float tangent = turn.x / turn.y;
         float square = 1.0 / (turn.y * turn.y);

@@ -232,21 +232,12 @@ uvec3 hash_pcg3d(uvec3 seed) {
 
 /// Value noise: random numbers at lattice points, smooth between them.
 float value_noise(vec3 p, uint seed) {
-    int i = 0;
     float sum = 0.0;
     vec3 corner = floor(p);
     vec3 t = p - corner;
     vec3 f = t * t * t * (t * (t * 6.0 - vec3(15.0)) + vec3(10.0));
     ivec3 cell = ivec3(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (!(i < 8)) {
-            break;
-        }
+    for (int i = 0; (i < 8); i = i + 1) {
         ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
         vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
         uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(cell + at) + seed
@@ -402,20 +393,11 @@ float hatched(vec2 place, float w, float level, float ink, Strokes style) {
 /// the first take the light tones, and the others come in one after the other.
 float cross_hatched(SpacedPlace at, float ink, int layers, float cross_, Strokes style) {
     Strokes own = Strokes(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0u);
-    int i = 0;
     float free = 1.0;
     vec2 x = dFdx(at.place);
     vec2 y = dFdy(at.place);
     float amount = ink * 3.0;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (!(i < 4)) {
-            break;
-        }
+    for (int i = 0; (i < 4); i = i + 1) {
         if (i < 3) {
             float x_2 = float(i) * cross_;
             vec2 turn = vec2(sin(x_2), cos(x_2));

@@ -132,13 +132,13 @@ cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position : LOC0;
     float3 normal_1 : LOC1;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_1 : LOC0;
     float3 normal_2 : LOC1;
     float4 clip_1 : SV_Position;
@@ -177,7 +177,7 @@ float3 normalize_or(float3 v, float3 otherwise)
     return scaled * (1.0 / sqrt(square));
 }
 
-int naga_f2i32(float value) {
+int to_int(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -191,7 +191,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
+    return twice * asfloat(uint(asint(asuint(to_int(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -285,10 +285,10 @@ float angle_footprint(Angle u)
     return min(w, 0.5);
 }
 
-Angle ConstructAngle(float arg0, float arg1) {
+Angle ConstructAngle(float half_sin, float half_cos) {
     Angle ret = (Angle)0;
-    ret.half_sin = arg0;
-    ret.half_cos = arg1;
+    ret.half_sin = half_sin;
+    ret.half_cos = half_cos;
     return ret;
 }
 
@@ -336,12 +336,13 @@ float3 any_orthogonal(float3 n)
     return float3(1.0 + sign_ * n.x * n.x * a, sign_ * n.x * n.y * a, -sign_ * n.x);
 }
 
-DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
+DirectionParts ConstructDirectionParts(float3 direction, float3 x_axis, float3 y_axis,
+    float2 place) {
     DirectionParts ret = (DirectionParts)0;
-    ret.direction = arg0;
-    ret.x_axis = arg1;
-    ret.y_axis = arg2;
-    ret.place = arg3;
+    ret.direction = direction;
+    ret.x_axis = x_axis;
+    ret.y_axis = y_axis;
+    ret.place = place;
     return ret;
 }
 
@@ -385,10 +386,10 @@ float3x3 axes_around(float3 toward, float3 up)
     return float3x3(x, cross(toward, x), toward);
 }
 
-AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
+AxesAround ConstructAxesAround(float3 x_axis, float3 y_axis) {
     AxesAround ret = (AxesAround)0;
-    ret.x_axis = arg0;
-    ret.y_axis = arg1;
+    ret.x_axis = x_axis;
+    ret.y_axis = y_axis;
     return ret;
 }
 
@@ -589,35 +590,34 @@ float4 shade(Surface surface)
     return output;
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.normal = arg2;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1) {
+Surface ConstructSurface(float3 normal, float3 view) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
+    ret.normal = normal;
+    ret.view = view;
     return ret;
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
-        fragmentinput_fs_main.normal_2 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_1, input.normal_2 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
     float3 normal = is_front ? facing : -facing;
     Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position));

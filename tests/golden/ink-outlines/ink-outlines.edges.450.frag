@@ -186,7 +186,6 @@ Course course_at(ivec2 pixel, ivec2 step_, float number, float limit) {
     vec2 ends[2] = vec2[2](vec2(0.0), vec2(0.0));
     int changes = 0;
     CourseSums sums = CourseSums(1.0, 0.0, 0.5, 0.0, 0.0, 0.25, 0.0);
-    int side = 0;
     int height = 0;
     bool is_open = false;
     int row = 0;
@@ -200,88 +199,76 @@ Course course_at(ivec2 pixel, ivec2 step_, float number, float limit) {
     bool local_8 = false;
     bool local_9 = false;
     ivec2 along = abs(step_.yx);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            side = side + 1;
-        }
-        loop_init = false;
-        if (side < 2) {
-        } else {
-            break;
-        }
-        {
-            ivec2 way = along * (1 - 2 * side);
-            height = 0;
-            is_open = true;
-            row = 1;
-            while(true) {
-                if (row <= 12) {
-                    if (!is_open) {
-                        local_3 = row <= 5;
-                    } else {
-                        local_3 = true;
-                    }
-                    local_2 = local_3;
+    for (int side = 0; (side < 2); side = side + 1) {
+        ivec2 way = along * (1 - 2 * side);
+        height = 0;
+        is_open = true;
+        row = 1;
+        while(true) {
+            if (row <= 12) {
+                if (!is_open) {
+                    local_3 = row <= 5;
                 } else {
-                    local_2 = false;
+                    local_3 = true;
                 }
-                if (local_2) {
+                local_2 = local_3;
+            } else {
+                local_2 = false;
+            }
+            if (local_2) {
+            } else {
+                break;
+            }
+            {
+                ivec2 at = pixel + way * row + step_ * height;
+                change = 0;
+                if (shows(at, number, limit)) {
+                    if (shows(at + step_, number, limit)) {
+                        change = 1;
+                    }
                 } else {
+                    change = -1;
+                }
+                if (change > 0) {
+                    local_4 = shows(at + 2 * step_, number, limit);
+                } else {
+                    local_4 = false;
+                }
+                if (local_4) {
                     break;
                 }
-                {
-                    ivec2 at = pixel + way * row + step_ * height;
-                    change = 0;
-                    if (shows(at, number, limit)) {
-                        if (shows(at + step_, number, limit)) {
-                            change = 1;
-                        }
-                    } else {
-                        change = -1;
-                    }
-                    if (change > 0) {
-                        local_4 = shows(at + 2 * step_, number, limit);
-                    } else {
-                        local_4 = false;
-                    }
-                    if (local_4) {
-                        break;
-                    }
-                    if (change < 0) {
-                        local_5 = !shows(at - step_, number, limit);
-                    } else {
-                        local_5 = false;
-                    }
-                    if (local_5) {
-                        break;
-                    }
-                    if (change != 0) {
-                        if (is_open) {
-                            ends[side] = vec2(float(row) - 0.5,
-                                float(max(height, height + change)));
-                            is_open = false;
-                        }
-                        changes = changes + (row <= 5 ? 1 : 0);
-                        height = height + change;
-                    }
-                    if (row <= 5) {
-                        float x = float(row * (1 - 2 * side));
-                        float y = float(height) + 0.5;
-                        sums.count = sums.count + 1.0;
-                        sums.x = sums.x + x;
-                        sums.y = sums.y + y;
-                        sums.xx = sums.xx + x * x;
-                        sums.xy = sums.xy + x * y;
-                        sums.yy = sums.yy + y * y;
-                        sums.xxy = sums.xxy + x * x * y;
-                    }
-                    row = row + 1;
+                if (change < 0) {
+                    local_5 = !shows(at - step_, number, limit);
+                } else {
+                    local_5 = false;
                 }
+                if (local_5) {
+                    break;
+                }
+                if (change != 0) {
+                    if (is_open) {
+                        ends[side] = vec2(float(row) - 0.5, float(max(height, height + change)));
+                        is_open = false;
+                    }
+                    changes = changes + (row <= 5 ? 1 : 0);
+                    height = height + change;
+                }
+                if (row <= 5) {
+                    float x = float(row * (1 - 2 * side));
+                    float y = float(height) + 0.5;
+                    sums.count = sums.count + 1.0;
+                    sums.x = sums.x + x;
+                    sums.y = sums.y + y;
+                    sums.xx = sums.xx + x * x;
+                    sums.xy = sums.xy + x * y;
+                    sums.yy = sums.yy + y * y;
+                    sums.xxy = sums.xxy + x * x * y;
+                }
+                row = row + 1;
             }
-            if (is_open) {
-                ends[side] = vec2(float(row) - 0.5, float(height) + 0.5);
-            }
+        }
+        if (is_open) {
+            ends[side] = vec2(float(row) - 0.5, float(height) + 0.5);
         }
     }
     float length_ = ends[0].x + ends[1].x;
@@ -485,7 +472,6 @@ bool goes_on(Facet own, vec2 slope, float size, ivec2 pixel, ivec2 step_) {
 /// best; 0 for none, and negative for borders of ids.
 vec4 edges_at(ivec2 pixel) {
     uint left = 0u;
-    int index = 0;
     vec4 codes = vec4(0.0);
     vec4 trust = vec4(-1.0);
     int index_1 = 0;
@@ -496,20 +482,9 @@ vec4 edges_at(ivec2 pixel) {
     }
     vec2 slope = texelFetch(u_surface, pixel, 0).xy;
     float size = pixel_size_at(own.depth);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            index = index + 1;
-        }
-        loop_init = false;
-        if (index < 4) {
-        } else {
-            break;
-        }
-        {
-            bool goes_on_value = goes_on(own, slope, size, pixel, around(index));
-            left = left | (goes_on_value ? 0u : (1u << uint(index)));
-        }
+    for (int index = 0; (index < 4); index = index + 1) {
+        bool goes_on_value = goes_on(own, slope, size, pixel, around(index));
+        left = left | (goes_on_value ? 0u : (1u << uint(index)));
     }
     index_1 = left == 0u ? 4 : 0;
     bool loop_init_1 = true;

@@ -251,7 +251,6 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
     vec4 color = vec4(0.0);
     uint i = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
     // Slopes are 0 at the first and the last stop, because the ramp is flat outside of them.
     vec4 from_a = vec4(0.0);
     vec4 to_b = vec4(0.0);
@@ -263,37 +262,15 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
     places = ramp.places;
     if (ramp.interpolation == INTERPOLATION_STEPPED) {
         color = colors[0];
-        bool loop_init = true;
-        while(true) {
-            if (!loop_init) {
-                i = i + 1u;
-            }
-            loop_init = false;
-            if (i < count) {
-            } else {
-                break;
-            }
-            {
-                color = color + (colors[i] - colors[i - 1u])
-                    * step_filtered(x, places[i / 4u][i % 4u], w);
-            }
+        for (; (i < count); i = i + 1u) {
+            color = color + (colors[i] - colors[i - 1u])
+                * step_filtered(x, places[i / 4u][i % 4u], w);
         }
         return bounded_vec4(color);
     }
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            i_1 = i_1 + 1u;
-        }
-        loop_init_1 = false;
-        if (i_1 < count) {
-        } else {
-            break;
-        }
-        {
-            float places_now = places[i_1 / 4u][i_1 % 4u];
-            at = places_now <= x ? i_1 : at;
-        }
+    for (uint i_1 = 1u; (i_1 < count); i_1 = i_1 + 1u) {
+        float places_now = places[i_1 / 4u][i_1 % 4u];
+        at = places_now <= x ? i_1 : at;
     }
     float place = places[at / 4u][at % 4u];
     if (at + 1u >= count || x <= place) {
@@ -326,19 +303,10 @@ vec4 ramp_at_2(Ramp ramp, float x, float w) {
         vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 color = vec4(0.0);
-    uint i = 1u;
     colors = ramp.colors;
     places = ramp.places;
     color = colors[0];
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 4u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 4u); i = i + 1u) {
         color = color + (colors[i] - colors[i - 1u]) * step_filtered_2(x, places[0][i % 4u], w);
     }
     return color;
@@ -408,27 +376,15 @@ vec3 fade_quintic(vec3 t) {
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
 float perlin_noise(vec3 p, uint seed) {
     float sum = 0.0;
-    int i = 0;
     vec3 corner = floor(p);
     vec3 d = p - corner;
     vec3 f = fade_quintic(d);
     ivec3 cell = ivec3(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (i < 8) {
-        } else {
-            break;
-        }
-        {
-            ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
-            vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
-            float gradient_dot_value = gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
-            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
-        }
+    for (int i = 0; (i < 8); i = i + 1) {
+        ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
+        vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
+        float gradient_dot_value = gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
+        sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
     }
     // The twelve gradients reach 1.0364 at most.
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
@@ -439,20 +395,11 @@ float perlin_noise(vec3 p, uint seed) {
 /// fades to its average, so that distance does not make it flicker.
 float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, float w) {
     float octave = 0.0;
-    int i = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (!(i < 2)) {
-            break;
-        }
+    for (int i = 0; (i < 2); i = i + 1) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

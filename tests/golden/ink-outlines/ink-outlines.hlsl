@@ -142,14 +142,14 @@ Texture2D<float4> curvature_tensor_map : register(t0);
 Texture2D<float4> line_nearness_map : register(t1);
 Texture2D<float4> facet_map : register(t2);
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position_1 : LOC0;
     float3 position_object : LOC1;
     float3 normal_2 : LOC2;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_2 : LOC0;
     float3 position_object_1 : LOC1;
     float3 normal_3 : LOC2;
@@ -311,7 +311,6 @@ float4 ramp_at(Ramp ramp, float x, float w)
     float4 color = (float4)0;
     uint i = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
     // Slopes are 0 at the first and the last stop, because the ramp is flat outside of them.
     float4 from_a = (0.0).xxxx;
     float4 to_b = (0.0).xxxx;
@@ -324,40 +323,18 @@ float4 ramp_at(Ramp ramp, float x, float w)
     places = ramp.places;
     if (ramp.interpolation == INTERPOLATION_STEPPED) {
         color = colors[0];
-        bool loop_init = true;
-        while(true) {
-            if (!loop_init) {
-                i = i + 1u;
-            }
-            loop_init = false;
-            if (i < count) {
-            } else {
-                break;
-            }
-            {
-                const float step_filtered_value = step_filtered(x,
-                    places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)], w);
-                color = color + (colors[min(uint(i), 15u)] - colors[min(uint(i - 1u), 15u)])
-                    * step_filtered_value;
-            }
+        for (; (i < count); i = i + 1u) {
+            const float step_filtered_value = step_filtered(x,
+                places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)], w);
+            color = color + (colors[min(uint(i), 15u)] - colors[min(uint(i - 1u), 15u)])
+                * step_filtered_value;
         }
         return bounded_vec4(color);
     }
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            i_1 = i_1 + 1u;
-        }
-        loop_init_1 = false;
-        if (i_1 < count) {
-        } else {
-            break;
-        }
-        {
-            float places_now = places[min(uint(naga_div(i_1, 4u)), 3u)][min(uint(naga_mod(i_1, 4u)),
-                3u)];
-            at = places_now <= x ? i_1 : at;
-        }
+    for (uint i_1 = 1u; (i_1 < count); i_1 = i_1 + 1u) {
+        float places_now = places[min(uint(naga_div(i_1, 4u)), 3u)][min(uint(naga_mod(i_1, 4u)),
+            3u)];
+        at = places_now <= x ? i_1 : at;
     }
     float place = places[min(uint(naga_div(at, 4u)), 3u)][min(uint(naga_mod(at, 4u)), 3u)];
     if ((at + 1u >= count) | (x <= place)) {
@@ -402,20 +379,11 @@ float4 ramp_at_2(Ramp ramp, float x, float w)
         (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     float4 color = (float4)0;
-    uint i = 1u;
 
     colors = ramp.colors;
     places = ramp.places;
     color = colors[0];
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 4u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 4u); i = i + 1u) {
         const float step_filtered_2_value = step_filtered_2(x,
             places[0][min(uint(naga_mod(i, 4u)), 3u)], w);
         color = color + (colors[min(uint(i), 15u)] - colors[min(uint(i - 1u), 15u)])
@@ -494,7 +462,7 @@ float3 fade_quintic(float3 t)
     return t * t * t * (t * (t * 6.0 - (15.0).xxx) + (10.0).xxx);
 }
 
-int3 naga_f2i32(float3 value) {
+int3 to_int(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -502,29 +470,17 @@ int3 naga_f2i32(float3 value) {
 float perlin_noise(float3 p, uint seed)
 {
     float sum = 0.0;
-    int i = int(0);
 
     float3 corner = floor(p);
     float3 d = p - corner;
     const float3 f = fade_quintic(d);
-    int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (i < int(8)) {
-        } else {
-            break;
-        }
-        {
-            int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
-            float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
-            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
-                + asuint(at)), seed), d - float3(at));
-            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
-        }
+    int3 cell = to_int(corner);
+    for (int i = 0; (i < 8); i++) {
+        int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
+        float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+        const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)),
+            seed), d - float3(at));
+        sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
     }
     // The twelve gradients reach 1.0364 at most.
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
@@ -536,21 +492,12 @@ float perlin_noise(float3 p, uint seed)
 float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed, float w)
 {
     float octave = (float)0;
-    int i = int(0);
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
 
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(i < int(2))) {
-            break;
-        }
+    for (int i = 0; (i < 2); i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
@@ -611,10 +558,10 @@ float4 own_nearness(float4 nearness, float2 middle, float depth, float object, f
     return is_own ? nearness : other;
 }
 
-LineWidths ConstructLineWidths(float4 arg0, float arg1) {
+LineWidths ConstructLineWidths(float4 kinds, float ids) {
     LineWidths ret = (LineWidths)0;
-    ret.kinds = arg0;
-    ret.ids = arg1;
+    ret.kinds = kinds;
+    ret.ids = ids;
     return ret;
 }
 
@@ -677,11 +624,11 @@ float inner_contour_suggestive(float width, float limit, float softness, float3 
         * smoothstep(0.05, 0.3, dot(normal, view));
 }
 
-Outline ConstructOutline(float arg0, float arg1, float arg2) {
+Outline ConstructOutline(float line_, float kind, float distance_) {
     Outline ret = (Outline)0;
-    ret.line_ = arg0;
-    ret.kind = arg1;
-    ret.distance_ = arg2;
+    ret.line_ = line_;
+    ret.kind = kind;
+    ret.distance_ = distance_;
     return ret;
 }
 
@@ -754,55 +701,55 @@ float4 shade(Surface surface)
     return output_2;
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 position_object, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.position_object = arg2;
-    ret.normal = arg3;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.position_object = position_object;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
-        varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.position_object, varyings.normal,
+        varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float arg4,
-    float3 arg5, float4 arg6, float2 arg7, float arg8) {
+Surface ConstructSurface(float3 normal, float3 view, float3 position_object, float3 position_camera,
+    float depth, float3 curvature_tensor, float4 line_nearness, float2 middle_surface,
+    float magnification) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
-    ret.position_object = arg2;
-    ret.position_camera = arg3;
-    ret.depth = arg4;
-    ret.curvature_tensor = arg5;
-    ret.line_nearness = arg6;
-    ret.middle_surface = arg7;
-    ret.magnification = arg8;
+    ret.normal = normal;
+    ret.view = view;
+    ret.position_object = position_object;
+    ret.position_camera = position_camera;
+    ret.depth = depth;
+    ret.curvature_tensor = curvature_tensor;
+    ret.line_nearness = line_nearness;
+    ret.middle_surface = middle_surface;
+    ret.magnification = magnification;
     return ret;
 }
 
-int2 naga_f2i32(float2 value) {
+int2 to_int(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2,
-        fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_3 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_2, input.position_object_1, input.normal_3 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
     float3 normal = is_front ? facing : -facing;
-    float4 texel = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4 texel_1 = line_nearness_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4 texel_2 = facet_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4 texel_3 = facet_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 texel = curvature_tensor_map.Load(int3(to_int(in_.clip_.xy), int(0)));
+    float4 texel_1 = line_nearness_map.Load(int3(to_int(in_.clip_.xy), int(0)));
+    float4 texel_2 = facet_map.Load(int3(to_int(in_.clip_.xy), int(0)));
+    float4 texel_3 = facet_map.Load(int3(to_int(in_.clip_.xy), int(0)));
     const float size_on_screen_value = size_on_screen(-mul(float4(in_.position, 1.0),
         view.camera_from_world).z, view.eye.w,
         length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y,

@@ -96,7 +96,6 @@ ivec2 around(int index) {
 SeenPixel seen_pixel(ivec2 pixel) {
     SeenPixel seen = SeenPixel(ivec2(0), vec4(0.0));
     bool local_1 = false;
-    int index = 0;
     seen = SeenPixel(pixel, texelFetch(u_surface, pixel, 0));
     ivec2 last = ivec2(uvec2(textureSize(u_surface, 0).xy)) - ivec2(1);
     if (u_curvature.samples >= 2.0) {
@@ -105,23 +104,11 @@ SeenPixel seen_pixel(ivec2 pixel) {
         local_1 = false;
     }
     bool may_be_missed = local_1;
-    index = may_be_missed ? 7 : -1;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            index = index - 1;
-        }
-        loop_init = false;
-        if (index >= 0) {
-        } else {
-            break;
-        }
-        {
-            ivec2 near = min(max(pixel + around(index), ivec2(0)), last);
-            vec4 texel = texelFetch(u_surface, near, 0);
-            if (texel.w != 0.0) {
-                seen = SeenPixel(near, texel);
-            }
+    for (int index = may_be_missed ? 7 : -1; (index >= 0); index = index - 1) {
+        ivec2 near = min(max(pixel + around(index), ivec2(0)), last);
+        vec4 texel = texelFetch(u_surface, near, 0);
+        if (texel.w != 0.0) {
+            seen = SeenPixel(near, texel);
         }
     }
     return seen;
@@ -205,55 +192,41 @@ vec4 nearness_at(ivec2 pixel, Plane own) {
     // Columns and rows of the nearest edges, from the pixel.
     vec4 across = vec4(0.0);
     vec4 down = vec4(0.0);
-    int column = 0;
     bool local_4 = false;
     bool local_5 = false;
     ivec2 last = ivec2(uvec2(textureSize(u_surface, 0).xy)) - ivec2(1);
     int reach = int(line_reach(u_curvature.viewport_height, 16.0));
-    column = max(-reach, -pixel.x);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            column = column + 1;
+    for (int column = max(-reach, -pixel.x); (column
+        <= min(reach, last.x - pixel.x)); column = column + 1) {
+        ivec2 at = pixel + ivec2(column, 0);
+        vec4 found = texelFetch(u_columns, at, 0);
+        if (all(equal(found, vec4(0.0)))) {
+            continue;
         }
-        loop_init = false;
-        if (column <= min(reach, last.x - pixel.x)) {
+        if (true) {
+            local_4 = column != 0;
         } else {
-            break;
+            local_4 = false;
         }
-        {
-            ivec2 at = pixel + ivec2(column, 0);
-            vec4 found = texelFetch(u_columns, at, 0);
-            if (all(equal(found, vec4(0.0)))) {
-                continue;
-            }
-            if (true) {
-                local_4 = column != 0;
-            } else {
-                local_4 = false;
-            }
-            if (local_4) {
-                local_5 = !is_same_surface(own, texelFetch(u_surface, at, 0),
-                    vec2(float(column), 0.0));
-            } else {
-                local_5 = false;
-            }
-            if (local_5) {
-                continue;
-            }
-            vec4 coarse = abs(found);
-            vec4 rows = floor(coarse / vec4(262144.0));
-            EdgeLines lines = edges_of(coarse - 262144.0 * rows, 512.0);
-            vec4 places = rows - vec4(31.0);
-            vec4 middle_distances_value = middle_distances(lines, vec4(float(column)), places,
-                false);
-            vec4 distances = mix(vec4(1000000000.0), middle_distances_value,
-                greaterThan(coarse, vec4(0.0)));
-            bvec4 is_nearer = lessThan(distances, nearest);
-            nearest = mix(nearest, distances, is_nearer);
-            across = mix(across, vec4(float(column)), is_nearer);
-            down = mix(down, places, is_nearer);
+        if (local_4) {
+            local_5 = !is_same_surface(own, texelFetch(u_surface, at, 0), vec2(float(column), 0.0));
+        } else {
+            local_5 = false;
         }
+        if (local_5) {
+            continue;
+        }
+        vec4 coarse = abs(found);
+        vec4 rows = floor(coarse / vec4(262144.0));
+        EdgeLines lines = edges_of(coarse - 262144.0 * rows, 512.0);
+        vec4 places = rows - vec4(31.0);
+        vec4 middle_distances_value = middle_distances(lines, vec4(float(column)), places, false);
+        vec4 distances = mix(vec4(1000000000.0), middle_distances_value,
+            greaterThan(coarse, vec4(0.0)));
+        bvec4 is_nearer = lessThan(distances, nearest);
+        nearest = mix(nearest, distances, is_nearer);
+        across = mix(across, vec4(float(column)), is_nearer);
+        down = mix(down, places, is_nearer);
     }
     if (all(greaterThanEqual(nearest, vec4(1000000000.0)))) {
         return vec4(0.0);

@@ -140,7 +140,7 @@ cbuffer curvature : register(b0) { Curvature curvature; }
 Texture2D<float4> edges : register(t1);
 Texture2D<float4> columns : register(t2);
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float4 position_1 : SV_Position;
 };
 
@@ -194,7 +194,7 @@ float4 whole_picture(uint index)
     return float4(float(index & 1u) * 4.0 - 1.0, float(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
-int naga_f2i32(float value) {
+int to_int(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -202,7 +202,7 @@ int naga_f2i32(float value) {
 /// curvature, not a finer one.
 int step_pixels()
 {
-    return max(naga_f2i32(round(curvature.viewport_height / 800.0)), int(1));
+    return max(to_int(round(curvature.viewport_height / 800.0)), int(1));
 }
 
 /// 1 where a row of the image lies above the row before it, -1 where it lies below.
@@ -219,10 +219,10 @@ int2 around(int index)
     return index > int(3) ? int2(side, asint(asuint(int(1)) - asuint(index & int(2)))) : straight;
 }
 
-SeenPixel ConstructSeenPixel(int2 arg0, float4 arg1) {
+SeenPixel ConstructSeenPixel(int2 at, float4 texel) {
     SeenPixel ret = (SeenPixel)0;
-    ret.at = arg0;
-    ret.texel = arg1;
+    ret.at = at;
+    ret.texel = texel;
     return ret;
 }
 
@@ -241,7 +241,6 @@ SeenPixel seen_pixel(int2 pixel)
 {
     SeenPixel seen = (SeenPixel)0;
     bool local_1 = (bool)0;
-    int index = (int)0;
 
     seen = ConstructSeenPixel(pixel, surface.Load(int3(pixel, int(0))));
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
@@ -251,34 +250,22 @@ SeenPixel seen_pixel(int2 pixel)
         local_1 = false;
     }
     bool may_be_missed = local_1;
-    index = may_be_missed ? int(7) : int(-1);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            index = asint(asuint(index) - asuint(int(1)));
-        }
-        loop_init = false;
-        if (index >= int(0)) {
-        } else {
-            break;
-        }
-        {
-            int2 near = clamp(asint(asuint(pixel) + asuint(around(index))), (int(0)).xx, last);
-            float4 texel = surface.Load(int3(near, int(0)));
-            if (texel.w != 0.0) {
-                seen = ConstructSeenPixel(near, texel);
-            }
+    for (int index = may_be_missed ? 7 : -1; (index >= 0); index--) {
+        int2 near = clamp(asint(asuint(pixel) + asuint(around(index))), (int(0)).xx, last);
+        float4 texel = surface.Load(int3(near, int(0)));
+        if (texel.w != 0.0) {
+            seen = ConstructSeenPixel(near, texel);
         }
     }
     return seen;
 }
 
-Plane ConstructPlane(float arg0, float arg1, float2 arg2, float arg3) {
+Plane ConstructPlane(float object, float depth, float2 rise, float tolerance) {
     Plane ret = (Plane)0;
-    ret.object = arg0;
-    ret.depth = arg1;
-    ret.rise = arg2;
-    ret.tolerance = arg3;
+    ret.object = object;
+    ret.depth = depth;
+    ret.rise = rise;
+    ret.tolerance = tolerance;
     return ret;
 }
 
@@ -302,11 +289,11 @@ float4 neighbor_weights(Plane plane, float4 objects, float4 depths, float4 rises
     return objects == (plane.object).xxxx ? weights : (0.0).xxxx;
 }
 
-Center ConstructCenter(int2 arg0, float2 arg1, Plane arg2) {
+Center ConstructCenter(int2 at, float2 slope, Plane plane) {
     Center ret = (Center)0;
-    ret.at = arg0;
-    ret.slope = arg1;
-    ret.plane = arg2;
+    ret.at = at;
+    ret.slope = slope;
+    ret.plane = plane;
     return ret;
 }
 
@@ -318,11 +305,11 @@ Center center_at(int2 pixel)
     return ConstructCenter(seen.at, texel.xy, plane_of(abs(texel.w), texel.z, normal_of(texel)));
 }
 
-Ring ConstructRing(float4 arg0, float4 arg1, float4 arg2) {
+Ring ConstructRing(float4 x, float4 y, float4 weights) {
     Ring ret = (Ring)0;
-    ret.x = arg0;
-    ret.y = arg1;
-    ret.weights = arg2;
+    ret.x = x;
+    ret.y = y;
+    ret.weights = weights;
     return ret;
 }
 
@@ -415,11 +402,11 @@ float4 coarse_codes(float4 codes)
     return floor(place * 0.125) * 512.0 + floor(direction * 0.125);
 }
 
-EdgeLines ConstructEdgeLines(float4 arg0, float4 arg1, float4 arg2) {
+EdgeLines ConstructEdgeLines(float4 x, float4 y, float4 offset) {
     EdgeLines ret = (EdgeLines)0;
-    ret.x = arg0;
-    ret.y = arg1;
-    ret.offset = arg2;
+    ret.x = x;
+    ret.y = y;
+    ret.offset = offset;
     return ret;
 }
 
@@ -535,7 +522,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
+    return twice * asfloat(uint(asint(asuint(to_int(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// 2^n for n in [-126, 127], by its bits.
@@ -715,10 +702,10 @@ float log2_one_minus(float y)
     return y < 0.0625 ? series : log2(max(1.0 - y, 7.888609e-31));
 }
 
-Angle ConstructAngle(float arg0, float arg1) {
+Angle ConstructAngle(float half_sin, float half_cos) {
     Angle ret = (Angle)0;
-    ret.half_sin = arg0;
-    ret.half_cos = arg1;
+    ret.half_sin = half_sin;
+    ret.half_cos = half_cos;
     return ret;
 }
 
@@ -1151,10 +1138,10 @@ float line_pixels(float width, float pixels)
     return clamp(bounded(width), 0.0, 1000000.0) * clamp(bounded(pixels), 0.0, 1000000.0);
 }
 
-LineWidths ConstructLineWidths(float4 arg0, float arg1) {
+LineWidths ConstructLineWidths(float4 kinds, float ids) {
     LineWidths ret = (LineWidths)0;
-    ret.kinds = arg0;
-    ret.ids = arg1;
+    ret.kinds = kinds;
+    ret.ids = ids;
     return ret;
 }
 
@@ -1238,50 +1225,38 @@ float4 nearest_in_column(int2 pixel, Plane own, int reach, bool of_all)
 {
     float4 nearest = (1000000000.0).xxxx;
     float4 codes = (0.0).xxxx;
-    int row = (int)0;
     bool local_6 = (bool)0;
 
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    row = max(naga_neg(reach), naga_neg(pixel.y));
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            row = asint(asuint(row) + asuint(int(1)));
+    for (int row = max(naga_neg(reach), naga_neg(pixel.y)); (row
+        <= min(reach, asint(asuint(last.y) - asuint(pixel.y)))); row++) {
+        int2 at = asint(asuint(pixel) + asuint(int2(int(0), row)));
+        float4 found = edges.Load(int3(at, int(0)));
+        if (all(found == (0.0).xxxx)) {
+            continue;
         }
-        loop_init = false;
-        if (row <= min(reach, asint(asuint(last.y) - asuint(pixel.y)))) {
+        if (!of_all) {
+            local_6 = !is_same_surface(own, surface.Load(int3(at, int(0))),
+                float2(0.0, float(row)));
         } else {
-            break;
+            local_6 = false;
         }
-        {
-            int2 at = asint(asuint(pixel) + asuint(int2(int(0), row)));
-            float4 found = edges.Load(int3(at, int(0)));
-            if (all(found == (0.0).xxxx)) {
-                continue;
-            }
-            if (!of_all) {
-                local_6 = !is_same_surface(own, surface.Load(int3(at, int(0))),
-                    float2(0.0, float(row)));
-            } else {
-                local_6 = false;
-            }
-            if (local_6) {
-                continue;
-            }
-            float4 fine = abs(found);
-            const float4 middle_distances_value = middle_distances(edges_of(fine, 4096.0),
-                (0.0).xxxx, (float(row)).xxxx, of_all);
-            float4 distances = fine > (0.0).xxxx ? middle_distances_value : (1000000000.0).xxxx;
-            bool4 is_nearer = distances < nearest;
-            nearest = is_nearer ? distances : nearest;
-            float4 coarse = coarse_codes(fine) + (262144.0 * (float(row) + 31.0)).xxxx;
-            codes = is_nearer ? (found < (0.0).xxxx ? -coarse : coarse) : codes;
+        if (local_6) {
+            continue;
         }
+        float4 fine = abs(found);
+        const float4 middle_distances_value = middle_distances(edges_of(fine, 4096.0), (0.0).xxxx,
+            (float(row)).xxxx, of_all);
+        float4 distances = fine > (0.0).xxxx ? middle_distances_value : (1000000000.0).xxxx;
+        bool4 is_nearer = distances < nearest;
+        nearest = is_nearer ? distances : nearest;
+        float4 coarse = coarse_codes(fine) + (262144.0 * (float(row) + 31.0)).xxxx;
+        codes = is_nearer ? (found < (0.0).xxxx ? -coarse : coarse) : codes;
     }
     return codes;
 }
 
-int4 naga_f2i32(float4 value) {
+int4 to_int(float4 value) {
     return int4(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -1291,62 +1266,50 @@ float4 nearness_at(int2 pixel, Plane own)
     // Columns and rows of the nearest edges, from the pixel.
     float4 across = (0.0).xxxx;
     float4 down = (0.0).xxxx;
-    int column = (int)0;
     bool local_7 = (bool)0;
     bool local_8 = (bool)0;
 
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    int reach = naga_f2i32(line_reach(curvature.viewport_height, 16.0));
-    column = max(naga_neg(reach), naga_neg(pixel.x));
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            column = asint(asuint(column) + asuint(int(1)));
+    int reach = to_int(line_reach(curvature.viewport_height, 16.0));
+    for (int column = max(naga_neg(reach), naga_neg(pixel.x)); (column
+        <= min(reach, asint(asuint(last.x) - asuint(pixel.x)))); column++) {
+        int2 at = asint(asuint(pixel) + asuint(int2(column, int(0))));
+        float4 found = columns.Load(int3(at, int(0)));
+        if (all(found == (0.0).xxxx)) {
+            continue;
         }
-        loop_init = false;
-        if (column <= min(reach, asint(asuint(last.x) - asuint(pixel.x)))) {
+        if (true) {
+            local_7 = column != int(0);
         } else {
-            break;
+            local_7 = false;
         }
-        {
-            int2 at = asint(asuint(pixel) + asuint(int2(column, int(0))));
-            float4 found = columns.Load(int3(at, int(0)));
-            if (all(found == (0.0).xxxx)) {
-                continue;
-            }
-            if (true) {
-                local_7 = column != int(0);
-            } else {
-                local_7 = false;
-            }
-            if (local_7) {
-                local_8 = !is_same_surface(own, surface.Load(int3(at, int(0))),
-                    float2(float(column), 0.0));
-            } else {
-                local_8 = false;
-            }
-            if (local_8) {
-                continue;
-            }
-            float4 coarse = abs(found);
-            float4 rows = floor(coarse / (262144.0).xxxx);
-            const EdgeLines lines = edges_of(coarse - 262144.0 * rows, 512.0);
-            float4 places = rows - (31.0).xxxx;
-            const float4 middle_distances_value = middle_distances(lines, (float(column)).xxxx,
-                places, false);
-            float4 distances = coarse > (0.0).xxxx ? middle_distances_value : (1000000000.0).xxxx;
-            bool4 is_nearer = distances < nearest;
-            nearest = is_nearer ? distances : nearest;
-            across = is_nearer ? (float(column)).xxxx : across;
-            down = is_nearer ? places : down;
+        if (local_7) {
+            local_8 = !is_same_surface(own, surface.Load(int3(at, int(0))),
+                float2(float(column), 0.0));
+        } else {
+            local_8 = false;
         }
+        if (local_8) {
+            continue;
+        }
+        float4 coarse = abs(found);
+        float4 rows = floor(coarse / (262144.0).xxxx);
+        const EdgeLines lines = edges_of(coarse - 262144.0 * rows, 512.0);
+        float4 places = rows - (31.0).xxxx;
+        const float4 middle_distances_value = middle_distances(lines, (float(column)).xxxx, places,
+            false);
+        float4 distances = coarse > (0.0).xxxx ? middle_distances_value : (1000000000.0).xxxx;
+        bool4 is_nearer = distances < nearest;
+        nearest = is_nearer ? distances : nearest;
+        across = is_nearer ? (float(column)).xxxx : across;
+        down = is_nearer ? places : down;
     }
     if (all(nearest >= (1000000000.0).xxxx)) {
         return (0.0).xxxx;
     }
     // The edge itself tells the distance in full.
-    int4 x = asint(asuint((pixel.x).xxxx) + asuint(naga_f2i32(across)));
-    int4 y = asint(asuint((pixel.y).xxxx) + asuint(naga_f2i32(down)));
+    int4 x = asint(asuint((pixel.x).xxxx) + asuint(to_int(across)));
+    int4 y = asint(asuint((pixel.y).xxxx) + asuint(to_int(down)));
     float4 texel = edges.Load(int3(int2(x.y, y.y), int(0)));
     float4 texel_1 = edges.Load(int3(int2(x.z, y.z), int(0)));
     float4 texel_2 = edges.Load(int3(int2(x.w, y.w), int(0)));
@@ -1363,16 +1326,16 @@ float4 vs_main(uint index : SV_VertexID) : SV_Position
     return whole_picture(index);
 }
 
-int2 naga_f2i32(float2 value) {
+int2 to_int(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    float4 position = fragmentinput_fs_main.position_1;
+    float4 position = input.position_1;
     bool local = (bool)0;
 
-    int2 pixel = naga_f2i32(position.xy);
+    int2 pixel = to_int(position.xy);
     float4 seen = seen_pixel(pixel).texel;
     if (true) {
         local = seen.w == 0.0;

@@ -334,7 +334,6 @@ Color ramp_at(
     metal::float4 color = {};
     uint i = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
     // Slopes are 0 at the first and the last stop, because the ramp is flat outside of them.
     metal::float4 from_a = metal::float4(0.0);
     metal::float4 to_b = metal::float4(0.0);
@@ -346,38 +345,16 @@ Color ramp_at(
     places = ramp.places;
     if (ramp.interpolation == INTERPOLATION_STEPPED) {
         color = colors.inner[0];
-        bool loop_init = true;
-        while(true) {
-            if (!loop_init) {
-                i = i + 1u;
-            }
-            loop_init = false;
-            if (i < count) {
-            } else {
-                break;
-            }
-            {
-                float step_filtered_value = step_filtered(x,
-                    places.inner[naga_div(i, 4u)][naga_mod(i, 4u)], w);
-                color = color + (colors.inner[i] - colors.inner[i - 1u]) * step_filtered_value;
-            }
+        for (; i < count; i++) {
+            float step_filtered_value = step_filtered(x,
+                places.inner[naga_div(i, 4u)][naga_mod(i, 4u)], w);
+            color = color + (colors.inner[i] - colors.inner[i - 1u]) * step_filtered_value;
         }
         return bounded_vec4(color);
     }
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            i_1 = i_1 + 1u;
-        }
-        loop_init_1 = false;
-        if (i_1 < count) {
-        } else {
-            break;
-        }
-        {
-            float places_now = places.inner[naga_div(i_1, 4u)][naga_mod(i_1, 4u)];
-            at = places_now <= x ? i_1 : at;
-        }
+    for (uint i_1 = 1u; i_1 < count; i_1++) {
+        float places_now = places.inner[naga_div(i_1, 4u)][naga_mod(i_1, 4u)];
+        at = places_now <= x ? i_1 : at;
     }
     float place = places.inner[naga_div(at, 4u)][naga_mod(at, 4u)];
     if ((at + 1u >= count) | (x <= place)) {
@@ -415,19 +392,10 @@ Color ramp_at_2(
     type_7 colors = {};
     type_8 places = {};
     metal::float4 color = {};
-    uint i = 1u;
     colors = ramp.colors;
     places = ramp.places;
     color = colors.inner[0];
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 4u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 4u); i++) {
         float step_filtered_2_value = step_filtered_2(x, places.inner[0][naga_mod(i, 4u)], w);
         color = color + (colors.inner[i] - colors.inner[i - 1u]) * step_filtered_2_value;
     }
@@ -524,29 +492,17 @@ float perlin_noise(
     uint seed
 ) {
     float sum = 0.0;
-    int i = 0;
     metal::float3 corner = metal::floor(p);
     metal::float3 d = p - corner;
     metal::float3 f = fade_quintic(d);
     metal::int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (i < 8) {
-        } else {
-            break;
-        }
-        {
-            metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
-            metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
-                seed);
-            sum = sum + weight.x * weight.y * weight.z
-                * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
-        }
+    for (int i = 0; i < 8; i++) {
+        metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
+        metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
+        metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
+            seed);
+        sum = sum + weight.x * weight.y * weight.z
+            * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
     }
     // The twelve gradients reach 1.0364 at most.
     return metal::clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
@@ -564,20 +520,11 @@ float fractal_noise(
     float w
 ) {
     float octave = {};
-    int i = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(i < 2)) {
-            break;
-        }
+    for (int i = 0; (i < 2); i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

@@ -133,19 +133,10 @@ RampPlace ramp_place(Ramp ramp, float x) {
         vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
         vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    uint i = 1u;
     uint at = 0u;
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 3u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 3u); i = i + 1u) {
         float places_now = places[0][i % 4u];
         at = places_now <= x ? i : at;
     }

@@ -76,13 +76,13 @@ static const Ramp glow = {{float4(0.851, 0.4118, 0.1647, 1.0), float4(1.0, 0.780
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position : LOC0;
     float3 normal : LOC1;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_1 : LOC0;
     float3 normal_1 : LOC1;
     float4 clip_1 : SV_Position;
@@ -173,11 +173,11 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
-RampPlace ConstructRampPlace(float4 arg0, float4 arg1, float arg2) {
+RampPlace ConstructRampPlace(float4 before, float4 after, float t) {
     RampPlace ret = (RampPlace)0;
-    ret.before = arg0;
-    ret.after = arg1;
-    ret.t = arg2;
+    ret.before = before;
+    ret.after = after;
+    ret.t = t;
     return ret;
 }
 
@@ -188,20 +188,11 @@ RampPlace ramp_place(Ramp ramp, float x)
         (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
         (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
-    uint i = 1u;
     uint at = 0u;
 
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 3u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 3u); i = i + 1u) {
         float places_now = places[0][min(uint(naga_mod(i, 4u)), 3u)];
         at = places_now <= x ? i : at;
     }
@@ -229,35 +220,34 @@ float4 shade(Surface surface)
     return glow_2;
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.normal = arg2;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1) {
+Surface ConstructSurface(float3 normal, float3 view) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
+    ret.normal = normal;
+    ret.view = view;
     return ret;
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
-        fragmentinput_fs_main.normal_1 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_1, input.normal_1 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
     float3 normal = is_front ? facing : -facing;
     Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position));

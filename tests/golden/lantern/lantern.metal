@@ -190,19 +190,10 @@ RampPlace ramp_place(
 ) {
     type_5 colors = {};
     type_6 places = {};
-    uint i = 1u;
     uint at = 0u;
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 3u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 3u); i++) {
         float places_now = places.inner[0][naga_mod(i, 4u)];
         at = places_now <= x ? i : at;
     }

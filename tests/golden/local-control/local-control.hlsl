@@ -109,14 +109,14 @@ cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_tensor_map : register(t0);
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position_1 : LOC0;
     float3 position_object : LOC1;
     float3 normal_3 : LOC2;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_2 : LOC0;
     float3 position_object_1 : LOC1;
     float3 normal_4 : LOC2;
@@ -150,10 +150,10 @@ float angle_footprint(Angle u)
     return min(w, 0.5);
 }
 
-Angle ConstructAngle(float arg0, float arg1) {
+Angle ConstructAngle(float half_sin, float half_cos) {
     Angle ret = (Angle)0;
-    ret.half_sin = arg0;
-    ret.half_cos = arg1;
+    ret.half_sin = half_sin;
+    ret.half_cos = half_cos;
     return ret;
 }
 
@@ -226,12 +226,12 @@ float4 blend_alpha_2(float4 below, float4 color, float tone, float opacity, bool
         * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
-Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
+Light ConstructLight(float3 direction, float3 own_direction, float3 color, float intensity) {
     Light ret = (Light)0;
-    ret.direction = arg0;
-    ret.own_direction = arg1;
-    ret.color = arg2;
-    ret.intensity = arg3;
+    ret.direction = direction;
+    ret.own_direction = own_direction;
+    ret.color = color;
+    ret.intensity = intensity;
     return ret;
 }
 
@@ -381,47 +381,47 @@ float4 shade(Surface surface)
     return lines;
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 position_object, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.position_object = arg2;
-    ret.normal = arg3;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.position_object = position_object;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
-        varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.position_object, varyings.normal,
+        varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float3 arg4) {
+Surface ConstructSurface(float3 normal, float3 view, float3 position_object, float3 position_camera,
+    float3 curvature_tensor) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
-    ret.position_object = arg2;
-    ret.position_camera = arg3;
-    ret.curvature_tensor = arg4;
+    ret.normal = normal;
+    ret.view = view;
+    ret.position_object = position_object;
+    ret.position_camera = position_camera;
+    ret.curvature_tensor = curvature_tensor;
     return ret;
 }
 
-int2 naga_f2i32(float2 value) {
+int2 to_int(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2,
-        fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_4 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_2, input.position_object_1, input.normal_4 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
     float3 normal = is_front ? facing : -facing;
-    float4 texel = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 texel = curvature_tensor_map.Load(int3(to_int(in_.clip_.xy), int(0)));
     Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
         in_.position_object, mul(float4(in_.position, 1.0), view.camera_from_world).xyz, texel.xyz);
     return shade(surface);

@@ -41,13 +41,13 @@ struct Varyings {
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position : LOC0;
     float3 normal_2 : LOC1;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_1 : LOC0;
     float3 normal_3 : LOC1;
     float4 clip_1 : SV_Position;
@@ -90,34 +90,33 @@ float3 shade(Surface surface)
     return surface.normal;
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.normal = arg2;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0) {
+Surface ConstructSurface(float3 normal) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
+    ret.normal = normal;
     return ret;
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
-        fragmentinput_fs_main.normal_3 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_1, input.normal_3 };
+    bool is_front = input.is_front_1;
     bool local = (bool)0;
 
     const float3 facing = normalize_seen(in_.normal);

@@ -213,19 +213,10 @@ RampPlace ramp_place(
 ) {
     type_6 colors = {};
     type_7 places = {};
-    uint i = 1u;
     uint at = 0u;
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 7u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 7u); i++) {
         float places_now = places.inner[naga_div(i, 4u)][naga_mod(i, 4u)];
         at = places_now <= x ? i : at;
     }

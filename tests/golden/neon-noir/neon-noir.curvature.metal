@@ -164,7 +164,6 @@ SeenPixel seen_pixel(
 ) {
     SeenPixel seen = {};
     bool local = {};
-    int index = {};
     seen = SeenPixel {pixel, {}, surface.read(metal::uint2(pixel), 0)};
     metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
         surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
@@ -174,25 +173,13 @@ SeenPixel seen_pixel(
         local = false;
     }
     bool may_be_missed = local;
-    index = may_be_missed ? 7 : -1;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            index = as_type<int>(as_type<uint>(index) - as_type<uint>(1));
-        }
-        loop_init = false;
-        if (index >= 0) {
-        } else {
-            break;
-        }
-        {
-            metal::int2 around_value = around(index);
-            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel)
-                + as_type<metal::uint2>(around_value)), metal::int2(0), last);
-            metal::float4 texel = surface.read(metal::uint2(near), 0);
-            if (texel.w != 0.0) {
-                seen = SeenPixel {near, {}, texel};
-            }
+    for (int index = may_be_missed ? 7 : -1; index >= 0; index--) {
+        metal::int2 around_value = around(index);
+        metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel)
+            + as_type<metal::uint2>(around_value)), metal::int2(0), last);
+        metal::float4 texel = surface.read(metal::uint2(near), 0);
+        if (texel.w != 0.0) {
+            seen = SeenPixel {near, {}, texel};
         }
     }
     return seen;

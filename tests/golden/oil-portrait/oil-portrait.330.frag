@@ -515,8 +515,6 @@ vec2 bristles(vec2 uv, float width, uint seed) {
 
 /// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
 vec2 bristles_laid(SpacedPlace at, float ink, Brush style) {
-    int i = 0;
-    int octave = 0;
     vec2 paint = vec2(0.0);
     uint tile[256] = BLUE_TILE;
     vec2 dx = dFdx(at.place);
@@ -526,31 +524,14 @@ vec2 bristles_laid(SpacedPlace at, float ink, Brush style) {
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = octave + 1;
-        }
-        loop_init = false;
-        if (!(octave < 2)) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave = octave + 1) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
         ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
-        i = 0;
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = i + 1;
-            }
-            loop_init_1 = false;
-            if (!(i < 9)) {
-                break;
-            }
+        for (int i = 0; (i < 9); i = i + 1) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(1, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
@@ -605,8 +586,6 @@ Brushstroke brush_stroke_2(vec2 p, ivec2 cell, int zoom, float drawn, Brush styl
 
 /// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
 vec2 bristles_laid_2(SpacedPlace at, float ink, Brush style) {
-    int i = 0;
-    int octave = 0;
     vec2 paint = vec2(0.0);
     uint tile[256] = BLUE_TILE;
     vec2 dx = dFdx(at.place);
@@ -616,31 +595,14 @@ vec2 bristles_laid_2(SpacedPlace at, float ink, Brush style) {
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = octave + 1;
-        }
-        loop_init = false;
-        if (!(octave < 2)) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave = octave + 1) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
         ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
-        i = 0;
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = i + 1;
-            }
-            loop_init_1 = false;
-            if (!(i < 9)) {
-                break;
-            }
+        for (int i = 0; (i < 9); i = i + 1) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(6, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
@@ -688,8 +650,6 @@ Brushstroke brush_stroke_3(vec2 p, ivec2 cell, int zoom, float drawn, Brush styl
 
 /// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
 vec2 bristles_laid_3(SpacedPlace at, float ink, Brush style) {
-    int i = 0;
-    int octave = 0;
     vec2 paint = vec2(0.0);
     uint tile[256] = BLUE_TILE;
     vec2 dx = dFdx(at.place);
@@ -699,31 +659,14 @@ vec2 bristles_laid_3(SpacedPlace at, float ink, Brush style) {
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = octave + 1;
-        }
-        loop_init = false;
-        if (!(octave < 2)) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave = octave + 1) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
         ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
-        i = 0;
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = i + 1;
-            }
-            loop_init_1 = false;
-            if (!(i < 9)) {
-                break;
-            }
+        for (int i = 0; (i < 9); i = i + 1) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(2, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
@@ -778,8 +721,6 @@ Brushstroke brush_stroke_4(vec2 p, ivec2 cell, int zoom, float drawn, Brush styl
 
 /// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
 vec2 bristles_laid_4(SpacedPlace at, float ink, Brush style) {
-    int i = 0;
-    int octave = 0;
     vec2 paint = vec2(0.0);
     uint tile[256] = BLUE_TILE;
     vec2 dx = dFdx(at.place);
@@ -789,30 +730,13 @@ vec2 bristles_laid_4(SpacedPlace at, float ink, Brush style) {
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = octave + 1;
-        }
-        loop_init = false;
-        if (!(octave < 2)) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave = octave + 1) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0)) / vec2(3.0, 1.0);
         ivec2 corner = ivec2(floor(p));
         ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
-        i = 0;
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = i + 1;
-            }
-            loop_init_1 = false;
-            if (!(i < 9)) {
-                break;
-            }
+        for (int i = 0; (i < 9); i = i + 1) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(3, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
@@ -860,8 +784,6 @@ Brushstroke brush_stroke_5(vec2 p, ivec2 cell, int zoom, float drawn, Brush styl
 
 /// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
 vec2 bristles_laid_5(SpacedPlace at, float ink, Brush style) {
-    int i = 0;
-    int octave = 0;
     vec2 paint = vec2(0.0);
     uint tile[256] = BLUE_TILE;
     vec2 dx = dFdx(at.place);
@@ -871,31 +793,14 @@ vec2 bristles_laid_5(SpacedPlace at, float ink, Brush style) {
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = octave + 1;
-        }
-        loop_init = false;
-        if (!(octave < 2)) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave = octave + 1) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
         ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
-        i = 0;
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = i + 1;
-            }
-            loop_init_1 = false;
-            if (!(i < 9)) {
-                break;
-            }
+        for (int i = 0; (i < 9); i = i + 1) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(4, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
@@ -943,8 +848,6 @@ Brushstroke brush_stroke_6(vec2 p, ivec2 cell, int zoom, float drawn, Brush styl
 
 /// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
 vec2 bristles_laid_6(SpacedPlace at, float ink, Brush style) {
-    int i = 0;
-    int octave = 0;
     vec2 paint = vec2(0.0);
     uint tile[256] = BLUE_TILE;
     vec2 dx = dFdx(at.place);
@@ -954,31 +857,14 @@ vec2 bristles_laid_6(SpacedPlace at, float ink, Brush style) {
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = octave + 1;
-        }
-        loop_init = false;
-        if (!(octave < 2)) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave = octave + 1) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
         ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
-        i = 0;
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = i + 1;
-            }
-            loop_init_1 = false;
-            if (!(i < 9)) {
-                break;
-            }
+        for (int i = 0; (i < 9); i = i + 1) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(8, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];

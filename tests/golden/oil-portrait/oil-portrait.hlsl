@@ -203,14 +203,14 @@ Texture2D<float4> curvature_map : register(t0);
 Texture2D<float4> smooth_normal_1_map : register(t1);
 Texture2D<float4> smooth_normal_3_map : register(t2);
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position_1 : LOC0;
     float3 position_object_1 : LOC1;
     float3 normal_5 : LOC2;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_2 : LOC0;
     float3 position_object_2 : LOC1;
     float3 normal_6 : LOC2;
@@ -225,7 +225,7 @@ float4 finite_vec4(float4 v)
     return (asuint(v) & exponent) != exponent ? v : (0.0).xxxx;
 }
 
-int naga_f2i32(float value) {
+int to_int(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -238,7 +238,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
+    return twice * asfloat(uint(asint(asuint(to_int(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -447,10 +447,10 @@ uint blue_index(int2 cell)
     return 8u * at.y + (at.x >> 2u);
 }
 
-StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
+StretchedPlace ConstructStretchedPlace(float2 place, float3 stretch) {
     StretchedPlace ret = (StretchedPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -511,10 +511,10 @@ StretchedPlace place_across(float3 axis, float3 position, float3x3 world_from_no
     return place_on_surface(place, along, across, normal, view, magnification, angle);
 }
 
-SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
+SpacedPlace ConstructSpacedPlace(float2 place, float3 stretch) {
     SpacedPlace ret = (SpacedPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -556,12 +556,12 @@ float2 brush_turned(float2 step_, Brushstroke stroke, Brush style)
     return turned * float2(stroke.way / (style.size * style.aspect), -1.0 / style.size);
 }
 
-Brushstroke ConstructBrushstroke(float2 arg0, float2 arg1, float arg2, float arg3) {
+Brushstroke ConstructBrushstroke(float2 uv, float2 turn, float way, float share) {
     Brushstroke ret = (Brushstroke)0;
-    ret.uv = arg0;
-    ret.turn = arg1;
-    ret.way = arg2;
-    ret.share = arg3;
+    ret.uv = uv;
+    ret.turn = turn;
+    ret.way = way;
+    ret.share = share;
     return ret;
 }
 
@@ -592,9 +592,9 @@ float3 bristle(float row, uint seed)
 {
     float first = floor(row);
     float t = row - first;
-    const float3 a = unit_of_hash(lattice_hash(int3(naga_f2i32(first), int(0), int(0)), seed));
-    const float3 b = unit_of_hash(lattice_hash(int3(asint(asuint(naga_f2i32(first))
-        + asuint(int(1))), int(0), int(0)), seed));
+    const float3 a = unit_of_hash(lattice_hash(int3(to_int(first), int(0), int(0)), seed));
+    const float3 b = unit_of_hash(lattice_hash(int3(asint(asuint(to_int(first)) + asuint(int(1))),
+        int(0), int(0)), seed));
     return lerp(a, b, t * t * (3.0 - 2.0 * t));
 }
 
@@ -631,15 +631,13 @@ int naga_div(int lhs, int rhs) {
     return lhs / (((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs);
 }
 
-int2 naga_f2i32(float2 value) {
+int2 to_int(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
 /// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
 float2 bristles_laid(SpacedPlace at, float ink, Brush style)
 {
-    int i = (int)0;
-    int octave = int(0);
     float2 paint = (0.0).xx;
     uint tile[256] = BLUE_TILE;
 
@@ -650,40 +648,23 @@ float2 bristles_laid(SpacedPlace at, float ink, Brush style)
     float f = level - zoom;
     const float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = asint(asuint(octave) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(octave < int(2))) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave++) {
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
-        float scale = asfloat(uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
+        float scale = asfloat(uint(asint(asuint(asint(asuint(to_int(zoom)) + asuint(octave)))
             + asuint(int(127)))) << 23u);
         float2 p = clamp(at.place * scale, (-4194304.0).xx, (4194304.0).xx)
             / float2(style.aspect, 1.0);
-        int2 corner = naga_f2i32(floor(p));
+        int2 corner = to_int(floor(p));
         int2 phase = naga_mod(asint(asuint(naga_mod(corner, (int(3)).xx)) + asuint((int(3)).xx)),
             (int(3)).xx);
-        i = int(0);
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = asint(asuint(i) + asuint(int(1)));
-            }
-            loop_init_1 = false;
-            if (!(i < int(9))) {
-                break;
-            }
+        for (int i = 0; (i < 9); i++) {
             int2 cell = asint(asuint(asint(asuint(corner)
                 + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(i, int(3)),
                 naga_div(i, int(3)))) - asuint(phase))) + asuint((int(4)).xx)), (int(3)).xx))))
                 - asuint((int(1)).xx));
             int2 turning = asint(asuint(cell)
                 + asuint(int2(int(1), asint(asuint(int(7))
-                * asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))))));
+                * asuint(asint(asuint(to_int(zoom)) + asuint(octave)))))));
             uint tile_now = tile[min(uint(blue_index(turning)), 255u)];
             float late = 0.96875 * ((float((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
@@ -692,12 +673,12 @@ float2 bristles_laid(SpacedPlace at, float ink, Brush style)
                 continue;
             }
             const Brushstroke stroke = brush_stroke(p, cell,
-                asint(asuint(naga_f2i32(zoom)) + asuint(octave)), share, style);
+                asint(asuint(to_int(zoom)) + asuint(octave)), share, style);
             if (stroke.share > 0.0) {
                 const float2 gx = brush_turned(dx * scale, stroke, style);
                 const float2 gy = brush_turned(dy * scale, stroke, style);
                 const uint3 hash_pcg3d_value = hash_pcg3d(asuint(int3(cell,
-                    asint(asuint(naga_f2i32(zoom)) + asuint(octave))))
+                    asint(asuint(to_int(zoom)) + asuint(octave))))
                     + uint3(3668340011u, 2445500225u, 1209535135u));
                 uint own = hash_pcg3d_value.x;
                 const float2 drawn = bristles(stroke.uv, length(float2(gx.y, gy.y)), own);
@@ -741,8 +722,6 @@ Brushstroke brush_stroke_2(float2 p, int2 cell, int zoom, float drawn, Brush sty
 /// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
 float2 bristles_laid_2(SpacedPlace at, float ink, Brush style)
 {
-    int i = (int)0;
-    int octave = int(0);
     float2 paint = (0.0).xx;
     uint tile[256] = BLUE_TILE;
 
@@ -753,40 +732,23 @@ float2 bristles_laid_2(SpacedPlace at, float ink, Brush style)
     float f = level - zoom;
     const float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = asint(asuint(octave) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(octave < int(2))) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave++) {
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
-        float scale = asfloat(uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
+        float scale = asfloat(uint(asint(asuint(asint(asuint(to_int(zoom)) + asuint(octave)))
             + asuint(int(127)))) << 23u);
         float2 p = clamp(at.place * scale, (-4194304.0).xx, (4194304.0).xx)
             / float2(style.aspect, 1.0);
-        int2 corner = naga_f2i32(floor(p));
+        int2 corner = to_int(floor(p));
         int2 phase = naga_mod(asint(asuint(naga_mod(corner, (int(3)).xx)) + asuint((int(3)).xx)),
             (int(3)).xx);
-        i = int(0);
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = asint(asuint(i) + asuint(int(1)));
-            }
-            loop_init_1 = false;
-            if (!(i < int(9))) {
-                break;
-            }
+        for (int i = 0; (i < 9); i++) {
             int2 cell = asint(asuint(asint(asuint(corner)
                 + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(i, int(3)),
                 naga_div(i, int(3)))) - asuint(phase))) + asuint((int(4)).xx)), (int(3)).xx))))
                 - asuint((int(1)).xx));
             int2 turning = asint(asuint(cell)
                 + asuint(int2(int(6), asint(asuint(int(7))
-                * asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))))));
+                * asuint(asint(asuint(to_int(zoom)) + asuint(octave)))))));
             uint tile_now = tile[min(uint(blue_index(turning)), 255u)];
             float late = 0.96875 * ((float((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
@@ -795,12 +757,12 @@ float2 bristles_laid_2(SpacedPlace at, float ink, Brush style)
                 continue;
             }
             const Brushstroke stroke = brush_stroke_2(p, cell,
-                asint(asuint(naga_f2i32(zoom)) + asuint(octave)), share, style);
+                asint(asuint(to_int(zoom)) + asuint(octave)), share, style);
             if (stroke.share > 0.0) {
                 const float2 gx = brush_turned_2(dx * scale, stroke, style);
                 const float2 gy = brush_turned_2(dy * scale, stroke, style);
                 const uint3 hash_pcg3d_value = hash_pcg3d(asuint(int3(cell,
-                    asint(asuint(naga_f2i32(zoom)) + asuint(octave))))
+                    asint(asuint(to_int(zoom)) + asuint(octave))))
                     + uint3(4055616968u, 794710872u, 362115496u));
                 uint own = hash_pcg3d_value.x;
                 const float2 drawn = bristles(stroke.uv, length(float2(gx.y, gy.y)), own);
@@ -836,8 +798,6 @@ Brushstroke brush_stroke_3(float2 p, int2 cell, int zoom, float drawn, Brush sty
 /// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
 float2 bristles_laid_3(SpacedPlace at, float ink, Brush style)
 {
-    int i = (int)0;
-    int octave = int(0);
     float2 paint = (0.0).xx;
     uint tile[256] = BLUE_TILE;
 
@@ -848,40 +808,23 @@ float2 bristles_laid_3(SpacedPlace at, float ink, Brush style)
     float f = level - zoom;
     const float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = asint(asuint(octave) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(octave < int(2))) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave++) {
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
-        float scale = asfloat(uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
+        float scale = asfloat(uint(asint(asuint(asint(asuint(to_int(zoom)) + asuint(octave)))
             + asuint(int(127)))) << 23u);
         float2 p = clamp(at.place * scale, (-4194304.0).xx, (4194304.0).xx)
             / float2(style.aspect, 1.0);
-        int2 corner = naga_f2i32(floor(p));
+        int2 corner = to_int(floor(p));
         int2 phase = naga_mod(asint(asuint(naga_mod(corner, (int(3)).xx)) + asuint((int(3)).xx)),
             (int(3)).xx);
-        i = int(0);
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = asint(asuint(i) + asuint(int(1)));
-            }
-            loop_init_1 = false;
-            if (!(i < int(9))) {
-                break;
-            }
+        for (int i = 0; (i < 9); i++) {
             int2 cell = asint(asuint(asint(asuint(corner)
                 + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(i, int(3)),
                 naga_div(i, int(3)))) - asuint(phase))) + asuint((int(4)).xx)), (int(3)).xx))))
                 - asuint((int(1)).xx));
             int2 turning = asint(asuint(cell)
                 + asuint(int2(int(2), asint(asuint(int(7))
-                * asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))))));
+                * asuint(asint(asuint(to_int(zoom)) + asuint(octave)))))));
             uint tile_now = tile[min(uint(blue_index(turning)), 255u)];
             float late = 0.96875 * ((float((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
@@ -890,12 +833,12 @@ float2 bristles_laid_3(SpacedPlace at, float ink, Brush style)
                 continue;
             }
             const Brushstroke stroke = brush_stroke_3(p, cell,
-                asint(asuint(naga_f2i32(zoom)) + asuint(octave)), share, style);
+                asint(asuint(to_int(zoom)) + asuint(octave)), share, style);
             if (stroke.share > 0.0) {
                 const float2 gx = brush_turned(dx * scale, stroke, style);
                 const float2 gy = brush_turned(dy * scale, stroke, style);
                 const uint3 hash_pcg3d_value = hash_pcg3d(asuint(int3(cell,
-                    asint(asuint(naga_f2i32(zoom)) + asuint(octave))))
+                    asint(asuint(to_int(zoom)) + asuint(octave))))
                     + uint3(2027808484u, 397355436u, 181057748u));
                 uint own = hash_pcg3d_value.x;
                 const float2 drawn = bristles(stroke.uv, length(float2(gx.y, gy.y)), own);
@@ -939,8 +882,6 @@ Brushstroke brush_stroke_4(float2 p, int2 cell, int zoom, float drawn, Brush sty
 /// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
 float2 bristles_laid_4(SpacedPlace at, float ink, Brush style)
 {
-    int i = (int)0;
-    int octave = int(0);
     float2 paint = (0.0).xx;
     uint tile[256] = BLUE_TILE;
 
@@ -951,39 +892,22 @@ float2 bristles_laid_4(SpacedPlace at, float ink, Brush style)
     float f = level - zoom;
     const float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = asint(asuint(octave) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(octave < int(2))) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave++) {
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
-        float scale = asfloat(uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
+        float scale = asfloat(uint(asint(asuint(asint(asuint(to_int(zoom)) + asuint(octave)))
             + asuint(int(127)))) << 23u);
         float2 p = clamp(at.place * scale, (-4194304.0).xx, (4194304.0).xx) / float2(3.0, 1.0);
-        int2 corner = naga_f2i32(floor(p));
+        int2 corner = to_int(floor(p));
         int2 phase = naga_mod(asint(asuint(naga_mod(corner, (int(3)).xx)) + asuint((int(3)).xx)),
             (int(3)).xx);
-        i = int(0);
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = asint(asuint(i) + asuint(int(1)));
-            }
-            loop_init_1 = false;
-            if (!(i < int(9))) {
-                break;
-            }
+        for (int i = 0; (i < 9); i++) {
             int2 cell = asint(asuint(asint(asuint(corner)
                 + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(i, int(3)),
                 naga_div(i, int(3)))) - asuint(phase))) + asuint((int(4)).xx)), (int(3)).xx))))
                 - asuint((int(1)).xx));
             int2 turning = asint(asuint(cell)
                 + asuint(int2(int(3), asint(asuint(int(7))
-                * asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))))));
+                * asuint(asint(asuint(to_int(zoom)) + asuint(octave)))))));
             uint tile_now = tile[min(uint(blue_index(turning)), 255u)];
             float late = 0.96875 * ((float((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
@@ -992,12 +916,12 @@ float2 bristles_laid_4(SpacedPlace at, float ink, Brush style)
                 continue;
             }
             const Brushstroke stroke = brush_stroke_4(p, cell,
-                asint(asuint(naga_f2i32(zoom)) + asuint(octave)), share, style);
+                asint(asuint(to_int(zoom)) + asuint(octave)), share, style);
             if (stroke.share > 0.0) {
                 const float2 gx = brush_turned_3(dx * scale, stroke, style);
                 const float2 gy = brush_turned_3(dy * scale, stroke, style);
                 const uint3 hash_pcg3d_value = hash_pcg3d(asuint(int3(cell,
-                    asint(asuint(naga_f2i32(zoom)) + asuint(octave))))
+                    asint(asuint(to_int(zoom)) + asuint(octave))))
                     + uint3(387276957u, 2644177943u, 3447547657u));
                 uint own = hash_pcg3d_value.x;
                 const float2 drawn = bristles(stroke.uv, length(float2(gx.y, gy.y)), own);
@@ -1033,8 +957,6 @@ Brushstroke brush_stroke_5(float2 p, int2 cell, int zoom, float drawn, Brush sty
 /// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
 float2 bristles_laid_5(SpacedPlace at, float ink, Brush style)
 {
-    int i = (int)0;
-    int octave = int(0);
     float2 paint = (0.0).xx;
     uint tile[256] = BLUE_TILE;
 
@@ -1045,40 +967,23 @@ float2 bristles_laid_5(SpacedPlace at, float ink, Brush style)
     float f = level - zoom;
     const float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = asint(asuint(octave) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(octave < int(2))) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave++) {
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
-        float scale = asfloat(uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
+        float scale = asfloat(uint(asint(asuint(asint(asuint(to_int(zoom)) + asuint(octave)))
             + asuint(int(127)))) << 23u);
         float2 p = clamp(at.place * scale, (-4194304.0).xx, (4194304.0).xx)
             / float2(style.aspect, 1.0);
-        int2 corner = naga_f2i32(floor(p));
+        int2 corner = to_int(floor(p));
         int2 phase = naga_mod(asint(asuint(naga_mod(corner, (int(3)).xx)) + asuint((int(3)).xx)),
             (int(3)).xx);
-        i = int(0);
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = asint(asuint(i) + asuint(int(1)));
-            }
-            loop_init_1 = false;
-            if (!(i < int(9))) {
-                break;
-            }
+        for (int i = 0; (i < 9); i++) {
             int2 cell = asint(asuint(asint(asuint(corner)
                 + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(i, int(3)),
                 naga_div(i, int(3)))) - asuint(phase))) + asuint((int(4)).xx)), (int(3)).xx))))
                 - asuint((int(1)).xx));
             int2 turning = asint(asuint(cell)
                 + asuint(int2(int(4), asint(asuint(int(7))
-                * asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))))));
+                * asuint(asint(asuint(to_int(zoom)) + asuint(octave)))))));
             uint tile_now = tile[min(uint(blue_index(turning)), 255u)];
             float late = 0.96875 * ((float((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
@@ -1087,12 +992,12 @@ float2 bristles_laid_5(SpacedPlace at, float ink, Brush style)
                 continue;
             }
             const Brushstroke stroke = brush_stroke_5(p, cell,
-                asint(asuint(naga_f2i32(zoom)) + asuint(octave)), share, style);
+                asint(asuint(to_int(zoom)) + asuint(octave)), share, style);
             if (stroke.share > 0.0) {
                 const float2 gx = brush_turned(dx * scale, stroke, style);
                 const float2 gy = brush_turned(dy * scale, stroke, style);
                 const uint3 hash_pcg3d_value = hash_pcg3d(asuint(int3(cell,
-                    asint(asuint(naga_f2i32(zoom)) + asuint(octave))))
+                    asint(asuint(to_int(zoom)) + asuint(octave))))
                     + uint3(3041712726u, 596033154u, 2419070270u));
                 uint own = hash_pcg3d_value.x;
                 const float2 drawn = bristles(stroke.uv, length(float2(gx.y, gy.y)), own);
@@ -1128,8 +1033,6 @@ Brushstroke brush_stroke_6(float2 p, int2 cell, int zoom, float drawn, Brush sty
 /// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
 float2 bristles_laid_6(SpacedPlace at, float ink, Brush style)
 {
-    int i = (int)0;
-    int octave = int(0);
     float2 paint = (0.0).xx;
     uint tile[256] = BLUE_TILE;
 
@@ -1140,40 +1043,23 @@ float2 bristles_laid_6(SpacedPlace at, float ink, Brush style)
     float f = level - zoom;
     const float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = asint(asuint(octave) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(octave < int(2))) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave++) {
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
-        float scale = asfloat(uint(asint(asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))
+        float scale = asfloat(uint(asint(asuint(asint(asuint(to_int(zoom)) + asuint(octave)))
             + asuint(int(127)))) << 23u);
         float2 p = clamp(at.place * scale, (-4194304.0).xx, (4194304.0).xx)
             / float2(style.aspect, 1.0);
-        int2 corner = naga_f2i32(floor(p));
+        int2 corner = to_int(floor(p));
         int2 phase = naga_mod(asint(asuint(naga_mod(corner, (int(3)).xx)) + asuint((int(3)).xx)),
             (int(3)).xx);
-        i = int(0);
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = asint(asuint(i) + asuint(int(1)));
-            }
-            loop_init_1 = false;
-            if (!(i < int(9))) {
-                break;
-            }
+        for (int i = 0; (i < 9); i++) {
             int2 cell = asint(asuint(asint(asuint(corner)
                 + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(i, int(3)),
                 naga_div(i, int(3)))) - asuint(phase))) + asuint((int(4)).xx)), (int(3)).xx))))
                 - asuint((int(1)).xx));
             int2 turning = asint(asuint(cell)
                 + asuint(int2(int(8), asint(asuint(int(7))
-                * asuint(asint(asuint(naga_f2i32(zoom)) + asuint(octave)))))));
+                * asuint(asint(asuint(to_int(zoom)) + asuint(octave)))))));
             uint tile_now = tile[min(uint(blue_index(turning)), 255u)];
             float late = 0.96875 * ((float((tile_now >> (8u * (asuint(turning.x) & 3u))) & 255u)
                 + 0.5) * 0.00390625);
@@ -1182,12 +1068,12 @@ float2 bristles_laid_6(SpacedPlace at, float ink, Brush style)
                 continue;
             }
             const Brushstroke stroke = brush_stroke_6(p, cell,
-                asint(asuint(naga_f2i32(zoom)) + asuint(octave)), share, style);
+                asint(asuint(to_int(zoom)) + asuint(octave)), share, style);
             if (stroke.share > 0.0) {
                 const float2 gx = brush_turned_2(dx * scale, stroke, style);
                 const float2 gy = brush_turned_2(dy * scale, stroke, style);
                 const uint3 hash_pcg3d_value = hash_pcg3d(asuint(int3(cell,
-                    asint(asuint(naga_f2i32(zoom)) + asuint(octave))))
+                    asint(asuint(to_int(zoom)) + asuint(octave))))
                     + uint3(774553914u, 993388590u, 2600128018u));
                 uint own = hash_pcg3d_value.x;
                 const float2 drawn = bristles(stroke.uv, length(float2(gx.y, gy.y)), own);
@@ -1199,21 +1085,21 @@ float2 bristles_laid_6(SpacedPlace at, float ink, Brush style)
     return paint;
 }
 
-Brush ConstructBrush(float arg0, float arg1, float arg2, float arg3, uint arg4, bool arg5) {
+Brush ConstructBrush(float aspect, float size, float scatter, float turn, uint seed, bool is_dark) {
     Brush ret = (Brush)0;
-    ret.aspect = arg0;
-    ret.size = arg1;
-    ret.scatter = arg2;
-    ret.turn = arg3;
-    ret.seed = arg4;
-    ret.is_dark = arg5;
+    ret.aspect = aspect;
+    ret.size = size;
+    ret.scatter = scatter;
+    ret.turn = turn;
+    ret.seed = seed;
+    ret.is_dark = is_dark;
     return ret;
 }
 
-BrushStrokes ConstructBrushStrokes(float4 arg0, float arg1) {
+BrushStrokes ConstructBrushStrokes(float4 color, float ink) {
     BrushStrokes ret = (BrushStrokes)0;
-    ret.color = arg0;
-    ret.ink = arg1;
+    ret.color = color;
+    ret.ink = ink;
     return ret;
 }
 
@@ -1277,10 +1163,10 @@ BrushStrokes brush_strokes_bristles_6(float value, float2 place, float3 stretch,
     return ConstructBrushStrokes(float4(shade, shade, shade, 1.0), paint.y);
 }
 
-MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
+MarkPlace ConstructMarkPlace(float2 place, float3 stretch) {
     MarkPlace ret = (MarkPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -1391,51 +1277,51 @@ float4 shade(Surface surface)
     return output(premultiplied(output_alpha));
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 position_object, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.position_object = arg2;
-    ret.normal = arg3;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.position_object = position_object;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
-        varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.position_object, varyings.normal,
+        varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float arg3, float3 arg4,
-    float3 arg5, float2 arg6, float3 arg7, float arg8, float3x3 arg9) {
+Surface ConstructSurface(float3 normal, float3 view, float3 position_object, float kappa,
+    float3 smooth_normal_1_, float3 smooth_normal_3_, float2 pixel, float3 anchor,
+    float magnification, float3x3 world_from_normal) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
-    ret.position_object = arg2;
-    ret.kappa = arg3;
-    ret.smooth_normal_1_ = arg4;
-    ret.smooth_normal_3_ = arg5;
-    ret.pixel = arg6;
-    ret.anchor = arg7;
-    ret.magnification = arg8;
-    ret.world_from_normal = arg9;
+    ret.normal = normal;
+    ret.view = view;
+    ret.position_object = position_object;
+    ret.kappa = kappa;
+    ret.smooth_normal_1_ = smooth_normal_1_;
+    ret.smooth_normal_3_ = smooth_normal_3_;
+    ret.pixel = pixel;
+    ret.anchor = anchor;
+    ret.magnification = magnification;
+    ret.world_from_normal = world_from_normal;
     return ret;
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2,
-        fragmentinput_fs_main.position_object_2, fragmentinput_fs_main.normal_6 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_2, input.position_object_2, input.normal_6 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
     float3 normal = is_front ? facing : -facing;
-    float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4 texel_1 = smooth_normal_1_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4 texel_2 = smooth_normal_3_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 texel = curvature_map.Load(int3(to_int(in_.clip_.xy), int(0)));
+    float4 texel_1 = smooth_normal_1_map.Load(int3(to_int(in_.clip_.xy), int(0)));
+    float4 texel_2 = smooth_normal_3_map.Load(int3(to_int(in_.clip_.xy), int(0)));
     const float3 anchor_on_screen_value = anchor_on_screen(mul(float4(object.world_from_object[3].xyz,
         1.0), view.camera_from_world).xyz, view.eye.w,
         length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y,

@@ -704,8 +704,6 @@ metal::float2 bristles_laid(
     float ink,
     Brush style
 ) {
-    int i = {};
-    int octave = 0;
     metal::float2 paint = metal::float2(0.0);
     type_11 tile = BLUE_TILE;
     metal::float2 dx = metal::dfdx(at.place);
@@ -717,15 +715,7 @@ metal::float2 bristles_laid(
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = as_type<int>(as_type<uint>(octave) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(octave < 2)) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
         metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
@@ -733,16 +723,7 @@ metal::float2 bristles_laid(
         metal::int2 corner = naga_f2i32(metal::floor(p));
         metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
             metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
-        i = 0;
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-            }
-            loop_init_1 = false;
-            if (!(i < 9)) {
-                break;
-            }
+        for (int i = 0; (i < 9); i++) {
             metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
                 3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
                 + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
@@ -827,8 +808,6 @@ metal::float2 bristles_laid_2(
     float ink,
     Brush style
 ) {
-    int i = {};
-    int octave = 0;
     metal::float2 paint = metal::float2(0.0);
     type_11 tile = BLUE_TILE;
     metal::float2 dx = metal::dfdx(at.place);
@@ -840,15 +819,7 @@ metal::float2 bristles_laid_2(
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = as_type<int>(as_type<uint>(octave) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(octave < 2)) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
         metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
@@ -856,16 +827,7 @@ metal::float2 bristles_laid_2(
         metal::int2 corner = naga_f2i32(metal::floor(p));
         metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
             metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
-        i = 0;
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-            }
-            loop_init_1 = false;
-            if (!(i < 9)) {
-                break;
-            }
+        for (int i = 0; (i < 9); i++) {
             metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
                 3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
                 + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
@@ -939,8 +901,6 @@ metal::float2 bristles_laid_3(
     float ink,
     Brush style
 ) {
-    int i = {};
-    int octave = 0;
     metal::float2 paint = metal::float2(0.0);
     type_11 tile = BLUE_TILE;
     metal::float2 dx = metal::dfdx(at.place);
@@ -952,15 +912,7 @@ metal::float2 bristles_laid_3(
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = as_type<int>(as_type<uint>(octave) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(octave < 2)) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
         metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
@@ -968,16 +920,7 @@ metal::float2 bristles_laid_3(
         metal::int2 corner = naga_f2i32(metal::floor(p));
         metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
             metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
-        i = 0;
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-            }
-            loop_init_1 = false;
-            if (!(i < 9)) {
-                break;
-            }
+        for (int i = 0; (i < 9); i++) {
             metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
                 3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
                 + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
@@ -1062,8 +1005,6 @@ metal::float2 bristles_laid_4(
     float ink,
     Brush style
 ) {
-    int i = {};
-    int octave = 0;
     metal::float2 paint = metal::float2(0.0);
     type_11 tile = BLUE_TILE;
     metal::float2 dx = metal::dfdx(at.place);
@@ -1075,15 +1016,7 @@ metal::float2 bristles_laid_4(
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = as_type<int>(as_type<uint>(octave) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(octave < 2)) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
         metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
@@ -1091,16 +1024,7 @@ metal::float2 bristles_laid_4(
         metal::int2 corner = naga_f2i32(metal::floor(p));
         metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
             metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
-        i = 0;
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-            }
-            loop_init_1 = false;
-            if (!(i < 9)) {
-                break;
-            }
+        for (int i = 0; (i < 9); i++) {
             metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
                 3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
                 + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
@@ -1174,8 +1098,6 @@ metal::float2 bristles_laid_5(
     float ink,
     Brush style
 ) {
-    int i = {};
-    int octave = 0;
     metal::float2 paint = metal::float2(0.0);
     type_11 tile = BLUE_TILE;
     metal::float2 dx = metal::dfdx(at.place);
@@ -1187,15 +1109,7 @@ metal::float2 bristles_laid_5(
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = as_type<int>(as_type<uint>(octave) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(octave < 2)) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
         metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
@@ -1203,16 +1117,7 @@ metal::float2 bristles_laid_5(
         metal::int2 corner = naga_f2i32(metal::floor(p));
         metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
             metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
-        i = 0;
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-            }
-            loop_init_1 = false;
-            if (!(i < 9)) {
-                break;
-            }
+        for (int i = 0; (i < 9); i++) {
             metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
                 3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
                 + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
@@ -1286,8 +1191,6 @@ metal::float2 bristles_laid_6(
     float ink,
     Brush style
 ) {
-    int i = {};
-    int octave = 0;
     metal::float2 paint = metal::float2(0.0);
     type_11 tile = BLUE_TILE;
     metal::float2 dx = metal::dfdx(at.place);
@@ -1299,15 +1202,7 @@ metal::float2 bristles_laid_6(
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            octave = as_type<int>(as_type<uint>(octave) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(octave < 2)) {
-            break;
-        }
+    for (int octave = 0; (octave < 2); octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
         metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
@@ -1315,16 +1210,7 @@ metal::float2 bristles_laid_6(
         metal::int2 corner = naga_f2i32(metal::floor(p));
         metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
             metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
-        i = 0;
-        bool loop_init_1 = true;
-        while(true) {
-            if (!loop_init_1) {
-                i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-            }
-            loop_init_1 = false;
-            if (!(i < 9)) {
-                break;
-            }
+        for (int i = 0; (i < 9); i++) {
             metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
                 3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
                 + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))

@@ -247,21 +247,12 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
         vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
         vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    uint i_2 = 1u;
     uint at = 0u;
     vec4 from_a = vec4(0.0);
     vec4 to_b = vec4(0.0);
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i_2 = i_2 + 1u;
-        }
-        loop_init = false;
-        if (!(i_2 < 5u)) {
-            break;
-        }
+    for (uint i_2 = 1u; (i_2 < 5u); i_2 = i_2 + 1u) {
         float places_now = places[i_2 / 4u][i_2 % 4u];
         at = places_now <= x ? i_2 : at;
     }
@@ -333,21 +324,12 @@ float gradient_dot(uvec3 hash, vec3 d) {
 
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
 float perlin_noise(vec3 p, uint seed) {
-    int i = 0;
     float sum = 0.0;
     vec3 corner = floor(p);
     vec3 d = p - corner;
     vec3 f = d * d * d * (d * (d * 6.0 - vec3(15.0)) + vec3(10.0));
     ivec3 cell = ivec3(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (!(i < 8)) {
-            break;
-        }
+    for (int i = 0; (i < 8); i = i + 1) {
         ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
         vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
         uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(cell + at) + seed

@@ -330,21 +330,12 @@ Color ramp_at(
 ) {
     type_6 colors = {};
     type_7 places = {};
-    uint i_2 = 1u;
     uint at = 0u;
     metal::float4 from_a = metal::float4(0.0);
     metal::float4 to_b = metal::float4(0.0);
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i_2 = i_2 + 1u;
-        }
-        loop_init = false;
-        if (!(i_2 < 5u)) {
-            break;
-        }
+    for (uint i_2 = 1u; (i_2 < 5u); i_2++) {
         float places_now = places.inner[naga_div(i_2, 4u)][naga_mod(i_2, 4u)];
         at = places_now <= x ? i_2 : at;
     }
@@ -437,21 +428,12 @@ float perlin_noise(
     metal::float3 p,
     uint seed
 ) {
-    int i = 0;
     float sum = 0.0;
     metal::float3 corner = metal::floor(p);
     metal::float3 d = p - corner;
     metal::float3 f = d * d * d * (d * (d * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
     metal::int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(i < 8)) {
-            break;
-        }
+    for (int i = 0; (i < 8); i++) {
         metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
         metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
         metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at))) + seed * metal::uint3(2654435769u,

@@ -166,13 +166,13 @@ cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position_2 : LOC0;
     float3 normal_1 : LOC1;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_3 : LOC0;
     float3 normal_2 : LOC1;
     float4 clip_1 : SV_Position;
@@ -230,10 +230,10 @@ float angle_footprint(Angle u)
     return min(w, 0.5);
 }
 
-Angle ConstructAngle(float arg0, float arg1) {
+Angle ConstructAngle(float half_sin, float half_cos) {
     Angle ret = (Angle)0;
-    ret.half_sin = arg0;
-    ret.half_cos = arg1;
+    ret.half_sin = half_sin;
+    ret.half_cos = half_cos;
     return ret;
 }
 
@@ -403,12 +403,12 @@ float light_fading(float distance_, float2 fading)
     return left;
 }
 
-Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
+Light ConstructLight(float3 direction, float3 own_direction, float3 color, float intensity) {
     Light ret = (Light)0;
-    ret.direction = arg0;
-    ret.own_direction = arg1;
-    ret.color = arg2;
-    ret.intensity = arg3;
+    ret.direction = direction;
+    ret.own_direction = own_direction;
+    ret.color = color;
+    ret.intensity = intensity;
     return ret;
 }
 
@@ -444,10 +444,10 @@ Light light_spot(float3 light_position, float3 aim, float3x3 own_from_world, flo
     return light;
 }
 
-LitLayer ConstructLitLayer(float4 arg0, float arg1) {
+LitLayer ConstructLitLayer(float4 color, float tone) {
     LitLayer ret = (LitLayer)0;
-    ret.color = arg0;
-    ret.tone = arg1;
+    ret.color = color;
+    ret.tone = tone;
     return ret;
 }
 
@@ -461,11 +461,11 @@ LitLayer light_apply(Light light, float4 color, float tone)
     return ConstructLitLayer(float4(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
-LightParts ConstructLightParts(float3 arg0, float4 arg1, float arg2) {
+LightParts ConstructLightParts(float3 direction, float4 color, float intensity) {
     LightParts ret = (LightParts)0;
-    ret.direction = arg0;
-    ret.color = arg1;
-    ret.intensity = arg2;
+    ret.direction = direction;
+    ret.color = color;
+    ret.intensity = intensity;
     return ret;
 }
 
@@ -477,10 +477,10 @@ LightParts light_parts(Light light)
     return ConstructLightParts(light.direction, float4(light.color, 1.0), light.intensity);
 }
 
-PlaceInLight ConstructPlaceInLight(float2 arg0, float arg1) {
+PlaceInLight ConstructPlaceInLight(float2 uv, float inside) {
     PlaceInLight ret = (PlaceInLight)0;
-    ret.uv = arg0;
-    ret.inside = arg1;
+    ret.uv = uv;
+    ret.inside = inside;
     return ret;
 }
 
@@ -559,10 +559,10 @@ float window(float2 uv, float bars, float softness)
     return within.x * within.y * beside.x * beside.y;
 }
 
-FilteredLight ConstructFilteredLight(Light arg0, Angle arg1) {
+FilteredLight ConstructFilteredLight(Light light, Angle angle) {
     FilteredLight ret = (FilteredLight)0;
-    ret.light = arg0;
-    ret.angle = arg1;
+    ret.light = light;
+    ret.angle = angle;
     return ret;
 }
 
@@ -637,35 +637,34 @@ float4 shade(Surface surface)
     return limit_color(stack, 1.0, 0.3);
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.normal = arg2;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1) {
+Surface ConstructSurface(float3 normal, float3 position) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.position = arg1;
+    ret.normal = normal;
+    ret.position = position;
     return ret;
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3,
-        fragmentinput_fs_main.normal_2 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_3, input.normal_2 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
     float3 normal = is_front ? facing : -facing;
     Surface surface = ConstructSurface(normal, in_.position);

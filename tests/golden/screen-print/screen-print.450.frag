@@ -249,21 +249,12 @@ float lines_filtered(float x, float share, float w) {
 /// they overlap, and at 1 they reach the middle between four.
 float dot_radius(float share) {
     float a = 0.0;
-    int i = 0;
     if (share <= 0.7853982) {
         return sqrt(share * 0.31830987);
     }
     float s = (share - 0.7853982) / 0.21460183;
     a = mix(0.5227232 * sqrt(s), 0.7853982 - 0.3275682 * sqrt(1.0 - s), s);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (!(i < 2)) {
-            break;
-        }
+    for (int i = 0; (i < 2); i = i + 1) {
         vec2 turn = sin_cos_quarter(clamp(a, 0.0, 0.7853982));
         float tangent = turn.x / turn.y;
         float square = 1.0 / (turn.y * turn.y);

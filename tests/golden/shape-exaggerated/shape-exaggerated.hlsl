@@ -113,13 +113,13 @@ Texture2D<float4> smooth_normal_2_map : register(t1);
 Texture2D<float4> smooth_normal_3_map : register(t2);
 Texture2D<float4> smooth_normal_4_map : register(t3);
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position : LOC0;
     float3 normal_2 : LOC1;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_1 : LOC0;
     float3 normal_3 : LOC1;
     float4 clip_1 : SV_Position;
@@ -234,11 +234,11 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
-RampPlace ConstructRampPlace(float4 arg0, float4 arg1, float arg2) {
+RampPlace ConstructRampPlace(float4 before, float4 after, float t) {
     RampPlace ret = (RampPlace)0;
-    ret.before = arg0;
-    ret.after = arg1;
-    ret.t = arg2;
+    ret.before = before;
+    ret.after = after;
+    ret.t = t;
     return ret;
 }
 
@@ -249,20 +249,11 @@ RampPlace ramp_place(Ramp ramp, float x)
         (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
         (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
-    uint i = 1u;
     uint at = 0u;
 
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 5u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 5u); i = i + 1u) {
         float places_now = places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)];
         at = places_now <= x ? i : at;
     }
@@ -337,50 +328,49 @@ float4 shade(Surface surface)
     return inked;
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.normal = arg2;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float3 arg3, float3 arg4,
-    float3 arg5) {
+Surface ConstructSurface(float3 normal, float3 view, float3 smooth_normal_1_,
+    float3 smooth_normal_2_, float3 smooth_normal_3_, float3 smooth_normal_4_) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
-    ret.smooth_normal_1_ = arg2;
-    ret.smooth_normal_2_ = arg3;
-    ret.smooth_normal_3_ = arg4;
-    ret.smooth_normal_4_ = arg5;
+    ret.normal = normal;
+    ret.view = view;
+    ret.smooth_normal_1_ = smooth_normal_1_;
+    ret.smooth_normal_2_ = smooth_normal_2_;
+    ret.smooth_normal_3_ = smooth_normal_3_;
+    ret.smooth_normal_4_ = smooth_normal_4_;
     return ret;
 }
 
-int2 naga_f2i32(float2 value) {
+int2 to_int(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
-        fragmentinput_fs_main.normal_3 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_1, input.normal_3 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
     float3 normal = is_front ? facing : -facing;
-    float4 texel = smooth_normal_1_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4 texel_1 = smooth_normal_2_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4 texel_2 = smooth_normal_3_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4 texel_3 = smooth_normal_4_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 texel = smooth_normal_1_map.Load(int3(to_int(in_.clip_.xy), int(0)));
+    float4 texel_1 = smooth_normal_2_map.Load(int3(to_int(in_.clip_.xy), int(0)));
+    float4 texel_2 = smooth_normal_3_map.Load(int3(to_int(in_.clip_.xy), int(0)));
+    float4 texel_3 = smooth_normal_4_map.Load(int3(to_int(in_.clip_.xy), int(0)));
     Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
         mul(view.camera_from_world, float4(texel.xyz, 0.0)).xyz,
         mul(view.camera_from_world, float4(texel_1.xyz, 0.0)).xyz,

@@ -241,19 +241,10 @@ RampPlace ramp_place(
 ) {
     type_7 colors = {};
     type_8 places = {};
-    uint i = 1u;
     uint at = 0u;
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 5u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 5u); i++) {
         float places_now = places.inner[naga_div(i, 4u)][naga_mod(i, 4u)];
         at = places_now <= x ? i : at;
     }

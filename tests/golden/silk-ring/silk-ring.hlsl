@@ -127,14 +127,14 @@ cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position_1 : LOC0;
     float3 position_object : LOC1;
     float3 normal : LOC2;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_2 : LOC0;
     float3 position_object_1 : LOC1;
     float3 normal_1 : LOC2;
@@ -205,10 +205,10 @@ float angle_footprint(Angle u)
     return min(w, 0.5);
 }
 
-Angle ConstructAngle(float arg0, float arg1) {
+Angle ConstructAngle(float half_sin, float half_cos) {
     Angle ret = (Angle)0;
-    ret.half_sin = arg0;
-    ret.half_cos = arg1;
+    ret.half_sin = half_sin;
+    ret.half_cos = half_cos;
     return ret;
 }
 
@@ -268,12 +268,13 @@ float3 any_orthogonal(float3 n)
     return float3(1.0 + sign_ * n.x * n.x * a, sign_ * n.x * n.y * a, -sign_ * n.x);
 }
 
-DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
+DirectionParts ConstructDirectionParts(float3 direction, float3 x_axis, float3 y_axis,
+    float2 place) {
     DirectionParts ret = (DirectionParts)0;
-    ret.direction = arg0;
-    ret.x_axis = arg1;
-    ret.y_axis = arg2;
-    ret.place = arg3;
+    ret.direction = direction;
+    ret.x_axis = x_axis;
+    ret.y_axis = y_axis;
+    ret.place = place;
     return ret;
 }
 
@@ -307,10 +308,10 @@ float3x3 axes_around(float3 toward, float3 up)
     return float3x3(x, cross(toward, x), toward);
 }
 
-AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
+AxesAround ConstructAxesAround(float3 x_axis, float3 y_axis) {
     AxesAround ret = (AxesAround)0;
-    ret.x_axis = arg0;
-    ret.y_axis = arg1;
+    ret.x_axis = x_axis;
+    ret.y_axis = y_axis;
     return ret;
 }
 
@@ -468,7 +469,7 @@ float3 fade_quintic(float3 t)
     return t * t * t * (t * (t * 6.0 - (15.0).xxx) + (10.0).xxx);
 }
 
-int3 naga_f2i32(float3 value) {
+int3 to_int(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -476,29 +477,17 @@ int3 naga_f2i32(float3 value) {
 float perlin_noise(float3 p, uint seed)
 {
     float sum = 0.0;
-    int i = int(0);
 
     float3 corner = floor(p);
     float3 d = p - corner;
     const float3 f = fade_quintic(d);
-    int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (i < int(8)) {
-        } else {
-            break;
-        }
-        {
-            int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
-            float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
-            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
-                + asuint(at)), seed), d - float3(at));
-            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
-        }
+    int3 cell = to_int(corner);
+    for (int i = 0; (i < 8); i++) {
+        int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
+        float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+        const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)),
+            seed), d - float3(at));
+        sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
     }
     // The twelve gradients reach 1.0364 at most.
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
@@ -510,21 +499,12 @@ float perlin_noise(float3 p, uint seed)
 float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed, float w)
 {
     float octave = (float)0;
-    int i = int(0);
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
 
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(i < int(2))) {
-            break;
-        }
+    for (int i = 0; (i < 2); i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
@@ -584,38 +564,37 @@ float4 shade(Surface surface)
     return second_band_on_top;
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 position_object, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.position_object = arg2;
-    ret.normal = arg3;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.position_object = position_object;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
-        varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.position_object, varyings.normal,
+        varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2) {
+Surface ConstructSurface(float3 normal, float3 view, float3 position_object) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
-    ret.position_object = arg2;
+    ret.normal = normal;
+    ret.view = view;
+    ret.position_object = position_object;
     return ret;
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2,
-        fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_1 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_2, input.position_object_1, input.normal_1 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
     float3 normal = is_front ? facing : -facing;
     Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),

@@ -254,19 +254,10 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
         vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 color = vec4(0.0);
-    uint i = 1u;
     colors = ramp.colors;
     places = ramp.places;
     color = colors[0];
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 7u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 7u); i = i + 1u) {
         color = color + (colors[i] - colors[i - 1u]) * step_filtered(x, places[i / 4u][i % 4u], w);
     }
     return color;
@@ -445,27 +436,15 @@ vec3 fade_quintic(vec3 t) {
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
 float perlin_noise(vec3 p, uint seed) {
     float sum = 0.0;
-    int i = 0;
     vec3 corner = floor(p);
     vec3 d = p - corner;
     vec3 f = fade_quintic(d);
     ivec3 cell = ivec3(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (i < 8) {
-        } else {
-            break;
-        }
-        {
-            ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
-            vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
-            sum = sum + weight.x * weight.y * weight.z
-                * gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
-        }
+    for (int i = 0; (i < 8); i = i + 1) {
+        ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
+        vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
+        sum = sum + weight.x * weight.y * weight.z
+            * gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
     }
     // The twelve gradients reach 1.0364 at most.
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
@@ -479,53 +458,29 @@ float perlin_noise(vec3 p, uint seed) {
 Cell nearest_cell(vec3 p, uint seed) {
     vec3 nearest = vec3(4.0);
     uvec3 hash = uvec3(0u);
-    int i = 0;
     float border = 0.0;
-    int i_1 = 0;
     vec3 corner = floor(p);
     vec3 d = p - corner;
     ivec3 cell = ivec3(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (i < 27) {
-        } else {
-            break;
-        }
-        {
-            ivec3 at = ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-            uvec3 own = lattice_hash(cell + at, seed);
-            vec3 offset = vec3(at) + vec3(0.25) + 0.5 * unit_of_hash(own) - d;
-            if (dot(offset, offset) < dot(nearest, nearest)) {
-                nearest = offset;
-                hash = own;
-            }
+    for (int i = 0; (i < 27); i = i + 1) {
+        ivec3 at = ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        uvec3 own = lattice_hash(cell + at, seed);
+        vec3 offset = vec3(at) + vec3(0.25) + 0.5 * unit_of_hash(own) - d;
+        if (dot(offset, offset) < dot(nearest, nearest)) {
+            nearest = offset;
+            hash = own;
         }
     }
     float distance_ = length(nearest);
     border = max(0.5 * (CELL_REACH - distance_), 0.0);
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            i_1 = i_1 + 1;
-        }
-        loop_init_1 = false;
-        if (i_1 < 27) {
-        } else {
-            break;
-        }
-        {
-            ivec3 at_1 = ivec3(i_1 % 3 - 1, i_1 / 3 % 3 - 1, i_1 / 9 - 1);
-            vec3 apart = vec3(at_1) + vec3(0.25) + 0.5
-                * unit_of_hash(lattice_hash(cell + at_1, seed)) - d - nearest;
-            float between = length(apart);
-            // Points are half a cell apart at least; a nearer one is the cell's own.
-            if (between > 0.25) {
-                border = min(border, dot(nearest + 0.5 * apart, apart) / between);
-            }
+    for (int i_1 = 0; (i_1 < 27); i_1 = i_1 + 1) {
+        ivec3 at_1 = ivec3(i_1 % 3 - 1, i_1 / 3 % 3 - 1, i_1 / 9 - 1);
+        vec3 apart = vec3(at_1) + vec3(0.25) + 0.5 * unit_of_hash(lattice_hash(cell + at_1, seed))
+            - d - nearest;
+        float between = length(apart);
+        // Points are half a cell apart at least; a nearer one is the cell's own.
+        if (between > 0.25) {
+            border = min(border, dot(nearest + 0.5 * apart, apart) / between);
         }
     }
     // The number has a hash other than that of the point's place, or it would tell where in its
@@ -538,20 +493,11 @@ Cell nearest_cell(vec3 p, uint seed) {
 /// fades to its average, so that distance does not make it flicker.
 float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, float w) {
     float octave = 0.0;
-    int i = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (!(i < 2)) {
-            break;
-        }
+    for (int i = 0; (i < 2); i = i + 1) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

@@ -161,14 +161,14 @@ cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position_3 : LOC0;
     float3 position_object : LOC1;
     float3 normal_3 : LOC2;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_4 : LOC0;
     float3 position_object_1 : LOC1;
     float3 normal_4 : LOC2;
@@ -227,10 +227,10 @@ float angle_footprint(Angle u)
     return min(w, 0.5);
 }
 
-Angle ConstructAngle(float arg0, float arg1) {
+Angle ConstructAngle(float half_sin, float half_cos) {
     Angle ret = (Angle)0;
-    ret.half_sin = arg0;
-    ret.half_cos = arg1;
+    ret.half_sin = half_sin;
+    ret.half_cos = half_cos;
     return ret;
 }
 
@@ -320,20 +320,11 @@ float4 ramp_at(Ramp ramp, float x, float w)
         (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
     float4 color = (float4)0;
-    uint i = 1u;
 
     colors = ramp.colors;
     places = ramp.places;
     color = colors[0];
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 7u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 7u); i = i + 1u) {
         const float step_filtered_value = step_filtered(x,
             places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)], w);
         color = color + (colors[min(uint(i), 15u)] - colors[min(uint(i - 1u), 15u)])
@@ -403,10 +394,10 @@ float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool c
         * (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
-LitLayer ConstructLitLayer(float4 arg0, float arg1) {
+LitLayer ConstructLitLayer(float4 color, float tone) {
     LitLayer ret = (LitLayer)0;
-    ret.color = arg0;
-    ret.tone = arg1;
+    ret.color = color;
+    ret.tone = tone;
     return ret;
 }
 
@@ -538,7 +529,7 @@ float3 fade_quintic(float3 t)
     return t * t * t * (t * (t * 6.0 - (15.0).xxx) + (10.0).xxx);
 }
 
-int3 naga_f2i32(float3 value) {
+int3 to_int(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -546,29 +537,17 @@ int3 naga_f2i32(float3 value) {
 float perlin_noise(float3 p, uint seed)
 {
     float sum = 0.0;
-    int i = int(0);
 
     float3 corner = floor(p);
     float3 d = p - corner;
     const float3 f = fade_quintic(d);
-    int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (i < int(8)) {
-        } else {
-            break;
-        }
-        {
-            int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
-            float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
-            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
-                + asuint(at)), seed), d - float3(at));
-            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
-        }
+    int3 cell = to_int(corner);
+    for (int i = 0; (i < 8); i++) {
+        int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
+        float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+        const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)),
+            seed), d - float3(at));
+        sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
     }
     // The twelve gradients reach 1.0364 at most.
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
@@ -583,11 +562,11 @@ int naga_div(int lhs, int rhs) {
     return lhs / (((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs);
 }
 
-Cell ConstructCell(float arg0, float arg1, float arg2) {
+Cell ConstructCell(float border, float random, float distance_) {
     Cell ret = (Cell)0;
-    ret.border = arg0;
-    ret.random = arg1;
-    ret.distance_ = arg2;
+    ret.border = border;
+    ret.random = random;
+    ret.distance_ = distance_;
     return ret;
 }
 
@@ -600,59 +579,35 @@ Cell nearest_cell(float3 p, uint seed)
 {
     float3 nearest = (4.0).xxx;
     uint3 hash = (0u).xxx;
-    int i = int(0);
     float border = (float)0;
-    int i_1 = int(0);
 
     float3 corner = floor(p);
     float3 d = p - corner;
-    int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (i < int(27)) {
-        } else {
-            break;
-        }
-        {
-            int3 at = int3(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))),
-                asint(asuint(naga_mod(naga_div(i, int(3)), int(3))) - asuint(int(1))),
-                asint(asuint(naga_div(i, int(9))) - asuint(int(1))));
-            const uint3 own = lattice_hash(asint(asuint(cell) + asuint(at)), seed);
-            float3 offset = float3(at) + (0.25).xxx + 0.5 * unit_of_hash(own) - d;
-            if (dot(offset, offset) < dot(nearest, nearest)) {
-                nearest = offset;
-                hash = own;
-            }
+    int3 cell = to_int(corner);
+    for (int i = 0; (i < 27); i++) {
+        int3 at = int3(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))),
+            asint(asuint(naga_mod(naga_div(i, int(3)), int(3))) - asuint(int(1))),
+            asint(asuint(naga_div(i, int(9))) - asuint(int(1))));
+        const uint3 own = lattice_hash(asint(asuint(cell) + asuint(at)), seed);
+        float3 offset = float3(at) + (0.25).xxx + 0.5 * unit_of_hash(own) - d;
+        if (dot(offset, offset) < dot(nearest, nearest)) {
+            nearest = offset;
+            hash = own;
         }
     }
     float distance_ = length(nearest);
     border = max(0.5 * (CELL_REACH - distance_), 0.0);
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            i_1 = asint(asuint(i_1) + asuint(int(1)));
-        }
-        loop_init_1 = false;
-        if (i_1 < int(27)) {
-        } else {
-            break;
-        }
-        {
-            int3 at_1 = int3(asint(asuint(naga_mod(i_1, int(3))) - asuint(int(1))),
-                asint(asuint(naga_mod(naga_div(i_1, int(3)), int(3))) - asuint(int(1))),
-                asint(asuint(naga_div(i_1, int(9))) - asuint(int(1))));
-            const float3 unit_of_hash_value = unit_of_hash(lattice_hash(asint(asuint(cell)
-                + asuint(at_1)), seed));
-            float3 apart = float3(at_1) + (0.25).xxx + 0.5 * unit_of_hash_value - d - nearest;
-            float between = length(apart);
-            // Points are half a cell apart at least; a nearer one is the cell's own.
-            if (between > 0.25) {
-                border = min(border, dot(nearest + 0.5 * apart, apart) / between);
-            }
+    for (int i_1 = 0; (i_1 < 27); i_1++) {
+        int3 at_1 = int3(asint(asuint(naga_mod(i_1, int(3))) - asuint(int(1))),
+            asint(asuint(naga_mod(naga_div(i_1, int(3)), int(3))) - asuint(int(1))),
+            asint(asuint(naga_div(i_1, int(9))) - asuint(int(1))));
+        const float3 unit_of_hash_value = unit_of_hash(lattice_hash(asint(asuint(cell)
+            + asuint(at_1)), seed));
+        float3 apart = float3(at_1) + (0.25).xxx + 0.5 * unit_of_hash_value - d - nearest;
+        float between = length(apart);
+        // Points are half a cell apart at least; a nearer one is the cell's own.
+        if (between > 0.25) {
+            border = min(border, dot(nearest + 0.5 * apart, apart) / between);
         }
     }
     const Cell cell_1 = ConstructCell(max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x,
@@ -668,21 +623,12 @@ Cell nearest_cell(float3 p, uint seed)
 float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed, float w)
 {
     float octave = (float)0;
-    int i = int(0);
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
 
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(i < int(2))) {
-            break;
-        }
+    for (int i = 0; (i < 2); i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
@@ -698,11 +644,11 @@ float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed,
     return min(sum / 1.5, 1.0);
 }
 
-Cells ConstructCells(float arg0, float arg1, float arg2) {
+Cells ConstructCells(float border, float random, float distance_) {
     Cells ret = (Cells)0;
-    ret.border = arg0;
-    ret.random = arg1;
-    ret.distance_ = arg2;
+    ret.border = border;
+    ret.random = random;
+    ret.distance_ = distance_;
     return ret;
 }
 
@@ -775,39 +721,38 @@ float4 shade(Surface surface)
     return edge_of_the_lead_blend;
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 position_object, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.position_object = arg2;
-    ret.normal = arg3;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.position_object = position_object;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
-        varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.position_object, varyings.normal,
+        varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float3 arg3) {
+Surface ConstructSurface(float3 normal, float3 view, float3 position, float3 position_object) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
-    ret.position = arg2;
-    ret.position_object = arg3;
+    ret.normal = normal;
+    ret.view = view;
+    ret.position = position;
+    ret.position_object = position_object;
     return ret;
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_4,
-        fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_4 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_4, input.position_object_1, input.normal_4 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
     float3 normal = is_front ? facing : -facing;
     Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),

@@ -326,19 +326,10 @@ Color ramp_at(
     type_5 colors = {};
     type_6 places = {};
     metal::float4 color = {};
-    uint i = 1u;
     colors = ramp.colors;
     places = ramp.places;
     color = colors.inner[0];
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 7u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 7u); i++) {
         float step_filtered_value = step_filtered(x, places.inner[naga_div(i, 4u)][naga_mod(i, 4u)],
             w);
         color = color + (colors.inner[i] - colors.inner[i - 1u]) * step_filtered_value;
@@ -604,29 +595,17 @@ float perlin_noise(
     uint seed
 ) {
     float sum = 0.0;
-    int i = 0;
     metal::float3 corner = metal::floor(p);
     metal::float3 d = p - corner;
     metal::float3 f = fade_quintic(d);
     metal::int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (i < 8) {
-        } else {
-            break;
-        }
-        {
-            metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
-            metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
-                seed);
-            sum = sum + weight.x * weight.y * weight.z
-                * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
-        }
+    for (int i = 0; i < 8; i++) {
+        metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
+        metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
+        metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at)),
+            seed);
+        sum = sum + weight.x * weight.y * weight.z
+            * gradient_dot(lattice_hash_value, d - static_cast<metal::float3>(at));
     }
     // The twelve gradients reach 1.0364 at most.
     return metal::clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
@@ -652,64 +631,38 @@ Cell nearest_cell(
 ) {
     metal::float3 nearest = metal::float3(4.0);
     metal::uint3 hash = metal::uint3(0u);
-    int i = 0;
     float border = {};
-    int i_1 = 0;
     metal::float3 corner = metal::floor(p);
     metal::float3 d = p - corner;
     metal::int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (i < 27) {
-        } else {
-            break;
-        }
-        {
-            metal::int3 at = metal::int3(as_type<int>(as_type<uint>(naga_mod(i, 3))
-                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i, 3), 3))
-                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 9))
-                - as_type<uint>(1)));
-            metal::uint3 own = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell)
-                + as_type<metal::uint3>(at)), seed);
-            metal::float3 offset = static_cast<metal::float3>(at) + metal::float3(0.25) + 0.5
-                * unit_of_hash(own) - d;
-            if (metal::dot(offset, offset) < metal::dot(nearest, nearest)) {
-                nearest = offset;
-                hash = own;
-            }
+    for (int i = 0; i < 27; i++) {
+        metal::int3 at = metal::int3(as_type<int>(as_type<uint>(naga_mod(i, 3)) - as_type<uint>(1)),
+            as_type<int>(as_type<uint>(naga_mod(naga_div(i, 3), 3)) - as_type<uint>(1)),
+            as_type<int>(as_type<uint>(naga_div(i, 9)) - as_type<uint>(1)));
+        metal::uint3 own = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell)
+            + as_type<metal::uint3>(at)), seed);
+        metal::float3 offset = static_cast<metal::float3>(at) + metal::float3(0.25) + 0.5
+            * unit_of_hash(own) - d;
+        if (metal::dot(offset, offset) < metal::dot(nearest, nearest)) {
+            nearest = offset;
+            hash = own;
         }
     }
     float distance = metal::length(nearest);
     border = metal::max(0.5 * (CELL_REACH - distance), 0.0);
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            i_1 = as_type<int>(as_type<uint>(i_1) + as_type<uint>(1));
-        }
-        loop_init_1 = false;
-        if (i_1 < 27) {
-        } else {
-            break;
-        }
-        {
-            metal::int3 at_1 = metal::int3(as_type<int>(as_type<uint>(naga_mod(i_1, 3))
-                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i_1, 3), 3))
-                - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i_1, 9))
-                - as_type<uint>(1)));
-            metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1)),
-                seed);
-            metal::float3 unit_of_hash_value = unit_of_hash(lattice_hash_value);
-            metal::float3 apart = static_cast<metal::float3>(at_1) + metal::float3(0.25) + 0.5
-                * unit_of_hash_value - d - nearest;
-            float between = metal::length(apart);
-            // Points are half a cell apart at least; a nearer one is the cell's own.
-            if (between > 0.25) {
-                border = metal::min(border, metal::dot(nearest + 0.5 * apart, apart) / between);
-            }
+    for (int i_1 = 0; i_1 < 27; i_1++) {
+        metal::int3 at_1 = metal::int3(as_type<int>(as_type<uint>(naga_mod(i_1, 3))
+            - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(i_1, 3), 3))
+            - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i_1, 9)) - as_type<uint>(1)));
+        metal::uint3 lattice_hash_value = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1)),
+            seed);
+        metal::float3 unit_of_hash_value = unit_of_hash(lattice_hash_value);
+        metal::float3 apart = static_cast<metal::float3>(at_1) + metal::float3(0.25) + 0.5
+            * unit_of_hash_value - d - nearest;
+        float between = metal::length(apart);
+        // Points are half a cell apart at least; a nearer one is the cell's own.
+        if (between > 0.25) {
+            border = metal::min(border, metal::dot(nearest + 0.5 * apart, apart) / between);
         }
     }
     // The number has a hash other than that of the point's place, or it would tell where in its
@@ -729,20 +682,11 @@ float fractal_noise(
     float w
 ) {
     float octave = {};
-    int i = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(i < 2)) {
-            break;
-        }
+    for (int i = 0; (i < 2); i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

@@ -282,22 +282,13 @@ float picture_square(vec2 offset, vec3 stretch) {
 /// The ink of one octave's dots, of which the share `ink` is drawn; `stretch` is that of a unit of
 /// the octave.
 float dots_of_octave(vec2 place, int zoom, float ink, vec3 stretch, float w, Dots style) {
-    int i = 0;
     float sum = 0.0;
     uint tile[256] = BLUE_TILE;
     vec2 p = clamp(place * uintBitsToFloat(uint(zoom + 127) << 23u), vec2(-4194304.0),
         vec2(4194304.0));
     vec2 corner = floor(p);
     float reach = 1.0 - 0.5 * style.scatter;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1;
-        }
-        loop_init = false;
-        if (!(i < 9)) {
-            break;
-        }
+    for (int i = 0; (i < 9); i = i + 1) {
         ivec2 cell = ivec2(corner) + ivec2(i % 3 - 1, i / 3 - 1);
         vec3 chance = vec3(hash_pcg3d(uvec3(ivec3(cell, zoom)) + uvec3(0u, 0u, 0u)) >> uvec3(8u))
             * 5.9604645e-8;

@@ -153,20 +153,20 @@ cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position : LOC0;
     float3 normal : LOC1;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_1 : LOC0;
     float3 normal_1 : LOC1;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
 
-int naga_f2i32(float value) {
+int to_int(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -179,7 +179,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
+    return twice * asfloat(uint(asint(asuint(to_int(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -293,10 +293,10 @@ uint blue_index(int2 cell)
     return 8u * at.y + (at.x >> 2u);
 }
 
-StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
+StretchedPlace ConstructStretchedPlace(float2 place, float3 stretch) {
     StretchedPlace ret = (StretchedPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -313,10 +313,10 @@ StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float an
     return ConstructStretchedPlace(turned, stretch);
 }
 
-SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
+SpacedPlace ConstructSpacedPlace(float2 place, float3 stretch) {
     SpacedPlace ret = (SpacedPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -358,7 +358,7 @@ int naga_div(int lhs, int rhs) {
     return lhs / (((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs);
 }
 
-int2 naga_f2i32(float2 value) {
+int2 to_int(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -366,7 +366,6 @@ int2 naga_f2i32(float2 value) {
 /// the octave.
 float dots_of_octave(float2 place, int zoom, float ink, float3 stretch, float w, Dots style)
 {
-    int i = int(0);
     float sum = 0.0;
     uint tile[256] = BLUE_TILE;
 
@@ -374,16 +373,8 @@ float dots_of_octave(float2 place, int zoom, float ink, float3 stretch, float w,
         (-4194304.0).xx, (4194304.0).xx);
     float2 corner = floor(p);
     float reach = 1.0 - 0.5 * style.scatter;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(i < int(9))) {
-            break;
-        }
-        int2 cell = asint(asuint(naga_f2i32(corner))
+    for (int i = 0; (i < 9); i++) {
+        int2 cell = asint(asuint(to_int(corner))
             + asuint(int2(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))),
             asint(asuint(naga_div(i, int(3))) - asuint(int(1))))));
         float3 chance = float3(hash_pcg3d(asuint(int3(cell, zoom)) + uint3(0u, 0u, 0u))
@@ -420,23 +411,22 @@ float stippled(SpacedPlace at, float ink, Dots style)
     float coarse = 1.0 - f;
     float fine = (1.0 - coarse * coarse_cells) / (4.0 * coarse_cells);
     const float exp2_stable_value = exp2_stable(2.0 * zoom);
-    dots = dots_of_octave(at.place, naga_f2i32(zoom), ink * coarse, at.stretch * exp2_stable_value,
-        w, style);
+    dots = dots_of_octave(at.place, to_int(zoom), ink * coarse, at.stretch * exp2_stable_value, w,
+        style);
     if (fine > 0.0) {
         const float exp2_stable_value_1 = exp2_stable(2.0 * zoom + 2.0);
-        const float finer = dots_of_octave(at.place,
-            asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), ink * fine, at.stretch
-            * exp2_stable_value_1, w, style);
+        const float finer = dots_of_octave(at.place, asint(asuint(to_int(zoom)) + asuint(int(1))),
+            ink * fine, at.stretch * exp2_stable_value_1, w, style);
         dots = max(dots, finer);
     }
     float mean = ink * (0.7853982 * style.size * style.size);
     return lerp(dots, mean, eased(w, 0.75, 1.5));
 }
 
-MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
+MarkPlace ConstructMarkPlace(float2 place, float3 stretch) {
     MarkPlace ret = (MarkPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -449,11 +439,11 @@ MarkPlace mark_place_object(float angle, float3 anchor, float2 pixel, float2 vie
     return ConstructMarkPlace(m.place, m.stretch);
 }
 
-Dots ConstructDots(float arg0, float arg1, uint arg2) {
+Dots ConstructDots(float size, float scatter, uint seed) {
     Dots ret = (Dots)0;
-    ret.size = arg0;
-    ret.scatter = arg1;
-    ret.seed = arg2;
+    ret.size = size;
+    ret.scatter = scatter;
+    ret.seed = seed;
     return ret;
 }
 
@@ -476,37 +466,36 @@ float4 shade(Surface surface)
     return ink_on_paper;
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.normal = arg2;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float2 arg2, float3 arg3) {
+Surface ConstructSurface(float3 normal, float3 view, float2 pixel, float3 anchor) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
-    ret.pixel = arg2;
-    ret.anchor = arg3;
+    ret.normal = normal;
+    ret.view = view;
+    ret.pixel = pixel;
+    ret.anchor = anchor;
     return ret;
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
-        fragmentinput_fs_main.normal_1 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_1, input.normal_1 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
     float3 normal = is_front ? facing : -facing;
     const float3 anchor_on_screen_value = anchor_on_screen(mul(float4(object.world_from_object[3].xyz,

@@ -374,7 +374,6 @@ float dots_of_octave(
     float w,
     Dots style
 ) {
-    int i = 0;
     float sum = 0.0;
     type_9 tile = BLUE_TILE;
     metal::float2 p = metal::clamp(place
@@ -382,15 +381,7 @@ float dots_of_octave(
         << 23u), metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float2 corner = metal::floor(p);
     float reach = 1.0 - 0.5 * style.scatter;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(i < 9)) {
-            break;
-        }
+    for (int i = 0; (i < 9); i++) {
         metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(naga_f2i32(corner))
             + as_type<metal::uint2>(metal::int2(as_type<int>(as_type<uint>(naga_mod(i, 3))
             - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 3)) - as_type<uint>(1)))));

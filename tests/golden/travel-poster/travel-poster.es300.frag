@@ -340,21 +340,12 @@ vec3 palette_blend(Ramp palette, vec3 rgb, float softness) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
         vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0),
         vec4(0.0), vec4(0.0));
-    uint i = 0u;
     vec3 found = vec3(0.0);
     float nearest = 1e30;
     colors = palette.colors;
     vec3 wanted = oklab_of_linear_2(vec3(linear_of_srgb_2(rgb.x), linear_of_srgb_2(rgb.y),
         linear_of_srgb_2(rgb.z)));
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 7u)) {
-            break;
-        }
+    for (uint i = 0u; (i < 7u); i = i + 1u) {
         vec3 lab = oklab_of_srgb(colors[i].xyz);
         float far = min(length(lab - wanted), 1e29);
         found = far < nearest ? colors[i].xyz : found;

@@ -95,7 +95,6 @@ ivec2 around(int index) {
 SeenPixel seen_pixel(ivec2 pixel) {
     SeenPixel seen = SeenPixel(ivec2(0), vec4(0.0));
     bool local = false;
-    int index = 0;
     seen = SeenPixel(pixel, texelFetch(u_surface, pixel, 0));
     ivec2 last = ivec2(uvec2(textureSize(u_surface, 0).xy)) - ivec2(1);
     if (u_curvature.samples >= 2.0) {
@@ -104,23 +103,11 @@ SeenPixel seen_pixel(ivec2 pixel) {
         local = false;
     }
     bool may_be_missed = local;
-    index = may_be_missed ? 7 : -1;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            index = index - 1;
-        }
-        loop_init = false;
-        if (index >= 0) {
-        } else {
-            break;
-        }
-        {
-            ivec2 near = min(max(pixel + around(index), ivec2(0)), last);
-            vec4 texel = texelFetch(u_surface, near, 0);
-            if (texel.w != 0.0) {
-                seen = SeenPixel(near, texel);
-            }
+    for (int index = may_be_missed ? 7 : -1; (index >= 0); index = index - 1) {
+        ivec2 near = min(max(pixel + around(index), ivec2(0)), last);
+        vec4 texel = texelFetch(u_surface, near, 0);
+        if (texel.w != 0.0) {
+            seen = SeenPixel(near, texel);
         }
     }
     return seen;

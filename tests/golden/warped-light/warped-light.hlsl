@@ -115,13 +115,13 @@ cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_tensor_map : register(t0);
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position : LOC0;
     float3 normal_4 : LOC1;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_1 : LOC0;
     float3 normal_5 : LOC1;
     float4 clip_1 : SV_Position;
@@ -153,7 +153,7 @@ float3 normalize_or(float3 v, float3 otherwise)
     return scaled * (1.0 / sqrt(square));
 }
 
-int naga_f2i32(float value) {
+int to_int(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -168,7 +168,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
+    return twice * asfloat(uint(asint(asuint(to_int(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -181,7 +181,7 @@ float exp2_stable_2(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
+    return twice * asfloat(uint(asint(asuint(to_int(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
@@ -289,11 +289,11 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
-RampPlace ConstructRampPlace(float4 arg0, float4 arg1, float arg2) {
+RampPlace ConstructRampPlace(float4 before, float4 after, float t) {
     RampPlace ret = (RampPlace)0;
-    ret.before = arg0;
-    ret.after = arg1;
-    ret.t = arg2;
+    ret.before = before;
+    ret.after = after;
+    ret.t = t;
     return ret;
 }
 
@@ -304,20 +304,11 @@ RampPlace ramp_place(Ramp ramp, float x)
         (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
         (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
-    uint i = 1u;
     uint at = 0u;
 
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = i + 1u;
-        }
-        loop_init = false;
-        if (!(i < 5u)) {
-            break;
-        }
+    for (uint i = 1u; (i < 5u); i = i + 1u) {
         float places_now = places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)];
         at = places_now <= x ? i : at;
     }
@@ -379,13 +370,13 @@ float sine_squared(float3 a, float3 b)
     return min(dot(across, across), 1.0);
 }
 
-Reflection ConstructReflection(float arg0, float arg1, float arg2, float arg3, float arg4) {
+Reflection ConstructReflection(float n_l, float n_v, float n_h, float v_h, float sine2_) {
     Reflection ret = (Reflection)0;
-    ret.n_l = arg0;
-    ret.n_v = arg1;
-    ret.n_h = arg2;
-    ret.v_h = arg3;
-    ret.sine2_ = arg4;
+    ret.n_l = n_l;
+    ret.n_v = n_v;
+    ret.n_h = n_h;
+    ret.v_h = v_h;
+    ret.sine2_ = sine2_;
     return ret;
 }
 
@@ -482,12 +473,12 @@ float3 warped_light(float3 light, float3 n, float3 view, float3x3 camera_from_wo
     return normalize_or(2.0 * q.x * along_x + 2.0 * q.y * along_y + (1.0 - square) * n, light);
 }
 
-Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {
+Light ConstructLight(float3 direction, float3 own_direction, float3 color, float intensity) {
     Light ret = (Light)0;
-    ret.direction = arg0;
-    ret.own_direction = arg1;
-    ret.color = arg2;
-    ret.intensity = arg3;
+    ret.direction = direction;
+    ret.own_direction = own_direction;
+    ret.color = color;
+    ret.intensity = intensity;
     return ret;
 }
 
@@ -527,43 +518,42 @@ float4 shade(Surface surface)
     return glowing_edge;
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.normal = arg2;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2) {
+Surface ConstructSurface(float3 normal, float3 view, float3 curvature_tensor) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
-    ret.curvature_tensor = arg2;
+    ret.normal = normal;
+    ret.view = view;
+    ret.curvature_tensor = curvature_tensor;
     return ret;
 }
 
-int2 naga_f2i32(float2 value) {
+int2 to_int(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
-        fragmentinput_fs_main.normal_5 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_1, input.normal_5 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
     float3 normal = is_front ? facing : -facing;
-    float4 texel = curvature_tensor_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 texel = curvature_tensor_map.Load(int3(to_int(in_.clip_.xy), int(0)));
     Surface surface = ConstructSurface(normal, normalize(view.eye.xyz - view.eye.w * in_.position),
         texel.xyz);
     return shade(surface);

@@ -140,14 +140,14 @@ cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position_2 : LOC0;
     float3 position_object : LOC1;
     float3 normal_1 : LOC2;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_3 : LOC0;
     float3 position_object_1 : LOC1;
     float3 normal_2 : LOC2;
@@ -342,22 +342,13 @@ float4 ramp_at(Ramp ramp, float x, float w)
         (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0, (float4)0,
         (float4)0, (float4)0 };
     float4 places[4] = { (float4)0, (float4)0, (float4)0, (float4)0 };
-    uint i_2 = 1u;
     uint at = 0u;
     float4 from_a = (0.0).xxxx;
     float4 to_b = (0.0).xxxx;
 
     colors = ramp.colors;
     places = ramp.places;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i_2 = i_2 + 1u;
-        }
-        loop_init = false;
-        if (!(i_2 < 4u)) {
-            break;
-        }
+    for (uint i_2 = 1u; (i_2 < 4u); i_2 = i_2 + 1u) {
         float places_now = places[0][min(uint(naga_mod(i_2, 4u)), 3u)];
         at = places_now <= x ? i_2 : at;
     }
@@ -442,7 +433,7 @@ float3 fade_quintic(float3 t)
     return t * t * t * (t * (t * 6.0 - (15.0).xxx) + (10.0).xxx);
 }
 
-int3 naga_f2i32(float3 value) {
+int3 to_int(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -450,29 +441,17 @@ int3 naga_f2i32(float3 value) {
 float perlin_noise(float3 p, uint seed)
 {
     float sum = 0.0;
-    int i = int(0);
 
     float3 corner = floor(p);
     float3 d = p - corner;
     const float3 f = fade_quintic(d);
-    int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (i < int(8)) {
-        } else {
-            break;
-        }
-        {
-            int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
-            float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
-            const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell)
-                + asuint(at)), seed), d - float3(at));
-            sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
-        }
+    int3 cell = to_int(corner);
+    for (int i = 0; (i < 8); i++) {
+        int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
+        float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+        const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)),
+            seed), d - float3(at));
+        sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;
     }
     // The twelve gradients reach 1.0364 at most.
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
@@ -481,22 +460,13 @@ float perlin_noise(float3 p, uint seed)
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
 float perlin_noise_2(float3 p, uint seed)
 {
-    int i = int(0);
     float sum = 0.0;
 
     float3 corner = floor(p);
     float3 d = p - corner;
     float3 f = d * d * d * (d * (d * 6.0 - (15.0).xxx) + (10.0).xxx);
-    int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(i < int(8))) {
-            break;
-        }
+    int3 cell = to_int(corner);
+    for (int i = 0; (i < 8); i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
         float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
         const uint3 hash_pcg3d_value = hash_pcg3d(asuint(asint(asuint(cell) + asuint(at))) + seed
@@ -512,21 +482,12 @@ float perlin_noise_2(float3 p, uint seed)
 float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed, float w)
 {
     float octave = (float)0;
-    int i = int(0);
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
 
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(i < int(2))) {
-            break;
-        }
+    for (int i = 0; (i < 2); i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
@@ -548,21 +509,12 @@ float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed,
 float fractal_noise_2(uint kind, float3 p, int octaves, float roughness, int seed, float w)
 {
     float octave = (float)0;
-    int i = int(0);
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
 
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(i < int(4))) {
-            break;
-        }
+    for (int i = 0; (i < 4); i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
@@ -603,10 +555,10 @@ float2 place_in_picture(float2 pixel, float2 viewport)
     return float2(from_middle.x, -from_middle.y) / (max(viewport.y, 1.0)).xx;
 }
 
-StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
+StretchedPlace ConstructStretchedPlace(float2 place, float3 stretch) {
     StretchedPlace ret = (StretchedPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -623,10 +575,10 @@ StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float an
     return ConstructStretchedPlace(turned, stretch);
 }
 
-SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
+SpacedPlace ConstructSpacedPlace(float2 place, float3 stretch) {
     SpacedPlace ret = (SpacedPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -649,10 +601,10 @@ float area_square(float3 stretch)
     return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
-MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
+MarkPlace ConstructMarkPlace(float2 place, float3 stretch) {
     MarkPlace ret = (MarkPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -680,7 +632,7 @@ float paper_octave(float2 place, int zoom, float w, float fiber, uint seed)
     return clamp(0.5 + 1.4 * (coarse_seen * grain + fiber * felt_seen * felt), 0.0, 1.0);
 }
 
-int naga_f2i32(float value) {
+int to_int(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -696,20 +648,20 @@ float paper_height(SpacedPlace at, float fiber, uint seed)
     float level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     float zoom = floor(level);
     float f = level - zoom;
-    height = paper_octave(at.place, naga_f2i32(zoom), w, fiber, seed);
+    height = paper_octave(at.place, to_int(zoom), w, fiber, seed);
     if (f > 0.0) {
         const float paper_octave_value = paper_octave(at.place,
-            asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), w, fiber, seed);
+            asint(asuint(to_int(zoom)) + asuint(int(1))), w, fiber, seed);
         float both = lerp(height, paper_octave_value, f);
         height = clamp(0.5 + (both - 0.5) / sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0, 1.0);
     }
     return height;
 }
 
-PaperGrain ConstructPaperGrain(float arg0, float arg1) {
+PaperGrain ConstructPaperGrain(float tone, float height) {
     PaperGrain ret = (PaperGrain)0;
-    ret.tone = arg0;
-    ret.height = arg1;
+    ret.tone = tone;
+    ret.height = height;
     return ret;
 }
 
@@ -794,40 +746,40 @@ float4 shade(Surface surface)
     return finite_vec4(pencil_line);
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 position_object, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.position_object = arg2;
-    ret.normal = arg3;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.position_object = position_object;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
-        varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.position_object, varyings.normal,
+        varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float2 arg3, float3 arg4) {
+Surface ConstructSurface(float3 normal, float3 view, float3 position_object, float2 pixel,
+    float3 anchor) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
-    ret.position_object = arg2;
-    ret.pixel = arg3;
-    ret.anchor = arg4;
+    ret.normal = normal;
+    ret.view = view;
+    ret.position_object = position_object;
+    ret.pixel = pixel;
+    ret.anchor = anchor;
     return ret;
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3,
-        fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_2 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_3, input.position_object_1, input.normal_2 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
     float3 normal = is_front ? facing : -facing;
     const float3 anchor_on_screen_value = anchor_on_screen(mul(float4(object.world_from_object[3].xyz,

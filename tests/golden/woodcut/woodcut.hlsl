@@ -135,14 +135,14 @@ cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_map : register(t0);
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position_1 : LOC0;
     float3 position_object_1 : LOC1;
     float3 normal_4 : LOC2;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_2 : LOC0;
     float3 position_object_2 : LOC1;
     float3 normal_5 : LOC2;
@@ -150,7 +150,7 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
-int naga_f2i32(float value) {
+int to_int(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -163,7 +163,7 @@ float exp2_stable(float x)
     float twice = 2.0 + f * (1.3862944 + f
         * (0.48045295 + f * (0.11100665 + f
         * (0.019236874 + f * (0.002679775 + f * 0.00030706724)))));
-    return twice * asfloat(uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u);
+    return twice * asfloat(uint(asint(asuint(to_int(whole)) + asuint(int(126)))) << 23u);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -258,29 +258,20 @@ uint3 hash_pcg3d(uint3 seed)
     return v;
 }
 
-int3 naga_f2i32(float3 value) {
+int3 to_int(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
 /// Value noise: random numbers at lattice points, smooth between them.
 float value_noise(float3 p, uint seed)
 {
-    int i = int(0);
     float sum = 0.0;
 
     float3 corner = floor(p);
     float3 t = p - corner;
     float3 f = t * t * t * (t * (t * 6.0 - (15.0).xxx) + (10.0).xxx);
-    int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(i < int(8))) {
-            break;
-        }
+    int3 cell = to_int(corner);
+    for (int i = 0; (i < 8); i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
         float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
         const uint3 hash_pcg3d_value = hash_pcg3d(asuint(asint(asuint(cell) + asuint(at))) + seed
@@ -300,10 +291,10 @@ float size_on_screen(float depth, float perspective, float scale)
     return min(0.5 * scale / lerp(1.0, max(depth, 1e-6), perspective), MOST_ON_SCREEN);
 }
 
-StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
+StretchedPlace ConstructStretchedPlace(float2 place, float3 stretch) {
     StretchedPlace ret = (StretchedPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -351,10 +342,10 @@ StretchedPlace place_across(float3 axis, float3 position, float3x3 world_from_no
     return place_on_surface(place, along, across, normal, view, magnification, angle);
 }
 
-SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
+SpacedPlace ConstructSpacedPlace(float2 place, float3 stretch) {
     SpacedPlace ret = (SpacedPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -369,10 +360,10 @@ SpacedPlace spaced(float2 place, float3 stretch, float2 viewport, float count)
     return ConstructSpacedPlace(p, is_pixel ? float3(1.0, 0.0, 1.0) : s);
 }
 
-Stroke ConstructStroke(float arg0, float arg1) {
+Stroke ConstructStroke(float turn, float profile) {
     Stroke ret = (Stroke)0;
-    ret.turn = arg0;
-    ret.profile = arg1;
+    ret.turn = turn;
+    ret.profile = profile;
     return ret;
 }
 
@@ -390,8 +381,8 @@ Stroke stroke_at(int2 line_, float x, int zoom, Strokes style)
 Stroke stroke_between(int2 line_, float x, float level, Strokes style)
 {
     float zoom = floor(level);
-    const Stroke a = stroke_at(line_, x, naga_f2i32(zoom), style);
-    const Stroke b = stroke_at(line_, x, asint(asuint(naga_f2i32(zoom)) + asuint(int(1))), style);
+    const Stroke a = stroke_at(line_, x, to_int(zoom), style);
+    const Stroke b = stroke_at(line_, x, asint(asuint(to_int(zoom)) + asuint(int(1))), style);
     float f = level - zoom;
     return ConstructStroke(lerp(a.turn, b.turn, f), lerp(1.0, 1.0, f));
 }
@@ -446,23 +437,22 @@ float hatched(float2 place, float w, float level, float ink, Strokes style)
     float number = pow(ink, 1.0 - style.pressure);
     float width = style.width * pow(ink, style.pressure);
     float zoom = floor(level);
-    const float stray_at_value = stray_at(place, asint(asuint(naga_f2i32(zoom)) + asuint(int(1))),
-        7u);
-    float stray = lerp(stray_at(place, naga_f2i32(zoom), 7u), stray_at_value, level - zoom);
+    const float stray_at_value = stray_at(place, asint(asuint(to_int(zoom)) + asuint(int(1))), 7u);
+    float stray = lerp(stray_at(place, to_int(zoom), 7u), stray_at_value, level - zoom);
     float across = place.y + style.wobble * stray;
     float density = max(level + log2_stable(max(number, 1e-9)), -40.0);
     float octave = floor(density);
     float growth = exp2_stable(density - octave) - 1.0;
-    float scale = asfloat(uint(asint(asuint(naga_f2i32(octave)) + asuint(int(127)))) << 23u);
+    float scale = asfloat(uint(asint(asuint(to_int(octave)) + asuint(int(127)))) << 23u);
     float q = clamp(across * scale, -4194304.0, 4194304.0);
     float half_ = 0.5 * width * exp2_stable(octave - level);
     float footprint = w * scale;
-    int whole = naga_f2i32(round(q));
-    const Stroke old = stroke_between(line_of(whole, naga_f2i32(octave)), place.x, level, style);
+    int whole = to_int(round(q));
+    const Stroke old = stroke_between(line_of(whole, to_int(octave)), place.x, level, style);
     float middle = floor(q);
     const Stroke young = stroke_between(int2(asint(asuint(asint(asuint(int(2))
-        * asuint(naga_f2i32(middle)))) + asuint(int(1))),
-        asint(asuint(naga_f2i32(octave)) + asuint(int(1)))), place.x, level, style);
+        * asuint(to_int(middle)))) + asuint(int(1))),
+        asint(asuint(to_int(octave)) + asuint(int(1)))), place.x, level, style);
     float grown = clamp((growth - 0.75 * young.turn) / 0.25, 0.0, 1.0);
     const float a = band_filtered(q - float(whole), half_ * old.profile, footprint);
     const float b = band_filtered(q - middle - 0.5, half_ * grown * young.profile, footprint);
@@ -475,20 +465,11 @@ float hatched(float2 place, float w, float level, float ink, Strokes style)
 float cross_hatched(SpacedPlace at, float ink, int layers, float cross_, Strokes style)
 {
     Strokes own = (Strokes)0;
-    int i = int(0);
     float free = 1.0;
 
     float2 x = ddx(at.place);
     float2 y = ddy(at.place);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (!(i < int(4))) {
-            break;
-        }
+    for (int i = 0; (i < 4); i++) {
         if (i < int(1)) {
             float2 turn = float2(0.0, 1.0);
             float2 along = float2(turn.y, turn.x);
@@ -507,10 +488,10 @@ float cross_hatched(SpacedPlace at, float ink, int layers, float cross_, Strokes
     return 1.0 - free;
 }
 
-MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
+MarkPlace ConstructMarkPlace(float2 place, float3 stretch) {
     MarkPlace ret = (MarkPlace)0;
-    ret.place = arg0;
-    ret.stretch = arg1;
+    ret.place = place;
+    ret.stretch = stretch;
     return ret;
 }
 
@@ -530,16 +511,16 @@ MarkPlace mark_place_light(Light light, float3 normal, float angle, float3 view,
     return ConstructMarkPlace(m.place, m.stretch);
 }
 
-Strokes ConstructStrokes(float arg0, float arg1, float arg2, float arg3, float arg4, float arg5,
-    uint arg6) {
+Strokes ConstructStrokes(float width, float length_, float taper, float wobble, float pressure,
+    float variation, uint seed) {
     Strokes ret = (Strokes)0;
-    ret.width = arg0;
-    ret.length_ = arg1;
-    ret.taper = arg2;
-    ret.wobble = arg3;
-    ret.pressure = arg4;
-    ret.variation = arg5;
-    ret.seed = arg6;
+    ret.width = width;
+    ret.length_ = length_;
+    ret.taper = taper;
+    ret.wobble = wobble;
+    ret.pressure = pressure;
+    ret.variation = variation;
+    ret.seed = seed;
     return ret;
 }
 
@@ -572,49 +553,48 @@ float4 shade(Surface surface)
     return print;
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2, float3 arg3) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 position_object, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.position_object = arg2;
-    ret.normal = arg3;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.position_object = position_object;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         vertex.position, mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.position_object,
-        varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.position_object, varyings.normal,
+        varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float3 arg2, float arg3, float arg4,
-    float3x3 arg5) {
+Surface ConstructSurface(float3 normal, float3 view, float3 position_object, float kappa,
+    float magnification, float3x3 world_from_normal) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
-    ret.position_object = arg2;
-    ret.kappa = arg3;
-    ret.magnification = arg4;
-    ret.world_from_normal = arg5;
+    ret.normal = normal;
+    ret.view = view;
+    ret.position_object = position_object;
+    ret.kappa = kappa;
+    ret.magnification = magnification;
+    ret.world_from_normal = world_from_normal;
     return ret;
 }
 
-int2 naga_f2i32(float2 value) {
+int2 to_int(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2,
-        fragmentinput_fs_main.position_object_2, fragmentinput_fs_main.normal_5 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_2, input.position_object_2, input.normal_5 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen(in_.normal);
     float3 normal = is_front ? facing : -facing;
-    float4 texel = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 texel = curvature_map.Load(int3(to_int(in_.clip_.xy), int(0)));
     const float size_on_screen_value = size_on_screen(-mul(float4(in_.position, 1.0),
         view.camera_from_world).z, view.eye.w,
         length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y,

@@ -260,21 +260,12 @@ float value_noise(
     metal::float3 p,
     uint seed
 ) {
-    int i = 0;
     float sum = 0.0;
     metal::float3 corner = metal::floor(p);
     metal::float3 t = p - corner;
     metal::float3 f = t * t * t * (t * (t * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
     metal::int3 cell = naga_f2i32(corner);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(i < 8)) {
-            break;
-        }
+    for (int i = 0; (i < 8); i++) {
         metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
         metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
         metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at))) + seed * metal::uint3(2654435769u,
@@ -511,19 +502,10 @@ float cross_hatched(
     Strokes style
 ) {
     Strokes own = {};
-    int i = 0;
     float free = 1.0;
     metal::float2 x = metal::dfdx(at.place);
     metal::float2 y = metal::dfdy(at.place);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            i = as_type<int>(as_type<uint>(i) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (!(i < 4)) {
-            break;
-        }
+    for (int i = 0; (i < 4); i++) {
         if (i < 1) {
             metal::float2 turn = metal::float2(0.0, 1.0);
             metal::float2 along = metal::float2(turn.y, turn.x);

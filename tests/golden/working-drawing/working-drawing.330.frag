@@ -227,7 +227,6 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
     vec4 color = vec4(0.0);
     uint i = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
     // Slopes are 0 at the first and the last stop, because the ramp is flat outside of them.
     vec4 from_a = vec4(0.0);
     vec4 to_b = vec4(0.0);
@@ -239,37 +238,15 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
     places = ramp.places;
     if (ramp.interpolation == INTERPOLATION_STEPPED) {
         color = colors[0];
-        bool loop_init = true;
-        while(true) {
-            if (!loop_init) {
-                i = i + 1u;
-            }
-            loop_init = false;
-            if (i < count) {
-            } else {
-                break;
-            }
-            {
-                color = color + (colors[i] - colors[i - 1u])
-                    * step_filtered(x, places[i / 4u][i % 4u], w);
-            }
+        for (; (i < count); i = i + 1u) {
+            color = color + (colors[i] - colors[i - 1u])
+                * step_filtered(x, places[i / 4u][i % 4u], w);
         }
         return bounded_vec4(color);
     }
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            i_1 = i_1 + 1u;
-        }
-        loop_init_1 = false;
-        if (i_1 < count) {
-        } else {
-            break;
-        }
-        {
-            float places_now = places[i_1 / 4u][i_1 % 4u];
-            at = places_now <= x ? i_1 : at;
-        }
+    for (uint i_1 = 1u; (i_1 < count); i_1 = i_1 + 1u) {
+        float places_now = places[i_1 / 4u][i_1 % 4u];
+        at = places_now <= x ? i_1 : at;
     }
     float place = places[at / 4u][at % 4u];
     if (at + 1u >= count || x <= place) {

@@ -225,7 +225,6 @@ SeenPixel seen_pixel(
 ) {
     SeenPixel seen = {};
     bool local = {};
-    int index = {};
     seen = SeenPixel {pixel, {}, surface.read(metal::uint2(pixel), 0)};
     metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
         surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
@@ -235,25 +234,13 @@ SeenPixel seen_pixel(
         local = false;
     }
     bool may_be_missed = local;
-    index = may_be_missed ? 7 : -1;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            index = as_type<int>(as_type<uint>(index) - as_type<uint>(1));
-        }
-        loop_init = false;
-        if (index >= 0) {
-        } else {
-            break;
-        }
-        {
-            metal::int2 around_value = around(index);
-            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel)
-                + as_type<metal::uint2>(around_value)), metal::int2(0), last);
-            metal::float4 texel = surface.read(metal::uint2(near), 0);
-            if (texel.w != 0.0) {
-                seen = SeenPixel {near, {}, texel};
-            }
+    for (int index = may_be_missed ? 7 : -1; index >= 0; index--) {
+        metal::int2 around_value = around(index);
+        metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel)
+            + as_type<metal::uint2>(around_value)), metal::int2(0), last);
+        metal::float4 texel = surface.read(metal::uint2(near), 0);
+        if (texel.w != 0.0) {
+            seen = SeenPixel {near, {}, texel};
         }
     }
     return seen;
@@ -585,7 +572,6 @@ Course course_at(
     type_10 ends = type_10 {{metal::float2(0.0), metal::float2(0.0)}};
     int changes = 0;
     CourseSums sums = CourseSums {1.0, 0.0, 0.5, 0.0, 0.0, 0.25, 0.0};
-    int side = 0;
     int height = {};
     bool is_open = {};
     int row = {};
@@ -599,103 +585,91 @@ Course course_at(
     bool local_10 = {};
     bool local_11 = {};
     metal::int2 along = naga_abs(step.yx);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            side = as_type<int>(as_type<uint>(side) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (side < 2) {
-        } else {
-            break;
-        }
-        {
-            metal::int2 way = as_type<metal::int2>(as_type<metal::uint2>(along)
-                * as_type<uint>(as_type<int>(as_type<uint>(1)
-                - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(side))))));
-            height = 0;
-            is_open = true;
-            row = 1;
-            while(true) {
-                if (row <= 12) {
-                    if (!is_open) {
-                        local_5 = row <= 5;
-                    } else {
-                        local_5 = true;
-                    }
-                    local_4 = local_5;
+    for (int side = 0; side < 2; side++) {
+        metal::int2 way = as_type<metal::int2>(as_type<metal::uint2>(along)
+            * as_type<uint>(as_type<int>(as_type<uint>(1)
+            - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(side))))));
+        height = 0;
+        is_open = true;
+        row = 1;
+        while(true) {
+            if (row <= 12) {
+                if (!is_open) {
+                    local_5 = row <= 5;
                 } else {
-                    local_4 = false;
+                    local_5 = true;
                 }
-                if (local_4) {
+                local_4 = local_5;
+            } else {
+                local_4 = false;
+            }
+            if (local_4) {
+            } else {
+                break;
+            }
+            {
+                metal::int2 at = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(way) * as_type<uint>(row))))) + as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(step) * as_type<uint>(height))));
+                change = 0;
+                if (shows(at, number, limit, surface)) {
+                    bool shows_value = shows(as_type<metal::int2>(as_type<metal::uint2>(at)
+                        + as_type<metal::uint2>(step)), number, limit, surface);
+                    if (shows_value) {
+                        change = 1;
+                    }
                 } else {
+                    change = -1;
+                }
+                if (change > 0) {
+                    bool shows_value_1 = shows(as_type<metal::int2>(as_type<metal::uint2>(at)
+                        + as_type<metal::uint2>(as_type<metal::int2>(as_type<uint>(2)
+                        * as_type<metal::uint2>(step)))), number, limit, surface);
+                    local_6 = shows_value_1;
+                } else {
+                    local_6 = false;
+                }
+                if (local_6) {
                     break;
                 }
-                {
-                    metal::int2 at = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(way) * as_type<uint>(row))))) + as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(step) * as_type<uint>(height))));
-                    change = 0;
-                    if (shows(at, number, limit, surface)) {
-                        bool shows_value = shows(as_type<metal::int2>(as_type<metal::uint2>(at)
-                            + as_type<metal::uint2>(step)), number, limit, surface);
-                        if (shows_value) {
-                            change = 1;
-                        }
-                    } else {
-                        change = -1;
-                    }
-                    if (change > 0) {
-                        bool shows_value_1 = shows(as_type<metal::int2>(as_type<metal::uint2>(at)
-                            + as_type<metal::uint2>(as_type<metal::int2>(as_type<uint>(2)
-                            * as_type<metal::uint2>(step)))), number, limit, surface);
-                        local_6 = shows_value_1;
-                    } else {
-                        local_6 = false;
-                    }
-                    if (local_6) {
-                        break;
-                    }
-                    if (change < 0) {
-                        bool shows_value_2 = shows(as_type<metal::int2>(as_type<metal::uint2>(at)
-                            - as_type<metal::uint2>(step)), number, limit, surface);
-                        local_7 = !shows_value_2;
-                    } else {
-                        local_7 = false;
-                    }
-                    if (local_7) {
-                        break;
-                    }
-                    if (change != 0) {
-                        if (is_open) {
-                            ends.inner[side] = metal::float2(static_cast<float>(row) - 0.5,
-                                static_cast<float>(metal::max(height,
-                                as_type<int>(as_type<uint>(height) + as_type<uint>(change)))));
-                            is_open = false;
-                        }
-                        changes = as_type<int>(as_type<uint>(changes)
-                            + as_type<uint>(row <= 5 ? 1 : 0));
-                        height = as_type<int>(as_type<uint>(height) + as_type<uint>(change));
-                    }
-                    if (row <= 5) {
-                        float x = static_cast<float>(as_type<int>(as_type<uint>(row)
-                            * as_type<uint>(as_type<int>(as_type<uint>(1)
-                            - as_type<uint>(as_type<int>(as_type<uint>(2)
-                            * as_type<uint>(side)))))));
-                        float y = static_cast<float>(height) + 0.5;
-                        sums.count = sums.count + 1.0;
-                        sums.x = sums.x + x;
-                        sums.y = sums.y + y;
-                        sums.xx = sums.xx + x * x;
-                        sums.xy = sums.xy + x * y;
-                        sums.yy = sums.yy + y * y;
-                        sums.xxy = sums.xxy + x * x * y;
-                    }
-                    row = as_type<int>(as_type<uint>(row) + as_type<uint>(1));
+                if (change < 0) {
+                    bool shows_value_2 = shows(as_type<metal::int2>(as_type<metal::uint2>(at)
+                        - as_type<metal::uint2>(step)), number, limit, surface);
+                    local_7 = !shows_value_2;
+                } else {
+                    local_7 = false;
                 }
+                if (local_7) {
+                    break;
+                }
+                if (change != 0) {
+                    if (is_open) {
+                        ends.inner[side] = metal::float2(static_cast<float>(row) - 0.5,
+                            static_cast<float>(metal::max(height,
+                            as_type<int>(as_type<uint>(height) + as_type<uint>(change)))));
+                        is_open = false;
+                    }
+                    changes = as_type<int>(as_type<uint>(changes)
+                        + as_type<uint>(row <= 5 ? 1 : 0));
+                    height = as_type<int>(as_type<uint>(height) + as_type<uint>(change));
+                }
+                if (row <= 5) {
+                    float x = static_cast<float>(as_type<int>(as_type<uint>(row)
+                        * as_type<uint>(as_type<int>(as_type<uint>(1)
+                        - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(side)))))));
+                    float y = static_cast<float>(height) + 0.5;
+                    sums.count = sums.count + 1.0;
+                    sums.x = sums.x + x;
+                    sums.y = sums.y + y;
+                    sums.xx = sums.xx + x * x;
+                    sums.xy = sums.xy + x * y;
+                    sums.yy = sums.yy + y * y;
+                    sums.xxy = sums.xxy + x * x * y;
+                }
+                row = as_type<int>(as_type<uint>(row) + as_type<uint>(1));
             }
-            if (is_open) {
-                ends.inner[side] = metal::float2(static_cast<float>(row) - 0.5,
-                    static_cast<float>(height) + 0.5);
-            }
+        }
+        if (is_open) {
+            ends.inner[side] = metal::float2(static_cast<float>(row) - 0.5,
+                static_cast<float>(height) + 0.5);
         }
     }
     float length = ends.inner[0].x + ends.inner[1].x;
@@ -961,7 +935,6 @@ metal::float4 edges_at(
     constant Curvature& curvature
 ) {
     uint left = 0u;
-    int index = 0;
     metal::float4 codes = metal::float4(0.0);
     metal::float4 trust = metal::float4(-1.0);
     int index_1 = {};
@@ -972,20 +945,9 @@ metal::float4 edges_at(
     }
     metal::float2 slope = surface.read(metal::uint2(pixel), 0).xy;
     float size = pixel_size_at(own.depth, curvature);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            index = as_type<int>(as_type<uint>(index) + as_type<uint>(1));
-        }
-        loop_init = false;
-        if (index < 4) {
-        } else {
-            break;
-        }
-        {
-            bool goes_on_value = goes_on(own, slope, size, pixel, around(index), surface);
-            left = left | (goes_on_value ? 0u : (1u << static_cast<uint>(index)));
-        }
+    for (int index = 0; index < 4; index++) {
+        bool goes_on_value = goes_on(own, slope, size, pixel, around(index), surface);
+        left = left | (goes_on_value ? 0u : (1u << static_cast<uint>(index)));
     }
     index_1 = left == 0u ? 4 : 0;
     bool loop_init_1 = true;

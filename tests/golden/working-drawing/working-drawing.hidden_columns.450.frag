@@ -90,7 +90,6 @@ ivec2 around(int index) {
 SeenPixel seen_pixel(ivec2 pixel) {
     SeenPixel seen = SeenPixel(ivec2(0), vec4(0.0));
     bool local_1 = false;
-    int index = 0;
     seen = SeenPixel(pixel, texelFetch(u_surface, pixel, 0));
     ivec2 last = ivec2(uvec2(textureSize(u_surface, 0).xy)) - ivec2(1);
     if (u_curvature.samples >= 2.0) {
@@ -99,23 +98,11 @@ SeenPixel seen_pixel(ivec2 pixel) {
         local_1 = false;
     }
     bool may_be_missed = local_1;
-    index = may_be_missed ? 7 : -1;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            index = index - 1;
-        }
-        loop_init = false;
-        if (index >= 0) {
-        } else {
-            break;
-        }
-        {
-            ivec2 near = min(max(pixel + around(index), ivec2(0)), last);
-            vec4 texel = texelFetch(u_surface, near, 0);
-            if (texel.w != 0.0) {
-                seen = SeenPixel(near, texel);
-            }
+    for (int index = may_be_missed ? 7 : -1; (index >= 0); index = index - 1) {
+        ivec2 near = min(max(pixel + around(index), ivec2(0)), last);
+        vec4 texel = texelFetch(u_surface, near, 0);
+        if (texel.w != 0.0) {
+            seen = SeenPixel(near, texel);
         }
     }
     return seen;
@@ -194,45 +181,31 @@ bool is_same_surface(Plane own, vec4 texel, vec2 offset) {
 vec4 nearest_in_column(ivec2 pixel, Plane own, int reach, bool of_all) {
     vec4 nearest = vec4(1000000000.0);
     vec4 codes = vec4(0.0);
-    int row = 0;
     bool local_4 = false;
     ivec2 last = ivec2(uvec2(textureSize(u_surface, 0).xy)) - ivec2(1);
-    row = max(-reach, -pixel.y);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            row = row + 1;
+    for (int row = max(-reach, -pixel.y); (row <= min(reach, last.y - pixel.y)); row = row + 1) {
+        ivec2 at = pixel + ivec2(0, row);
+        vec4 found = texelFetch(u_edges, at, 0);
+        if (all(equal(found, vec4(0.0)))) {
+            continue;
         }
-        loop_init = false;
-        if (row <= min(reach, last.y - pixel.y)) {
+        if (!of_all) {
+            local_4 = !is_same_surface(own, texelFetch(u_surface, at, 0), vec2(0.0, float(row)));
         } else {
-            break;
+            local_4 = false;
         }
-        {
-            ivec2 at = pixel + ivec2(0, row);
-            vec4 found = texelFetch(u_edges, at, 0);
-            if (all(equal(found, vec4(0.0)))) {
-                continue;
-            }
-            if (!of_all) {
-                local_4 = !is_same_surface(own, texelFetch(u_surface, at, 0),
-                    vec2(0.0, float(row)));
-            } else {
-                local_4 = false;
-            }
-            if (local_4) {
-                continue;
-            }
-            vec4 fine = abs(found);
-            vec4 middle_distances_value = middle_distances(edges_of(fine, 4096.0), vec4(0.0),
-                vec4(float(row)), of_all);
-            vec4 distances = mix(vec4(1000000000.0), middle_distances_value,
-                greaterThan(fine, vec4(0.0)));
-            bvec4 is_nearer = lessThan(distances, nearest);
-            nearest = mix(nearest, distances, is_nearer);
-            vec4 coarse = coarse_codes(fine) + vec4(262144.0 * (float(row) + 31.0));
-            codes = mix(codes, mix(coarse, -coarse, lessThan(found, vec4(0.0))), is_nearer);
+        if (local_4) {
+            continue;
         }
+        vec4 fine = abs(found);
+        vec4 middle_distances_value = middle_distances(edges_of(fine, 4096.0), vec4(0.0),
+            vec4(float(row)), of_all);
+        vec4 distances = mix(vec4(1000000000.0), middle_distances_value,
+            greaterThan(fine, vec4(0.0)));
+        bvec4 is_nearer = lessThan(distances, nearest);
+        nearest = mix(nearest, distances, is_nearer);
+        vec4 coarse = coarse_codes(fine) + vec4(262144.0 * (float(row) + 31.0));
+        codes = mix(codes, mix(coarse, -coarse, lessThan(found, vec4(0.0))), is_nearer);
     }
     return codes;
 }

@@ -118,7 +118,7 @@ Texture2D<float4> surface : register(t0);
 cbuffer curvature : register(b0) { Curvature curvature; }
 Texture2D<float4> front : register(t1);
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float4 position_1 : SV_Position;
 };
 
@@ -172,7 +172,7 @@ float4 whole_picture(uint index)
     return float4(float(index & 1u) * 4.0 - 1.0, float(index >> 1u) * 4.0 - 1.0, 0.0, 1.0);
 }
 
-int naga_f2i32(float value) {
+int to_int(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -180,7 +180,7 @@ int naga_f2i32(float value) {
 /// curvature, not a finer one.
 int step_pixels()
 {
-    return max(naga_f2i32(round(curvature.viewport_height / 800.0)), int(1));
+    return max(to_int(round(curvature.viewport_height / 800.0)), int(1));
 }
 
 /// 1 where a row of the image lies above the row before it, -1 where it lies below.
@@ -197,10 +197,10 @@ int2 around(int index)
     return index > int(3) ? int2(side, asint(asuint(int(1)) - asuint(index & int(2)))) : straight;
 }
 
-SeenPixel ConstructSeenPixel(int2 arg0, float4 arg1) {
+SeenPixel ConstructSeenPixel(int2 at, float4 texel) {
     SeenPixel ret = (SeenPixel)0;
-    ret.at = arg0;
-    ret.texel = arg1;
+    ret.at = at;
+    ret.texel = texel;
     return ret;
 }
 
@@ -219,7 +219,6 @@ SeenPixel seen_pixel(int2 pixel)
 {
     SeenPixel seen = (SeenPixel)0;
     bool local_1 = (bool)0;
-    int index = (int)0;
 
     seen = ConstructSeenPixel(pixel, surface.Load(int3(pixel, int(0))));
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
@@ -229,34 +228,22 @@ SeenPixel seen_pixel(int2 pixel)
         local_1 = false;
     }
     bool may_be_missed = local_1;
-    index = may_be_missed ? int(7) : int(-1);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            index = asint(asuint(index) - asuint(int(1)));
-        }
-        loop_init = false;
-        if (index >= int(0)) {
-        } else {
-            break;
-        }
-        {
-            int2 near = clamp(asint(asuint(pixel) + asuint(around(index))), (int(0)).xx, last);
-            float4 texel = surface.Load(int3(near, int(0)));
-            if (texel.w != 0.0) {
-                seen = ConstructSeenPixel(near, texel);
-            }
+    for (int index = may_be_missed ? 7 : -1; (index >= 0); index--) {
+        int2 near = clamp(asint(asuint(pixel) + asuint(around(index))), (int(0)).xx, last);
+        float4 texel = surface.Load(int3(near, int(0)));
+        if (texel.w != 0.0) {
+            seen = ConstructSeenPixel(near, texel);
         }
     }
     return seen;
 }
 
-Plane ConstructPlane(float arg0, float arg1, float2 arg2, float arg3) {
+Plane ConstructPlane(float object, float depth, float2 rise, float tolerance) {
     Plane ret = (Plane)0;
-    ret.object = arg0;
-    ret.depth = arg1;
-    ret.rise = arg2;
-    ret.tolerance = arg3;
+    ret.object = object;
+    ret.depth = depth;
+    ret.rise = rise;
+    ret.tolerance = tolerance;
     return ret;
 }
 
@@ -280,11 +267,11 @@ float4 neighbor_weights(Plane plane, float4 objects, float4 depths, float4 rises
     return objects == (plane.object).xxxx ? weights : (0.0).xxxx;
 }
 
-Center ConstructCenter(int2 arg0, float2 arg1, Plane arg2) {
+Center ConstructCenter(int2 at, float2 slope, Plane plane) {
     Center ret = (Center)0;
-    ret.at = arg0;
-    ret.slope = arg1;
-    ret.plane = arg2;
+    ret.at = at;
+    ret.slope = slope;
+    ret.plane = plane;
     return ret;
 }
 
@@ -296,11 +283,11 @@ Center center_at(int2 pixel)
     return ConstructCenter(seen.at, texel.xy, plane_of(abs(texel.w), texel.z, normal_of(texel)));
 }
 
-Ring ConstructRing(float4 arg0, float4 arg1, float4 arg2) {
+Ring ConstructRing(float4 x, float4 y, float4 weights) {
     Ring ret = (Ring)0;
-    ret.x = arg0;
-    ret.y = arg1;
-    ret.weights = arg2;
+    ret.x = x;
+    ret.y = y;
+    ret.weights = weights;
     return ret;
 }
 
@@ -393,11 +380,11 @@ float4 coarse_codes(float4 codes)
     return floor(place * 0.125) * 512.0 + floor(direction * 0.125);
 }
 
-EdgeLines ConstructEdgeLines(float4 arg0, float4 arg1, float4 arg2) {
+EdgeLines ConstructEdgeLines(float4 x, float4 y, float4 offset) {
     EdgeLines ret = (EdgeLines)0;
-    ret.x = arg0;
-    ret.y = arg1;
-    ret.offset = arg2;
+    ret.x = x;
+    ret.y = y;
+    ret.offset = offset;
     return ret;
 }
 
@@ -455,14 +442,15 @@ float pixel_size_at(float depth)
     return curvature.pixel * lerp(1.0, depth, curvature.perspective);
 }
 
-Facet ConstructFacet(float3 arg0, float3 arg1, float arg2, float arg3, float2 arg4, float2 arg5) {
+Facet ConstructFacet(float3 normal, float3 toward, float depth, float number, float2 rise,
+    float2 gentle_rise) {
     Facet ret = (Facet)0;
-    ret.normal = arg0;
-    ret.toward = arg1;
-    ret.depth = arg2;
-    ret.number = arg3;
-    ret.rise = arg4;
-    ret.gentle_rise = arg5;
+    ret.normal = normal;
+    ret.toward = toward;
+    ret.depth = depth;
+    ret.number = number;
+    ret.rise = rise;
+    ret.gentle_rise = gentle_rise;
     return ret;
 }
 
@@ -515,11 +503,11 @@ bool shows(int2 at, float number, float limit)
     return local_4;
 }
 
-Course ConstructCourse(float arg0, float arg1, float arg2) {
+Course ConstructCourse(float place, float slope, float trust) {
     Course ret = (Course)0;
-    ret.place = arg0;
-    ret.slope = arg1;
-    ret.trust = arg2;
+    ret.place = place;
+    ret.slope = slope;
+    ret.trust = trust;
     return ret;
 }
 
@@ -551,16 +539,16 @@ ret_Constructarray2_float2_ Constructarray2_float2_(float2 arg0, float2 arg1) {
     return ret;
 }
 
-CourseSums ConstructCourseSums(float arg0, float arg1, float arg2, float arg3, float arg4,
-    float arg5, float arg6) {
+CourseSums ConstructCourseSums(float count, float x, float y, float xx, float xy, float yy,
+    float xxy) {
     CourseSums ret = (CourseSums)0;
-    ret.count = arg0;
-    ret.x = arg1;
-    ret.y = arg2;
-    ret.xx = arg3;
-    ret.xy = arg4;
-    ret.yy = arg5;
-    ret.xxy = arg6;
+    ret.count = count;
+    ret.x = x;
+    ret.y = y;
+    ret.xx = xx;
+    ret.xy = xy;
+    ret.yy = yy;
+    ret.xxy = xxy;
     return ret;
 }
 
@@ -573,7 +561,6 @@ Course course_at(int2 pixel, int2 step_, float number, float limit)
     float2 ends[2] = Constructarray2_float2_((0.0).xx, (0.0).xx);
     int changes = int(0);
     CourseSums sums = ConstructCourseSums(1.0, 0.0, 0.5, 0.0, 0.0, 0.25, 0.0);
-    int side = int(0);
     int height = (int)0;
     bool is_open = (bool)0;
     int row = (int)0;
@@ -588,94 +575,83 @@ Course course_at(int2 pixel, int2 step_, float number, float limit)
     bool local_12 = (bool)0;
 
     int2 along = naga_abs(step_.yx);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            side = asint(asuint(side) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (side < int(2)) {
-        } else {
-            break;
-        }
-        {
-            int2 way = asint(asuint(along)
-                * asuint(asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint(side))))));
-            height = int(0);
-            is_open = true;
-            row = int(1);
-            while(true) {
-                if (row <= int(12)) {
-                    if (!is_open) {
-                        local_6 = row <= int(5);
-                    } else {
-                        local_6 = true;
-                    }
-                    local_5 = local_6;
+    for (int side = 0; (side < 2); side++) {
+        int2 way = asint(asuint(along) * asuint(asint(asuint(int(1))
+            - asuint(asint(asuint(int(2)) * asuint(side))))));
+        height = int(0);
+        is_open = true;
+        row = int(1);
+        while(true) {
+            if (row <= int(12)) {
+                if (!is_open) {
+                    local_6 = row <= int(5);
                 } else {
-                    local_5 = false;
+                    local_6 = true;
                 }
-                if (local_5) {
+                local_5 = local_6;
+            } else {
+                local_5 = false;
+            }
+            if (local_5) {
+            } else {
+                break;
+            }
+            {
+                int2 at = asint(asuint(asint(asuint(pixel)
+                    + asuint(asint(asuint(way) * asuint(row)))))
+                    + asuint(asint(asuint(step_) * asuint(height))));
+                change = int(0);
+                if (shows(at, number, limit)) {
+                    if (shows(asint(asuint(at) + asuint(step_)), number, limit)) {
+                        change = int(1);
+                    }
                 } else {
+                    change = int(-1);
+                }
+                if (change > int(0)) {
+                    local_7 = shows(asint(asuint(at)
+                        + asuint(asint(asuint(int(2)) * asuint(step_)))), number, limit);
+                } else {
+                    local_7 = false;
+                }
+                if (local_7) {
                     break;
                 }
-                {
-                    int2 at = asint(asuint(asint(asuint(pixel)
-                        + asuint(asint(asuint(way) * asuint(row)))))
-                        + asuint(asint(asuint(step_) * asuint(height))));
-                    change = int(0);
-                    if (shows(at, number, limit)) {
-                        if (shows(asint(asuint(at) + asuint(step_)), number, limit)) {
-                            change = int(1);
-                        }
-                    } else {
-                        change = int(-1);
-                    }
-                    if (change > int(0)) {
-                        local_7 = shows(asint(asuint(at)
-                            + asuint(asint(asuint(int(2)) * asuint(step_)))), number, limit);
-                    } else {
-                        local_7 = false;
-                    }
-                    if (local_7) {
-                        break;
-                    }
-                    if (change < int(0)) {
-                        local_8 = !shows(asint(asuint(at) - asuint(step_)), number, limit);
-                    } else {
-                        local_8 = false;
-                    }
-                    if (local_8) {
-                        break;
-                    }
-                    if (change != int(0)) {
-                        if (is_open) {
-                            ends[min(uint(side), 1u)] = float2(float(row) - 0.5,
-                                float(max(height, asint(asuint(height) + asuint(change)))));
-                            is_open = false;
-                        }
-                        changes = asint(asuint(changes) + asuint(row <= int(5) ? int(1) : int(0)));
-                        height = asint(asuint(height) + asuint(change));
-                    }
-                    if (row <= int(5)) {
-                        float x = float(asint(asuint(row)
-                            * asuint(asint(asuint(int(1))
-                            - asuint(asint(asuint(int(2)) * asuint(side)))))));
-                        float y = float(height) + 0.5;
-                        sums.count = sums.count + 1.0;
-                        sums.x = sums.x + x;
-                        sums.y = sums.y + y;
-                        sums.xx = sums.xx + x * x;
-                        sums.xy = sums.xy + x * y;
-                        sums.yy = sums.yy + y * y;
-                        sums.xxy = sums.xxy + x * x * y;
-                    }
-                    row = asint(asuint(row) + asuint(int(1)));
+                if (change < int(0)) {
+                    local_8 = !shows(asint(asuint(at) - asuint(step_)), number, limit);
+                } else {
+                    local_8 = false;
                 }
+                if (local_8) {
+                    break;
+                }
+                if (change != int(0)) {
+                    if (is_open) {
+                        ends[min(uint(side), 1u)] = float2(float(row) - 0.5,
+                            float(max(height, asint(asuint(height) + asuint(change)))));
+                        is_open = false;
+                    }
+                    changes = asint(asuint(changes) + asuint(row <= int(5) ? int(1) : int(0)));
+                    height = asint(asuint(height) + asuint(change));
+                }
+                if (row <= int(5)) {
+                    float x = float(asint(asuint(row)
+                        * asuint(asint(asuint(int(1))
+                        - asuint(asint(asuint(int(2)) * asuint(side)))))));
+                    float y = float(height) + 0.5;
+                    sums.count = sums.count + 1.0;
+                    sums.x = sums.x + x;
+                    sums.y = sums.y + y;
+                    sums.xx = sums.xx + x * x;
+                    sums.xy = sums.xy + x * y;
+                    sums.yy = sums.yy + y * y;
+                    sums.xxy = sums.xxy + x * x * y;
+                }
+                row = asint(asuint(row) + asuint(int(1)));
             }
-            if (is_open) {
-                ends[min(uint(side), 1u)] = float2(float(row) - 0.5, float(height) + 0.5);
-            }
+        }
+        if (is_open) {
+            ends[min(uint(side), 1u)] = float2(float(row) - 0.5, float(height) + 0.5);
         }
     }
     float length_ = ends[0].x + ends[1].x;
@@ -724,12 +700,12 @@ float2 course_normal(Course course, float2 toward)
     return (toward - course.slope * along) / (sqrt(1.0 + course.slope * course.slope)).xx;
 }
 
-Edge ConstructEdge(int arg0, float2 arg1, float arg2, float arg3) {
+Edge ConstructEdge(int kind, float2 normal, float offset, float trust) {
     Edge ret = (Edge)0;
-    ret.kind = arg0;
-    ret.normal = arg1;
-    ret.offset = arg2;
-    ret.trust = arg3;
+    ret.kind = kind;
+    ret.normal = normal;
+    ret.offset = offset;
+    ret.trust = trust;
     return ret;
 }
 
@@ -904,7 +880,6 @@ bool goes_on(Facet own, float2 slope, float size, int2 pixel, int2 step_)
 float4 edges_at(int2 pixel)
 {
     uint left = 0u;
-    int index = int(0);
     float4 codes = (0.0).xxxx;
     float4 trust = (-1.0).xxxx;
     int index_1 = (int)0;
@@ -916,20 +891,9 @@ float4 edges_at(int2 pixel)
     }
     float2 slope = surface.Load(int3(pixel, int(0))).xy;
     const float size = pixel_size_at(own.depth);
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            index = asint(asuint(index) + asuint(int(1)));
-        }
-        loop_init = false;
-        if (index < int(4)) {
-        } else {
-            break;
-        }
-        {
-            const bool goes_on_value = goes_on(own, slope, size, pixel, around(index));
-            left = left | (goes_on_value ? 0u : (1u << uint(index)));
-        }
+    for (int index = 0; (index < 4); index++) {
+        const bool goes_on_value = goes_on(own, slope, size, pixel, around(index));
+        left = left | (goes_on_value ? 0u : (1u << uint(index)));
     }
     index_1 = left == 0u ? int(4) : int(0);
     bool loop_init_1 = true;
@@ -966,7 +930,7 @@ float4 edges_at(int2 pixel)
     return codes;
 }
 
-int2 naga_f2i32(float2 value) {
+int2 to_int(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
@@ -977,7 +941,7 @@ bool comes_out(int2 pixel, EdgeLines edges)
 
     float2 outward = float2(edges.x.x, edges.y.x);
     bool is_level = abs(outward.x) >= abs(outward.y);
-    int2 step_ = naga_f2i32(is_level ? float2(sign(outward.x), 0.0) : float2(0.0, sign(outward.y)));
+    int2 step_ = to_int(is_level ? float2(sign(outward.x), 0.0) : float2(0.0, sign(outward.y)));
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
     const Facet own = facet_at(pixel);
     float4 texel = front.Load(int3(clamp(asint(asuint(pixel) + asuint(step_)), (int(0)).xx, last),
@@ -997,12 +961,12 @@ float4 vs_main(uint index : SV_VertexID) : SV_Position
     return whole_picture(index);
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    float4 position = fragmentinput_fs_main.position_1;
+    float4 position = input.position_1;
     bool local = (bool)0;
 
-    int2 pixel = naga_f2i32(position.xy);
+    int2 pixel = to_int(position.xy);
     const float4 codes = edges_at(pixel);
     if (codes.x > 0.0) {
         local = !comes_out(pixel, edges_of(codes, 4096.0));

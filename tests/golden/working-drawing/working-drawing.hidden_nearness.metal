@@ -248,7 +248,6 @@ SeenPixel seen_pixel(
 ) {
     SeenPixel seen = {};
     bool local_1 = {};
-    int index = {};
     seen = SeenPixel {pixel, {}, surface.read(metal::uint2(pixel), 0)};
     metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
         surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
@@ -258,25 +257,13 @@ SeenPixel seen_pixel(
         local_1 = false;
     }
     bool may_be_missed = local_1;
-    index = may_be_missed ? 7 : -1;
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            index = as_type<int>(as_type<uint>(index) - as_type<uint>(1));
-        }
-        loop_init = false;
-        if (index >= 0) {
-        } else {
-            break;
-        }
-        {
-            metal::int2 around_value = around(index);
-            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel)
-                + as_type<metal::uint2>(around_value)), metal::int2(0), last);
-            metal::float4 texel = surface.read(metal::uint2(near), 0);
-            if (texel.w != 0.0) {
-                seen = SeenPixel {near, {}, texel};
-            }
+    for (int index = may_be_missed ? 7 : -1; index >= 0; index--) {
+        metal::int2 around_value = around(index);
+        metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel)
+            + as_type<metal::uint2>(around_value)), metal::int2(0), last);
+        metal::float4 texel = surface.read(metal::uint2(near), 0);
+        if (texel.w != 0.0) {
+            seen = SeenPixel {near, {}, texel};
         }
     }
     return seen;
@@ -1397,51 +1384,38 @@ metal::float4 nearest_in_column(
 ) {
     metal::float4 nearest = metal::float4(1000000000.0);
     metal::float4 codes = metal::float4(0.0);
-    int row = {};
     bool local_6 = {};
     metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
         surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
-    row = metal::max(naga_neg(reach), naga_neg(pixel.y));
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            row = as_type<int>(as_type<uint>(row) + as_type<uint>(1));
+    for (int row = metal::max(naga_neg(reach), naga_neg(pixel.y)); row
+        <= metal::min(reach, as_type<int>(as_type<uint>(last.y) - as_type<uint>(pixel.y))); row++) {
+        metal::int2 at = as_type<metal::int2>(as_type<metal::uint2>(pixel)
+            + as_type<metal::uint2>(metal::int2(0, row)));
+        metal::float4 found = edges.read(metal::uint2(at), 0);
+        if (metal::all(found == metal::float4(0.0))) {
+            continue;
         }
-        loop_init = false;
-        if (row <= metal::min(reach, as_type<int>(as_type<uint>(last.y)
-            - as_type<uint>(pixel.y)))) {
+        if (!of_all) {
+            local_6 = !is_same_surface(own, surface.read(metal::uint2(at), 0),
+                metal::float2(0.0, static_cast<float>(row)));
         } else {
-            break;
+            local_6 = false;
         }
-        {
-            metal::int2 at = as_type<metal::int2>(as_type<metal::uint2>(pixel)
-                + as_type<metal::uint2>(metal::int2(0, row)));
-            metal::float4 found = edges.read(metal::uint2(at), 0);
-            if (metal::all(found == metal::float4(0.0))) {
-                continue;
-            }
-            if (!of_all) {
-                local_6 = !is_same_surface(own, surface.read(metal::uint2(at), 0),
-                    metal::float2(0.0, static_cast<float>(row)));
-            } else {
-                local_6 = false;
-            }
-            if (local_6) {
-                continue;
-            }
-            metal::float4 fine = metal::abs(found);
-            EdgeLines edges_of_value = edges_of(fine, 4096.0);
-            metal::float4 middle_distances_value = middle_distances(edges_of_value,
-                metal::float4(0.0), metal::float4(static_cast<float>(row)), of_all);
-            metal::float4 distances = metal::select(metal::float4(1000000000.0),
-                middle_distances_value, fine > metal::float4(0.0));
-            metal::bool4 is_nearer = distances < nearest;
-            nearest = metal::select(nearest, distances, is_nearer);
-            metal::float4 coarse = coarse_codes(fine)
-                + metal::float4(262144.0 * (static_cast<float>(row) + 31.0));
-            codes = metal::select(codes, metal::select(coarse, -coarse, found < metal::float4(0.0)),
-                is_nearer);
+        if (local_6) {
+            continue;
         }
+        metal::float4 fine = metal::abs(found);
+        EdgeLines edges_of_value = edges_of(fine, 4096.0);
+        metal::float4 middle_distances_value = middle_distances(edges_of_value, metal::float4(0.0),
+            metal::float4(static_cast<float>(row)), of_all);
+        metal::float4 distances = metal::select(metal::float4(1000000000.0), middle_distances_value,
+            fine > metal::float4(0.0));
+        metal::bool4 is_nearer = distances < nearest;
+        nearest = metal::select(nearest, distances, is_nearer);
+        metal::float4 coarse = coarse_codes(fine)
+            + metal::float4(262144.0 * (static_cast<float>(row) + 31.0));
+        codes = metal::select(codes, metal::select(coarse, -coarse, found < metal::float4(0.0)),
+            is_nearer);
     }
     return codes;
 }
@@ -1462,59 +1436,47 @@ metal::float4 nearness_at(
     // Columns and rows of the nearest edges, from the pixel.
     metal::float4 across = metal::float4(0.0);
     metal::float4 down = metal::float4(0.0);
-    int column = {};
     bool local_7 = {};
     bool local_8 = {};
     metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(),
         surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
     int reach = naga_f2i32(line_reach(curvature.viewport_height, 16.0));
-    column = metal::max(naga_neg(reach), naga_neg(pixel.x));
-    bool loop_init = true;
-    while(true) {
-        if (!loop_init) {
-            column = as_type<int>(as_type<uint>(column) + as_type<uint>(1));
+    for (int column = metal::max(naga_neg(reach), naga_neg(pixel.x)); column
+        <= metal::min(reach, as_type<int>(as_type<uint>(last.x)
+        - as_type<uint>(pixel.x))); column++) {
+        metal::int2 at = as_type<metal::int2>(as_type<metal::uint2>(pixel)
+            + as_type<metal::uint2>(metal::int2(column, 0)));
+        metal::float4 found = columns.read(metal::uint2(at), 0);
+        if (metal::all(found == metal::float4(0.0))) {
+            continue;
         }
-        loop_init = false;
-        if (column <= metal::min(reach,
-            as_type<int>(as_type<uint>(last.x) - as_type<uint>(pixel.x)))) {
+        if (false) {
+            local_7 = column != 0;
         } else {
-            break;
+            local_7 = false;
         }
-        {
-            metal::int2 at = as_type<metal::int2>(as_type<metal::uint2>(pixel)
-                + as_type<metal::uint2>(metal::int2(column, 0)));
-            metal::float4 found = columns.read(metal::uint2(at), 0);
-            if (metal::all(found == metal::float4(0.0))) {
-                continue;
-            }
-            if (false) {
-                local_7 = column != 0;
-            } else {
-                local_7 = false;
-            }
-            if (local_7) {
-                bool is_same_surface_value = is_same_surface(own, surface.read(metal::uint2(at), 0),
-                    metal::float2(static_cast<float>(column), 0.0));
-                local_8 = !is_same_surface_value;
-            } else {
-                local_8 = false;
-            }
-            if (local_8) {
-                continue;
-            }
-            metal::float4 coarse = metal::abs(found);
-            metal::float4 rows = metal::floor(coarse / metal::float4(262144.0));
-            EdgeLines lines = edges_of(coarse - 262144.0 * rows, 512.0);
-            metal::float4 places = rows - metal::float4(31.0);
-            metal::float4 middle_distances_value = middle_distances(lines,
-                metal::float4(static_cast<float>(column)), places, true);
-            metal::float4 distances = metal::select(metal::float4(1000000000.0),
-                middle_distances_value, coarse > metal::float4(0.0));
-            metal::bool4 is_nearer = distances < nearest;
-            nearest = metal::select(nearest, distances, is_nearer);
-            across = metal::select(across, metal::float4(static_cast<float>(column)), is_nearer);
-            down = metal::select(down, places, is_nearer);
+        if (local_7) {
+            bool is_same_surface_value = is_same_surface(own, surface.read(metal::uint2(at), 0),
+                metal::float2(static_cast<float>(column), 0.0));
+            local_8 = !is_same_surface_value;
+        } else {
+            local_8 = false;
         }
+        if (local_8) {
+            continue;
+        }
+        metal::float4 coarse = metal::abs(found);
+        metal::float4 rows = metal::floor(coarse / metal::float4(262144.0));
+        EdgeLines lines = edges_of(coarse - 262144.0 * rows, 512.0);
+        metal::float4 places = rows - metal::float4(31.0);
+        metal::float4 middle_distances_value = middle_distances(lines,
+            metal::float4(static_cast<float>(column)), places, true);
+        metal::float4 distances = metal::select(metal::float4(1000000000.0), middle_distances_value,
+            coarse > metal::float4(0.0));
+        metal::bool4 is_nearer = distances < nearest;
+        nearest = metal::select(nearest, distances, is_nearer);
+        across = metal::select(across, metal::float4(static_cast<float>(column)), is_nearer);
+        down = metal::select(down, places, is_nearer);
     }
     if (metal::all(nearest >= metal::float4(1000000000.0))) {
         return metal::float4(0.0);

@@ -134,13 +134,13 @@ Texture2D<float4> line_nearness_map : register(t0);
 Texture2D<float4> facet_map : register(t1);
 Texture2D<float4> hidden_map : register(t2);
 
-struct VertexOutput_vs_main {
+struct VertexOutput {
     float3 position : LOC0;
     float3 normal : LOC1;
     float4 clip_ : SV_Position;
 };
 
-struct FragmentInput_fs_main {
+struct FragmentInput {
     float3 position_1 : LOC0;
     float3 normal_1 : LOC1;
     float4 clip_1 : SV_Position;
@@ -279,7 +279,6 @@ float4 ramp_at(Ramp ramp, float x, float w)
     float4 color = (float4)0;
     uint i = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
     // Slopes are 0 at the first and the last stop, because the ramp is flat outside of them.
     float4 from_a = (0.0).xxxx;
     float4 to_b = (0.0).xxxx;
@@ -292,40 +291,18 @@ float4 ramp_at(Ramp ramp, float x, float w)
     places = ramp.places;
     if (ramp.interpolation == INTERPOLATION_STEPPED) {
         color = colors[0];
-        bool loop_init = true;
-        while(true) {
-            if (!loop_init) {
-                i = i + 1u;
-            }
-            loop_init = false;
-            if (i < count) {
-            } else {
-                break;
-            }
-            {
-                const float step_filtered_value = step_filtered(x,
-                    places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)], w);
-                color = color + (colors[min(uint(i), 15u)] - colors[min(uint(i - 1u), 15u)])
-                    * step_filtered_value;
-            }
+        for (; (i < count); i = i + 1u) {
+            const float step_filtered_value = step_filtered(x,
+                places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)], w);
+            color = color + (colors[min(uint(i), 15u)] - colors[min(uint(i - 1u), 15u)])
+                * step_filtered_value;
         }
         return bounded_vec4(color);
     }
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            i_1 = i_1 + 1u;
-        }
-        loop_init_1 = false;
-        if (i_1 < count) {
-        } else {
-            break;
-        }
-        {
-            float places_now = places[min(uint(naga_div(i_1, 4u)), 3u)][min(uint(naga_mod(i_1, 4u)),
-                3u)];
-            at = places_now <= x ? i_1 : at;
-        }
+    for (uint i_1 = 1u; (i_1 < count); i_1 = i_1 + 1u) {
+        float places_now = places[min(uint(naga_div(i_1, 4u)), 3u)][min(uint(naga_mod(i_1, 4u)),
+            3u)];
+        at = places_now <= x ? i_1 : at;
     }
     float place = places[min(uint(naga_div(at, 4u)), 3u)][min(uint(naga_mod(at, 4u)), 3u)];
     if ((at + 1u >= count) | (x <= place)) {
@@ -408,11 +385,11 @@ float2 place_in_picture(float2 pixel, float2 viewport)
     return float2(from_middle.x, -from_middle.y) / (max(viewport.y, 1.0)).xx;
 }
 
-ScreenPlace ConstructScreenPlace(float2 arg0, float2 arg1, float2 arg2) {
+ScreenPlace ConstructScreenPlace(float2 pixel, float2 place, float2 uv) {
     ScreenPlace ret = (ScreenPlace)0;
-    ret.pixel = arg0;
-    ret.place = arg1;
-    ret.uv = arg2;
+    ret.pixel = pixel;
+    ret.place = place;
+    ret.uv = uv;
     return ret;
 }
 
@@ -458,10 +435,10 @@ float4 own_nearness(float4 nearness, float2 middle, float depth, float object, f
     return is_own ? nearness : other;
 }
 
-LineWidths ConstructLineWidths(float4 arg0, float arg1) {
+LineWidths ConstructLineWidths(float4 kinds, float ids) {
     LineWidths ret = (LineWidths)0;
-    ret.kinds = arg0;
-    ret.ids = arg1;
+    ret.kinds = kinds;
+    ret.ids = ids;
     return ret;
 }
 
@@ -532,11 +509,11 @@ float hidden_lines_height(float width, float silhouettes, float creases, float b
     return any_line_covers(nearness, widths, min(16.0 * max(round(viewport.y / 800.0), 1.0), 31.0));
 }
 
-Outline ConstructOutline(float arg0, float arg1, float arg2) {
+Outline ConstructOutline(float line_, float kind, float distance_) {
     Outline ret = (Outline)0;
-    ret.line_ = arg0;
-    ret.kind = arg1;
-    ret.distance_ = arg2;
+    ret.line_ = line_;
+    ret.kind = kind;
+    ret.distance_ = distance_;
     return ret;
 }
 
@@ -577,11 +554,11 @@ Outline outline_height(float width, float silhouettes, float creases, float bord
     return drawn_outline(widths, own, reach);
 }
 
-VectorParts ConstructVectorParts(float arg0, float arg1, float arg2) {
+VectorParts ConstructVectorParts(float x, float y, float z) {
     VectorParts ret = (VectorParts)0;
-    ret.x = arg0;
-    ret.y = arg1;
-    ret.z = arg2;
+    ret.x = x;
+    ret.y = y;
+    ret.z = z;
     return ret;
 }
 
@@ -621,52 +598,51 @@ float4 shade(Surface surface)
     return output_2;
 }
 
-Varyings ConstructVaryings(float4 arg0, float3 arg1, float3 arg2) {
+Varyings ConstructVaryings(float4 clip_, float3 position, float3 normal) {
     Varyings ret = (Varyings)0;
-    ret.clip_ = arg0;
-    ret.position = arg1;
-    ret.normal = arg2;
+    ret.clip_ = clip_;
+    ret.position = position;
+    ret.normal = normal;
     return ret;
 }
 
-VertexOutput_vs_main vs_main(Vertex vertex)
+VertexOutput vs_main(Vertex vertex)
 {
     float4 world = mul(float4(vertex.position, 1.0), object.world_from_object);
     const Varyings varyings = ConstructVaryings(mul(world, view.clip_from_world), world.xyz,
         mul(vertex.normal, object.world_from_normal));
-    const VertexOutput_vs_main varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
+    const VertexOutput varyings_1 = { varyings.position, varyings.normal, varyings.clip_ };
     return varyings_1;
 }
 
-Surface ConstructSurface(float3 arg0, float3 arg1, float arg2, float4 arg3, float2 arg4,
-    float4 arg5, float2 arg6, float arg7) {
+Surface ConstructSurface(float3 normal, float3 view, float depth, float4 line_nearness,
+    float2 middle_surface, float4 hidden_nearness, float2 pixel, float magnification) {
     Surface ret = (Surface)0;
-    ret.normal = arg0;
-    ret.view = arg1;
-    ret.depth = arg2;
-    ret.line_nearness = arg3;
-    ret.middle_surface = arg4;
-    ret.hidden_nearness = arg5;
-    ret.pixel = arg6;
-    ret.magnification = arg7;
+    ret.normal = normal;
+    ret.view = view;
+    ret.depth = depth;
+    ret.line_nearness = line_nearness;
+    ret.middle_surface = middle_surface;
+    ret.hidden_nearness = hidden_nearness;
+    ret.pixel = pixel;
+    ret.magnification = magnification;
     return ret;
 }
 
-int2 naga_f2i32(float2 value) {
+int2 to_int(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
+float4 fs_main(FragmentInput input) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1,
-        fragmentinput_fs_main.normal_1 };
-    bool is_front = fragmentinput_fs_main.is_front_1;
+    Varyings in_ = { input.clip_1, input.position_1, input.normal_1 };
+    bool is_front = input.is_front_1;
     const float3 facing = normalize_seen_balanced(in_.normal);
     float3 normal = is_front ? facing : -facing;
-    float4 texel = line_nearness_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4 texel_1 = facet_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4 texel_2 = facet_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    float4 texel_3 = hidden_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    float4 texel = line_nearness_map.Load(int3(to_int(in_.clip_.xy), int(0)));
+    float4 texel_1 = facet_map.Load(int3(to_int(in_.clip_.xy), int(0)));
+    float4 texel_2 = facet_map.Load(int3(to_int(in_.clip_.xy), int(0)));
+    float4 texel_3 = hidden_map.Load(int3(to_int(in_.clip_.xy), int(0)));
     const float size_on_screen_value = size_on_screen(-mul(float4(in_.position, 1.0),
         view.camera_from_world).z, view.eye.w,
         length(float3(view.clip_from_world[0].y, view.clip_from_world[1].y,

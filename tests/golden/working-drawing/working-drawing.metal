@@ -302,7 +302,6 @@ Color ramp_at(
     metal::float4 color = {};
     uint i = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
     // Slopes are 0 at the first and the last stop, because the ramp is flat outside of them.
     metal::float4 from_a = metal::float4(0.0);
     metal::float4 to_b = metal::float4(0.0);
@@ -314,38 +313,16 @@ Color ramp_at(
     places = ramp.places;
     if (ramp.interpolation == INTERPOLATION_STEPPED) {
         color = colors.inner[0];
-        bool loop_init = true;
-        while(true) {
-            if (!loop_init) {
-                i = i + 1u;
-            }
-            loop_init = false;
-            if (i < count) {
-            } else {
-                break;
-            }
-            {
-                float step_filtered_value = step_filtered(x,
-                    places.inner[naga_div(i, 4u)][naga_mod(i, 4u)], w);
-                color = color + (colors.inner[i] - colors.inner[i - 1u]) * step_filtered_value;
-            }
+        for (; i < count; i++) {
+            float step_filtered_value = step_filtered(x,
+                places.inner[naga_div(i, 4u)][naga_mod(i, 4u)], w);
+            color = color + (colors.inner[i] - colors.inner[i - 1u]) * step_filtered_value;
         }
         return bounded_vec4(color);
     }
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            i_1 = i_1 + 1u;
-        }
-        loop_init_1 = false;
-        if (i_1 < count) {
-        } else {
-            break;
-        }
-        {
-            float places_now = places.inner[naga_div(i_1, 4u)][naga_mod(i_1, 4u)];
-            at = places_now <= x ? i_1 : at;
-        }
+    for (uint i_1 = 1u; i_1 < count; i_1++) {
+        float places_now = places.inner[naga_div(i_1, 4u)][naga_mod(i_1, 4u)];
+        at = places_now <= x ? i_1 : at;
     }
     float place = places.inner[naga_div(at, 4u)][naga_mod(at, 4u)];
     if ((at + 1u >= count) | (x <= place)) {

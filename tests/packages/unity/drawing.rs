@@ -9,7 +9,7 @@ use image::RgbaImage;
 use wgpu::util::DeviceExt as _;
 
 use super::Package;
-use super::engine::{Engine, Worn, wgsl};
+use super::engine::{Engine, WornLook, wgsl};
 use super::textures::{Textures, bound};
 use crate::blender::Ring;
 use crate::pictures::{SIZE, Trial};
@@ -32,7 +32,7 @@ pub(super) fn drawn(trial: &Trial, package: &Package, set: &str) -> (RgbaImage, 
 fn drawn_with(
     trial: &Trial,
     package: &Package,
-    worn: impl Fn(&UnityScene) -> Worn,
+    worn: impl Fn(&UnityScene) -> WornLook,
 ) -> (RgbaImage, Vec<u8>) {
     let folder = tempfile::tempdir().expect("a folder");
     let ring = Ring::new();
@@ -55,7 +55,7 @@ pub(crate) fn drawn_shader(
 ) -> (RgbaImage, Vec<u8>) {
     let component = PathBuf::new();
     let package = Package { folder: folder.to_owned(), shader, component, class: String::new() };
-    drawn_with(trial, &package, |_| Worn { textures: textures.clone(), ..Worn::default() })
+    drawn_with(trial, &package, |_| WornLook { textures: textures.clone(), ..WornLook::default() })
 }
 
 /// True if the look reads places in the object's own space, which are then to be those of the mesh.
@@ -232,7 +232,7 @@ impl UnityScene {
 
     /// The pixels of the package's picture, rows from the top, straight and as shown.
     #[expect(clippy::too_many_lines, reason = "one draw, of which nothing is done twice")]
-    fn pixels(&self, package: &Package, worn: &Worn) -> Vec<u8> {
+    fn pixels(&self, package: &Package, worn: &WornLook) -> Vec<u8> {
         let (text, [vertex, fragment]) = package.passes().swap_remove(0);
         let gpu = block_on(Gpu::headless()).expect("an adapter; software Vulkan does");
         let device = &gpu.device;

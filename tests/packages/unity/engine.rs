@@ -12,7 +12,7 @@ use crate::support::validators::slangc;
 
 /// What a component gives its material, by property.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Worn {
+pub(super) struct WornLook {
     pub(super) numbers: BTreeMap<String, Vec<f32>>,
     pub(super) textures: Textures,
 }
@@ -29,7 +29,7 @@ impl Engine {
 
     /// What a package's component gives its material. `main` are statements that make `look`,
     /// `camera` and `wearer` what they are; fields that name files do so as in the editor.
-    pub(super) fn worn(package: &Package, main: &str) -> Worn {
+    pub(super) fn worn(package: &Package, main: &str) -> WornLook {
         let folder = tempfile::tempdir().expect("a folder");
         let main = package.references() + main;
         let text = format!(
@@ -64,7 +64,7 @@ impl Engine {
         let said = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{}: {said}", package.class);
         let told = String::from_utf8_lossy(&output.stdout).into_owned();
-        let mut worn = Worn::default();
+        let mut worn = WornLook::default();
         for line in told.lines() {
             let words: Vec<&str> = line.split_whitespace().collect();
             match words.as_slice() {

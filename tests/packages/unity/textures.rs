@@ -103,12 +103,12 @@ impl Texture {
 }
 
 /// A texture or a sampler that a shader binds.
-pub(super) enum Bound {
+pub(super) enum BoundTexture {
     View(wgpu::TextureView, wgpu::TextureViewDimension),
     Sampler(wgpu::Sampler),
 }
 
-impl Bound {
+impl BoundTexture {
     pub(super) fn layout(&self, binding: u32) -> wgpu::BindGroupLayoutEntry {
         let ty = match self {
             Self::View(_, view_dimension) => wgpu::BindingType::Texture {
@@ -137,7 +137,7 @@ pub(super) fn bound(
     textures: &Textures,
     device: &wgpu::Device,
     queue: &wgpu::Queue,
-) -> Vec<(u32, Bound)> {
+) -> Vec<(u32, BoundTexture)> {
     let mut found = Vec::new();
     for line in wgsl.lines() {
         // `@binding(2) @group(0) var _tone_air_0 : texture_2d<f32>;`
@@ -154,10 +154,10 @@ pub(super) fn bound(
         let bound = if ty.starts_with("sampler") {
             let texture = textures.iter().find(|(texture, _)| of_sampler(texture));
             let (_, texture) = texture.unwrap_or_else(|| panic!("a texture of {name}"));
-            Bound::Sampler(texture.sampler(device))
+            BoundTexture::Sampler(texture.sampler(device))
         } else {
             let texture = textures.get(name).unwrap_or_else(|| panic!("a texture {name}"));
-            Bound::View(texture.view(device, queue), texture.dimension())
+            BoundTexture::View(texture.view(device, queue), texture.dimension())
         };
         found.push((binding.parse().expect("a number"), bound));
     }

@@ -128,7 +128,7 @@ pub(super) fn functions(source: &str) -> Result<String, Diagnostic> {
 }
 
 /// The register of each binding: `b` buffers, `t` textures and `s` samplers are counted separately.
-fn registers(bindings: &[BoundVariable]) -> Vec<(&BoundVariable, char, u32)> {
+pub(super) fn registers(bindings: &[BoundVariable]) -> Vec<(&BoundVariable, char, u32)> {
     let mut counts = [0u32; 3];
     let mut register = |bound| {
         let (index, letter) = match bound {

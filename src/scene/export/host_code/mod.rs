@@ -61,8 +61,7 @@ pub const CSHARP: HostLanguage =
 
 /// The Open Shading Language, in which looks are written as a whole; [`with_osl_preamble`] adds
 /// what the text needs. No language of host programs: floats are 32 bits wide.
-pub(super) const OSL: HostLanguage =
-    HostLanguage { slug: "osl", label: "OSL", dialect: &osl::Osl };
+pub(super) const OSL: HostLanguage = HostLanguage { slug: "osl", label: "OSL", dialect: &osl::Osl };
 
 pub(super) use osl::with_preamble as with_osl_preamble;
 

@@ -297,8 +297,7 @@ float f() {
         assert_eq!(counted(written), wanted);
     }
 
-    /// What another loop does with the counter is not known, and a value that is read after the
-    /// loop is declared before it.
+    /// A value that is read after the loop is declared before it.
     #[test]
     fn a_counter_that_others_read_stays() {
         let written = "\

@@ -48,7 +48,10 @@ pub(super) fn has_word(text: &str, name: &str) -> bool {
 }
 
 /// The text with other words in the place of those that `renamed` knows; members stay.
-pub(in crate::export) fn replace_words(text: &str, renamed: impl Fn(&str) -> Option<String>) -> String {
+pub(in crate::export) fn replace_words(
+    text: &str,
+    renamed: impl Fn(&str) -> Option<String>,
+) -> String {
     let mut result = String::with_capacity(text.len());
     let mut at = 0;
     for word in words(text).filter(|word| !word.is_member) {

@@ -40,7 +40,7 @@ const FUNCTIONS: &[&str] = &[
     "trunc",
 ];
 
-/// Those that `vector2.h` and `vector4.h` have.
+/// Functions that `vector2.h` and `vector4.h` have.
 const OF_STRUCTS: &[&str] = &[
     "abs",
     "acos",

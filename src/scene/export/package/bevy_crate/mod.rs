@@ -197,7 +197,7 @@ fn fill_passes(template: &mut Template, request: &PackageRequest<'_>, module: &V
     template.lines("map_assignment", list("[", &own, "] = maps;", 0));
 }
 
-/// What several files say of the material.
+/// Words of the material that several files have.
 fn fill_words(template: &mut Template, class: &str) {
     let material = format!("{class}Material");
     let braces = |mut names: Vec<String>| {

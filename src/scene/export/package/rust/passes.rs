@@ -84,9 +84,16 @@ impl<'a> PassTable<'a> {
         let is_read = |(_, section): &(&str, &str)| section.is_empty() || template.has(section);
         let uniforms = UNIFORM_FEEDS.into_iter().filter(is_read);
         let uniforms: Vec<String> = uniforms.map(|(name, _)| format!("Self::{name}")).collect();
-        let end = " => uniform,";
-        let lines = wide("", &uniforms.join(" | "), end, 12)
-            .unwrap_or_else(|| (uniforms.join("\n| ") + end).lines().map(str::to_owned).collect());
+        let arms = uniforms.join(" | ");
+        let in_block = || {
+            let mut lines = wide("", &arms, " => {", 12)?;
+            lines.extend(["    uniform", "}"].map(str::to_owned));
+            Some(lines)
+        };
+        let lines = wide("", &arms, " => uniform,", 12).or_else(in_block).unwrap_or_else(|| {
+            let arms = uniforms.join("\n| ") + " => uniform,";
+            arms.lines().map(str::to_owned).collect()
+        });
         template.lines("uniform_feeds", lines);
         let lines = self.lines(template, request);
         template.lines("passes", lines);

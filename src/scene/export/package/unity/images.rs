@@ -72,7 +72,7 @@ pub(super) fn images<'a>(
     found
 }
 
-/// What a texture's import decides.
+/// Settings that a texture's import decides.
 fn settings_of(image: &ExportImage) -> [&str; 3] {
     [&image.wrap, &image.filter, &image.encoding]
 }
@@ -112,7 +112,8 @@ fn import(request: &PackageRequest<'_>, image: &UnityImage<'_>, name: &str) -> E
     let is_decoded = i32::from(is_linear && image.image.encoding == "color");
     let text = format!(
         "fileFormatVersion: 2\nguid: {}\nTextureImporter:\n  serializedVersion: 13\n  \
-         mipmaps:\n    enableMipMap: 0\n    sRGBTexture: {is_decoded}\n  isReadable: 0\n  textureSettings:\n    \
+         mipmaps:\n    enableMipMap: 0\n    sRGBTexture: {is_decoded}\n  isReadable: 0\n  \
+         textureSettings:\n    \
          serializedVersion: 2\n    filterMode: {filter}\n    aniso: 0\n    mipBias: 0\n    \
          wrapU: {wrap}\n    wrapV: {wrap}\n    wrapW: {wrap}\n  nPOTScale: 0\n  alphaUsage: 1\n  \
          alphaIsTransparency: 0\n  textureType: 0\n  textureShape: 1\n  maxTextureSize: 16384\n  \

@@ -43,7 +43,7 @@ pub(super) const PACKAGE: Package = Package {
 /// The text of one screen for whoever gets the folder.
 const README: &str = include_str!("README.md");
 
-/// What the text says where the look reads images.
+/// Text about images, where the look reads some.
 const IMAGES: &str = "\
 - **Images** are in the component's fields from the start. How they repeat and are filtered are
   their import settings, which the export brings along. A painted surface is a file of bytes, of

@@ -139,7 +139,7 @@ fn dds(ktx2: &[u8]) -> Option<Vec<u8>> {
     Some(header.chain(texels.iter().copied()).collect())
 }
 
-/// What the text of one screen says about bringing images in; empty without images.
+/// Steps that bring images in, for the text of one screen; empty without images.
 pub(super) fn steps(images: &[UnrealImage<'_>], space: ColorSpace) -> String {
     if images.is_empty() {
         return String::new();

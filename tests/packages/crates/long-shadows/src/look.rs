@@ -82,11 +82,9 @@ impl Feed {
                 view_dimension: wgpu::TextureViewDimension::D2Array,
                 multisampled: false,
             },
-            Self::View
-            | Self::Object
-            | Self::Look
-            | Self::LightLayer
-            | Self::LightCaster => uniform,
+            Self::View | Self::Object | Self::Look | Self::LightLayer | Self::LightCaster => {
+                uniform
+            }
         }
     }
 }

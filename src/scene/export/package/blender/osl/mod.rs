@@ -62,7 +62,7 @@ const BACK: &str = "    \
 pub(super) struct OslShader {
     /// The file's text.
     pub(super) text: String,
-    /// What the add-on knows of the shader: names of parameters.
+    /// Facts of the shader for the add-on: names of parameters.
     pub(super) about: Value,
 }
 

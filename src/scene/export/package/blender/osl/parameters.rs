@@ -134,7 +134,7 @@ impl Writer<'_> {
                 about[0] = format!("string label = \"{} alpha\"", escaped(&told.label));
                 self.declare("float", &alpha, &float(number(3)), &about);
                 names.push(alpha.clone());
-                let color = self.from_color(&name);
+                let color = self.in_looks_space(&name);
                 format!("vector4({color}[0], {color}[1], {color}[2], {alpha})")
             }
             _ => name,
@@ -156,7 +156,7 @@ impl Writer<'_> {
     }
 
     /// A color in the look's space, of one as Blender has it.
-    fn from_color(&mut self, name: &str) -> String {
+    fn in_looks_space(&mut self, name: &str) -> String {
         let (ending, value) = match self.request.look.color_space {
             ColorSpace::Display => ("shown", format!("shown_of_light({name})")),
             ColorSpace::Linear => ("linear", format!("(vector){name}")),
@@ -187,7 +187,9 @@ impl Writer<'_> {
             let name = self.name(&wanted);
             let numbers = field.numbers(light);
             let (ty, default, value) = match (field.quantity(), numbers) {
-                (LightQuantity::Color, _) => ("color", self.color(numbers), self.from_color(&name)),
+                (LightQuantity::Color, _) => {
+                    ("color", self.color(numbers), self.in_looks_space(&name))
+                }
                 (_, [number]) => ("float", float(*number), name.clone()),
                 _ => ("vector", vector(numbers), name.clone()),
             };

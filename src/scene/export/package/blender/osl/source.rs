@@ -130,7 +130,7 @@ fn refuse(what: &str) -> Diagnostic {
 struct Declarations {
     order: Vec<String>,
     texts: BTreeMap<String, String>,
-    /// Those of the shader as they were.
+    /// Functions of the shader as they were.
     originals: BTreeMap<String, String>,
 }
 

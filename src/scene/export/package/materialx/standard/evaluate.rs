@@ -407,7 +407,7 @@ impl<'m> Follower<'m> {
                 }
                 _ => Ok(Symbol::Whole(*id)),
             },
-            (Symbol::Number(_), _) => match self.math(Math::Trunc, &[value.clone()])? {
+            (Symbol::Number(_), _) => match self.math(Math::Trunc, std::slice::from_ref(value))? {
                 Symbol::Number(id) => Ok(Symbol::Whole(id)),
                 _ => unfit(BITS),
             },

@@ -20,7 +20,7 @@ const MAX_DEPTH: usize = 60;
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Unfit(pub(super) String);
 
-/// Where a block of statements leads.
+/// Continuation after a block of statements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Flow {
     Next,

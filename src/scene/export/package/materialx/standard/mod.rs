@@ -103,7 +103,7 @@ fn set(follower: &mut Follower<'_>, name: &str, value: impl FnOnce(&mut Terms) -
     }
 }
 
-/// What the host work is told: parameters, and lights.
+/// Settings of the host work: parameters, and lights.
 fn settings(
     terms: &mut Terms,
     request: &PackageRequest<'_>,
@@ -184,7 +184,7 @@ fn surroundings(terms: &mut Terms, eye: TermId) -> Symbol {
     ])
 }
 
-/// What a vertex passes on.
+/// A value that a vertex passes on.
 fn varying(terms: &mut Terms, name: &str) -> Symbol {
     Symbol::Number(match name {
         "normal" => terms.given("normal", 3),

@@ -16,7 +16,7 @@ const MAX_TERMS: usize = 12_000;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) struct TermId(pub(super) usize);
 
-/// What a term is made of.
+/// Origin of a term.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Origin {
     /// Numbers, by their bits.
@@ -326,7 +326,7 @@ impl Terms {
         }
     }
 
-    /// What stays of a node that does nothing.
+    /// The operand that stays of a node that does nothing.
     fn without_effect(&mut self, kind: &str, a: TermId, b: TermId, width: usize) -> Option<TermId> {
         let one = match kind {
             "add" if self.is_all(a, 0.0) => b,
