@@ -32,7 +32,8 @@ enum LoanKind {
 }
 
 thread_local! {
-    /// Whether this thread holds a shared renderer: waiting for another, it could wait for itself.
+    /// True while this thread holds a shared renderer: waiting for another, it could wait for
+    /// itself.
     static HOLDS_SHARED: Cell<bool> = const { Cell::new(false) };
 }
 

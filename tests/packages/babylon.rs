@@ -13,16 +13,12 @@ static BABYLON: Library = Library {
     page: &["babylon.html", "babylon.core.js", "gltf.js"],
 };
 
-/// Looks are drawn as we draw them: many lights, noise, passes, painted surfaces,
-/// shadow maps, one of linear light, and one that shows both sides.
+/// Looks are drawn as we draw them: many lights, passes, painted surfaces, shadow maps, one of
+/// linear light, and one that shows both sides.
 #[test]
 fn babylon_draws_what_we_draw() {
-    let mut trials = examples(&[
-        "looks/string-of-lamps",
-        "looks/halftone-comic",
-        "looks/figure1-layers",
-        "hcbtf/grass-flat",
-    ]);
+    let mut trials =
+        examples(&["looks/string-of-lamps", "looks/figure1-layers", "hcbtf/grass-flat"]);
     let shadows = Trial::of("shadows/long-shadows").with(&["--tier", "balanced"]);
     trials.push(("long-shadows".to_owned(), shadows));
     let linear = Trial::changed("looks/figure2-diffuse", |look| {

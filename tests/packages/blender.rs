@@ -262,9 +262,9 @@ fn scenes_of_people_are_drawn() {
 fn cycles_shows_what_we_show() {
     let Some(python) = python() else { return };
     let stage = Stage::new(python);
-    let trial = Trial::of("looks/highlight-moves").here();
-    let package = trial.package("blender");
-    let before = trial.with(stage.arguments).ours();
+    let exported = Trial::of("looks/highlight-moves").here();
+    let package = exported.package("blender");
+    let before = Trial::of("looks/highlight-moves").here().with(stage.arguments).ours();
     let turned = Trial::changed("looks/highlight-moves", |look| {
         look["nodes"][0]["values"]["color"] = json!([0.6, 0.2, 0.1, 1.0]);
         look["lights"]["key"]["direction"] = json!([0.7, 0.1, 0.7]);

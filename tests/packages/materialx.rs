@@ -49,8 +49,8 @@ fn read(package: &Path) -> Option<(Value, String)> {
     Some((said, fragment))
 }
 
-/// What the script says of a package, whose shaders it writes into a folder, and pictures where it
-/// is given a display with a mesh.
+/// Words of the script about a package, whose shaders it writes into a folder, and pictures where
+/// it is given a display with a mesh.
 fn script(package: &Path, out: &Path, drawing: Option<(&Display, &Path)>) -> Value {
     let mut command = Command::new("python3");
     command.env("PYTHONPATH", materialx_folder());
@@ -246,10 +246,10 @@ fn materialx_refuses_what_a_node_cannot_draw() {
 /// A look comes back from its graph of MaterialX's own nodes as it was, but for smoothed edges.
 #[test]
 fn graphs_of_packages_are_imported_again() {
-    let trial = Trial::of("looks/figure2-diffuse").here();
+    let trial = Trial::of("looks/material-phong").here();
     let package = trial.package("materialx");
     let imported = package.join("imported.json");
-    let document = package.join("figure2-diffuse.mtlx");
+    let document = package.join("material-phong.mtlx");
     run_chiaro(&["import".as_ref(), document.as_ref(), "-o".as_ref(), imported.as_ref()]);
     let back = Trial::of_file(imported).here().ours();
     let found = Difference::of(back.as_raw(), &trial.ours());

@@ -275,14 +275,14 @@ fn has_tools() -> bool {
     })
 }
 
-/// Looks are drawn as we draw them: dots that count pixels, and many lights, with host work in the
-/// shader, and a painted surface.
+/// Looks are drawn as we draw them: many lights, with host work in the shader, and a painted
+/// surface.
 #[test]
 fn unreal_packages_draw_what_we_draw() {
     if !has_tools() {
         return;
     }
-    compare(&examples(&["looks/halftone-comic", "looks/string-of-lamps", "hcbtf/grass-flat"]));
+    compare(&examples(&["looks/string-of-lamps", "hcbtf/grass-flat"]));
 }
 
 /// All example looks. `CHIARO_BLESS=1` writes their lines.

@@ -399,8 +399,11 @@ fn graphs_of_nodes<'d>(root: Node<'d, 'd>) -> HashMap<(&'d str, &'d str), Node<'
         let names = definition.attribute("name").zip(definition.attribute("node"));
         let Some((name, kind)) = names else { continue };
         let own = definition.attribute("type");
-        let output = children(definition, &["output"]).next();
-        let ty = own.or(output.and_then(|output| output.attribute("type"))).unwrap_or_default();
+        let mut outputs = children(definition, &["output"]);
+        let output = outputs.next().and_then(|output| output.attribute("type"));
+        // Nodes of several outputs have a type of their own.
+        let output = if outputs.next().is_some() { Some("multioutput") } else { output };
+        let ty = own.or(output).unwrap_or_default();
         definitions.insert(name, (kind, ty));
     }
     let mut graphs: Vec<_> = children(root, &["nodegraph"]).collect();

@@ -168,7 +168,7 @@ SeenPixel seen_pixel(int2 pixel)
         local = false;
     }
     bool may_be_missed = local;
-    for (int index = may_be_missed ? 7 : -1; (index >= 0); index--) {
+    for (int index = may_be_missed ? 7 : -1; index >= 0; index--) {
         int2 near = clamp(asint(asuint(pixel) + asuint(around(index))), (int(0)).xx, last);
         float4 texel = surface.Load(int3(near, int(0)));
         if (texel.w != 0.0) {

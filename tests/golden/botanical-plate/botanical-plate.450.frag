@@ -340,7 +340,7 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
     vec4 to_b = vec4(0.0);
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i_2 = 1u; (i_2 < 5u); i_2 = i_2 + 1u) {
+    for (uint i_2 = 1u; i_2 < 5u; i_2++) {
         float places_now = places[i_2 / 4u][i_2 % 4u];
         at = places_now <= x ? i_2 : at;
     }
@@ -409,7 +409,7 @@ float perlin_noise(vec3 p, uint seed) {
     vec3 d = p - corner;
     vec3 f = fade_quintic(d);
     ivec3 cell = ivec3(corner);
-    for (int i = 0; (i < 8); i = i + 1) {
+    for (int i = 0; i < 8; i++) {
         ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
         vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
         float gradient_dot_value = gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
@@ -428,7 +428,7 @@ float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, f
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    for (int i = 0; (i < 3); i = i + 1) {
+    for (int i = 0; i < 3; i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
@@ -533,7 +533,7 @@ float dots_of_octave(vec2 place, int zoom, float ink, vec3 stretch, float w, Dot
         vec2(4194304.0));
     vec2 corner = floor(p);
     float reach = 1.0 - 0.5 * style.scatter;
-    for (int i = 0; (i < 9); i = i + 1) {
+    for (int i = 0; i < 9; i++) {
         ivec2 cell = ivec2(corner) + ivec2(i % 3 - 1, i / 3 - 1);
         vec3 chance = vec3(hash_pcg3d(uvec3(ivec3(cell, zoom)) + uvec3(0u, 0u, 0u)) >> uvec3(8u))
             * 5.9604645e-8;

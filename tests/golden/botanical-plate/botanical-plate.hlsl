@@ -408,7 +408,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
 
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i_2 = 1u; (i_2 < 5u); i_2 = i_2 + 1u) {
+    for (uint i_2 = 1u; i_2 < 5u; i_2++) {
         float places_now = places[min(uint(naga_div(i_2, 4u)), 3u)][min(uint(naga_mod(i_2, 4u)),
             3u)];
         at = places_now <= x ? i_2 : at;
@@ -501,7 +501,7 @@ float perlin_noise(float3 p, uint seed)
     float3 d = p - corner;
     const float3 f = fade_quintic(d);
     int3 cell = to_int(corner);
-    for (int i = 0; (i < 8); i++) {
+    for (int i = 0; i < 8; i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
         float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
         const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)),
@@ -523,7 +523,7 @@ float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed,
     float total = 0.0;
     float sum = 0.0;
 
-    for (int i = 0; (i < 3); i++) {
+    for (int i = 0; i < 3; i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
@@ -667,7 +667,7 @@ float dots_of_octave(float2 place, int zoom, float ink, float3 stretch, float w,
         (-4194304.0).xx, (4194304.0).xx);
     float2 corner = floor(p);
     float reach = 1.0 - 0.5 * style.scatter;
-    for (int i = 0; (i < 9); i++) {
+    for (int i = 0; i < 9; i++) {
         int2 cell = asint(asuint(to_int(corner))
             + asuint(int2(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))),
             asint(asuint(naga_div(i, int(3))) - asuint(int(1))))));

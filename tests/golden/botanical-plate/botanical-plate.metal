@@ -441,7 +441,7 @@ Color ramp_at(
     metal::float4 to_b = metal::float4(0.0);
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i_2 = 1u; (i_2 < 5u); i_2++) {
+    for (uint i_2 = 1u; i_2 < 5u; i_2++) {
         float places_now = places.inner[naga_div(i_2, 4u)][naga_mod(i_2, 4u)];
         at = places_now <= x ? i_2 : at;
     }
@@ -563,7 +563,7 @@ float fractal_noise(
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    for (int i = 0; (i < 3); i++) {
+    for (int i = 0; i < 3; i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
@@ -726,7 +726,7 @@ float dots_of_octave(
         << 23u), metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float2 corner = metal::floor(p);
     float reach = 1.0 - 0.5 * style.scatter;
-    for (int i = 0; (i < 9); i++) {
+    for (int i = 0; i < 9; i++) {
         metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(naga_f2i32(corner))
             + as_type<metal::uint2>(metal::int2(as_type<int>(as_type<uint>(naga_mod(i, 3))
             - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 3)) - as_type<uint>(1)))));

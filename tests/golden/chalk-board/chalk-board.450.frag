@@ -235,7 +235,7 @@ float perlin_noise(vec3 p, uint seed) {
     vec3 d = p - corner;
     vec3 f = d * d * d * (d * (d * 6.0 - vec3(15.0)) + vec3(10.0));
     ivec3 cell = ivec3(corner);
-    for (int i = 0; (i < 8); i = i + 1) {
+    for (int i = 0; i < 8; i++) {
         ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
         vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
         uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(cell + at) + seed

@@ -141,7 +141,7 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
     colors = ramp.colors;
     places = ramp.places;
     color = colors[0];
-    for (uint i = 1u; (i < 3u); i = i + 1u) {
+    for (uint i = 1u; i < 3u; i++) {
         color = color + (colors[i] - colors[i - 1u]) * step_filtered(x, places[0][i % 4u], w);
     }
     return color;

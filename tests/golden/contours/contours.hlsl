@@ -184,7 +184,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
     colors = ramp.colors;
     places = ramp.places;
     color = colors[0];
-    for (uint i = 1u; (i < 3u); i = i + 1u) {
+    for (uint i = 1u; i < 3u; i++) {
         const float step_filtered_value = step_filtered(x,
             places[0][min(uint(naga_mod(i, 4u)), 3u)], w);
         color = color + (colors[min(uint(i), 15u)] - colors[min(uint(i - 1u), 15u)])

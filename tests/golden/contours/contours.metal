@@ -183,7 +183,7 @@ Color ramp_at(
     colors = ramp.colors;
     places = ramp.places;
     color = colors.inner[0];
-    for (uint i = 1u; (i < 3u); i++) {
+    for (uint i = 1u; i < 3u; i++) {
         color = color + (colors.inner[i] - colors.inner[i - 1u])
             * step_filtered(x, places.inner[0][naga_mod(i, 4u)], w);
     }

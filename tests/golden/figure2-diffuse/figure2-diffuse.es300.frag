@@ -186,7 +186,7 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
     vec4 to_b = vec4(0.0);
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i_2 = 1u; (i_2 < 7u); i_2 = i_2 + 1u) {
+    for (uint i_2 = 1u; i_2 < 7u; i_2++) {
         float places_now = places[i_2 / 4u][i_2 % 4u];
         at = places_now <= x ? i_2 : at;
     }

@@ -241,7 +241,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
 
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i_2 = 1u; (i_2 < 7u); i_2 = i_2 + 1u) {
+    for (uint i_2 = 1u; i_2 < 7u; i_2++) {
         float places_now = places[min(uint(naga_div(i_2, 4u)), 3u)][min(uint(naga_mod(i_2, 4u)),
             3u)];
         at = places_now <= x ? i_2 : at;

@@ -263,7 +263,7 @@ Color ramp_at(
     metal::float4 to_b = metal::float4(0.0);
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i_2 = 1u; (i_2 < 7u); i_2++) {
+    for (uint i_2 = 1u; i_2 < 7u; i_2++) {
         float places_now = places.inner[naga_div(i_2, 4u)][naga_mod(i_2, 4u)];
         at = places_now <= x ? i_2 : at;
     }

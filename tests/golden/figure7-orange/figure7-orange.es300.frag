@@ -386,7 +386,7 @@ float perlin_noise(vec3 p, uint seed) {
     vec3 d = p - corner;
     vec3 f = fade_quintic(d);
     ivec3 cell = ivec3(corner);
-    for (int i = 0; (i < 8); i = i + 1) {
+    for (int i = 0; i < 8; i++) {
         ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
         vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
         sum = sum + weight.x * weight.y * weight.z
@@ -405,7 +405,7 @@ float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, f
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    for (int i = 0; (i < 2); i = i + 1) {
+    for (int i = 0; i < 2; i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

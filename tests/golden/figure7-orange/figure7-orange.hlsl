@@ -469,7 +469,7 @@ float perlin_noise(float3 p, uint seed)
     float3 d = p - corner;
     const float3 f = fade_quintic(d);
     int3 cell = to_int(corner);
-    for (int i = 0; (i < 8); i++) {
+    for (int i = 0; i < 8; i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
         float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
         const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)),
@@ -491,7 +491,7 @@ float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed,
     float total = 0.0;
     float sum = 0.0;
 
-    for (int i = 0; (i < 2); i++) {
+    for (int i = 0; i < 2; i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

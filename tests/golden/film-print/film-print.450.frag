@@ -251,7 +251,7 @@ float curve_at(Curve curve, float x, float w) {
         vec4(0.0), vec4(0.0));
     uint at = 0u;
     points = curve.points;
-    for (uint i_2 = 1u; (i_2 < 6u); i_2 = i_2 + 1u) {
+    for (uint i_2 = 1u; i_2 < 6u; i_2++) {
         at = points[i_2].x <= x ? i_2 : at;
     }
     vec4 a = points[at];
@@ -271,7 +271,7 @@ float curve_at_2(Curve curve, float x, float w) {
         vec4(0.0), vec4(0.0));
     uint at = 0u;
     points = curve.points;
-    for (uint i_2 = 1u; (i_2 < 4u); i_2 = i_2 + 1u) {
+    for (uint i_2 = 1u; i_2 < 4u; i_2++) {
         at = points[i_2].x <= x ? i_2 : at;
     }
     vec4 a = points[at];

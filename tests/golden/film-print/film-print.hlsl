@@ -313,7 +313,7 @@ float curve_at(Curve curve, float x, float w)
     uint at = 0u;
 
     points = curve.points;
-    for (uint i_2 = 1u; (i_2 < 6u); i_2 = i_2 + 1u) {
+    for (uint i_2 = 1u; i_2 < 6u; i_2++) {
         float points_now = points[min(uint(i_2), 15u)].x;
         at = points_now <= x ? i_2 : at;
     }
@@ -336,7 +336,7 @@ float curve_at_2(Curve curve, float x, float w)
     uint at = 0u;
 
     points = curve.points;
-    for (uint i_2 = 1u; (i_2 < 4u); i_2 = i_2 + 1u) {
+    for (uint i_2 = 1u; i_2 < 4u; i_2++) {
         float points_now = points[min(uint(i_2), 15u)].x;
         at = points_now <= x ? i_2 : at;
     }

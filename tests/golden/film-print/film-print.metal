@@ -328,7 +328,7 @@ float curve_at(
     type_5 points = {};
     uint at = 0u;
     points = curve.points;
-    for (uint i_2 = 1u; (i_2 < 6u); i_2++) {
+    for (uint i_2 = 1u; i_2 < 6u; i_2++) {
         at = points.inner[i_2].x <= x ? i_2 : at;
     }
     metal::float4 a = points.inner[at];
@@ -352,7 +352,7 @@ float curve_at_2(
     type_5 points = {};
     uint at = 0u;
     points = curve.points;
-    for (uint i_2 = 1u; (i_2 < 4u); i_2++) {
+    for (uint i_2 = 1u; i_2 < 4u; i_2++) {
         at = points.inner[i_2].x <= x ? i_2 : at;
     }
     metal::float4 a = points.inner[at];

@@ -496,7 +496,7 @@ Cell nearest_cell(vec3 p, uint seed) {
     vec3 corner = floor(p);
     vec3 d = p - corner;
     ivec3 cell = ivec3(corner);
-    for (int i = 0; (i < 27); i = i + 1) {
+    for (int i = 0; i < 27; i++) {
         ivec3 at = ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
         uvec3 own = lattice_hash(cell + at, seed);
         vec3 offset = vec3(at) + vec3(0.25) + 0.5 * unit_of_hash(own) - d;
@@ -507,7 +507,7 @@ Cell nearest_cell(vec3 p, uint seed) {
     }
     float distance_ = length(nearest);
     border = max(0.5 * (CELL_REACH - distance_), 0.0);
-    for (int i_1 = 0; (i_1 < 27); i_1 = i_1 + 1) {
+    for (int i_1 = 0; i_1 < 27; i_1++) {
         ivec3 at_1 = ivec3(i_1 % 3 - 1, i_1 / 3 % 3 - 1, i_1 / 9 - 1);
         vec3 apart = vec3(at_1) + vec3(0.25) + 0.5 * unit_of_hash(lattice_hash(cell + at_1, seed))
             - d - nearest;

@@ -639,7 +639,7 @@ Cell nearest_cell(float3 p, uint seed)
     float3 corner = floor(p);
     float3 d = p - corner;
     int3 cell = to_int(corner);
-    for (int i = 0; (i < 27); i++) {
+    for (int i = 0; i < 27; i++) {
         int3 at = int3(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))),
             asint(asuint(naga_mod(naga_div(i, int(3)), int(3))) - asuint(int(1))),
             asint(asuint(naga_div(i, int(9))) - asuint(int(1))));
@@ -652,7 +652,7 @@ Cell nearest_cell(float3 p, uint seed)
     }
     float distance_ = length(nearest);
     border = max(0.5 * (CELL_REACH - distance_), 0.0);
-    for (int i_1 = 0; (i_1 < 27); i_1++) {
+    for (int i_1 = 0; i_1 < 27; i_1++) {
         int3 at_1 = int3(asint(asuint(naga_mod(i_1, int(3))) - asuint(int(1))),
             asint(asuint(naga_mod(naga_div(i_1, int(3)), int(3))) - asuint(int(1))),
             asint(asuint(naga_div(i_1, int(9))) - asuint(int(1))));

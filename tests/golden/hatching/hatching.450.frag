@@ -237,7 +237,7 @@ float value_noise(vec3 p, uint seed) {
     vec3 t = p - corner;
     vec3 f = t * t * t * (t * (t * 6.0 - vec3(15.0)) + vec3(10.0));
     ivec3 cell = ivec3(corner);
-    for (int i = 0; (i < 8); i = i + 1) {
+    for (int i = 0; i < 8; i++) {
         ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
         vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
         uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(cell + at) + seed
@@ -397,7 +397,7 @@ float cross_hatched(SpacedPlace at, float ink, int layers, float cross_, Strokes
     vec2 x = dFdx(at.place);
     vec2 y = dFdy(at.place);
     float amount = ink * 3.0;
-    for (int i = 0; (i < 4); i = i + 1) {
+    for (int i = 0; i < 4; i++) {
         if (i < 3) {
             float x_2 = float(i) * cross_;
             vec2 turn = vec2(sin(x_2), cos(x_2));

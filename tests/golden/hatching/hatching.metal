@@ -287,7 +287,7 @@ float value_noise(
     metal::float3 t = p - corner;
     metal::float3 f = t * t * t * (t * (t * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
     metal::int3 cell = naga_f2i32(corner);
-    for (int i = 0; (i < 8); i++) {
+    for (int i = 0; i < 8; i++) {
         metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
         metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
         metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at))) + seed * metal::uint3(2654435769u,
@@ -540,7 +540,7 @@ float cross_hatched(
     metal::float2 x = metal::dfdx(at.place);
     metal::float2 y = metal::dfdy(at.place);
     float amount = ink * 3.0;
-    for (int i = 0; (i < 4); i++) {
+    for (int i = 0; i < 4; i++) {
         if (i < 3) {
             float x_2 = static_cast<float>(i) * cross;
             metal::float2 turn = metal::float2(metal::sin(x_2), metal::cos(x_2));

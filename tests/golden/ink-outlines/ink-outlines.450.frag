@@ -258,13 +258,13 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
     places = ramp.places;
     if (ramp.interpolation == INTERPOLATION_STEPPED) {
         color = colors[0];
-        for (; (i < count); i = i + 1u) {
+        for (; i < count; i++) {
             color = color + (colors[i] - colors[i - 1u])
                 * step_filtered(x, places[i / 4u][i % 4u], w);
         }
         return bounded_vec4(color);
     }
-    for (uint i_1 = 1u; (i_1 < count); i_1 = i_1 + 1u) {
+    for (uint i_1 = 1u; i_1 < count; i_1++) {
         float places_now = places[i_1 / 4u][i_1 % 4u];
         at = places_now <= x ? i_1 : at;
     }
@@ -302,7 +302,7 @@ vec4 ramp_at_2(Ramp ramp, float x, float w) {
     colors = ramp.colors;
     places = ramp.places;
     color = colors[0];
-    for (uint i = 1u; (i < 4u); i = i + 1u) {
+    for (uint i = 1u; i < 4u; i++) {
         color = color + (colors[i] - colors[i - 1u]) * step_filtered_2(x, places[0][i % 4u], w);
     }
     return color;
@@ -376,7 +376,7 @@ float perlin_noise(vec3 p, uint seed) {
     vec3 d = p - corner;
     vec3 f = fade_quintic(d);
     ivec3 cell = ivec3(corner);
-    for (int i = 0; (i < 8); i = i + 1) {
+    for (int i = 0; i < 8; i++) {
         ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
         vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
         float gradient_dot_value = gradient_dot(lattice_hash(cell + at, seed), d - vec3(at));
@@ -395,7 +395,7 @@ float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, f
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    for (int i = 0; (i < 2); i = i + 1) {
+    for (int i = 0; i < 2; i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

@@ -249,7 +249,7 @@ SeenPixel seen_pixel(int2 pixel)
         local_1 = false;
     }
     bool may_be_missed = local_1;
-    for (int index = may_be_missed ? 7 : -1; (index >= 0); index--) {
+    for (int index = may_be_missed ? 7 : -1; index >= 0; index--) {
         int2 near = clamp(asint(asuint(pixel) + asuint(around(index))), (int(0)).xx, last);
         float4 texel = surface.Load(int3(near, int(0)));
         if (texel.w != 0.0) {
@@ -1227,8 +1227,8 @@ float4 nearest_in_column(int2 pixel, Plane own, int reach, bool of_all)
     bool local_6 = (bool)0;
 
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    for (int row = max(naga_neg(reach), naga_neg(pixel.y)); (row
-        <= min(reach, asint(asuint(last.y) - asuint(pixel.y)))); row++) {
+    for (int row = max(naga_neg(reach), naga_neg(pixel.y)); row
+        <= min(reach, asint(asuint(last.y) - asuint(pixel.y))); row++) {
         int2 at = asint(asuint(pixel) + asuint(int2(int(0), row)));
         float4 found = edges.Load(int3(at, int(0)));
         if (all(found == (0.0).xxxx)) {

@@ -199,7 +199,7 @@ Course course_at(ivec2 pixel, ivec2 step_, float number, float limit) {
     bool local_8 = false;
     bool local_9 = false;
     ivec2 along = abs(step_.yx);
-    for (int side = 0; (side < 2); side = side + 1) {
+    for (int side = 0; side < 2; side++) {
         ivec2 way = along * (1 - 2 * side);
         height = 0;
         is_open = true;
@@ -474,7 +474,6 @@ vec4 edges_at(ivec2 pixel) {
     uint left = 0u;
     vec4 codes = vec4(0.0);
     vec4 trust = vec4(-1.0);
-    int index_1 = 0;
     Edge edge = Edge(0, vec2(0.0), 0.0, 0.0);
     Facet own = facet_at(pixel);
     if (own.number == 0.0) {
@@ -482,46 +481,34 @@ vec4 edges_at(ivec2 pixel) {
     }
     vec2 slope = texelFetch(u_surface, pixel, 0).xy;
     float size = pixel_size_at(own.depth);
-    for (int index = 0; (index < 4); index = index + 1) {
+    for (int index = 0; index < 4; index++) {
         bool goes_on_value = goes_on(own, slope, size, pixel, around(index));
         left = left | (goes_on_value ? 0u : (1u << uint(index)));
     }
-    index_1 = left == 0u ? 4 : 0;
-    bool loop_init_1 = true;
     // Most pixels have no round at all: what a loop does not enter costs nothing everywhere.
-    while(true) {
-        if (!loop_init_1) {
-            index_1 = index_1 + 1;
+    for (int index_1 = left == 0u ? 4 : 0; index_1 < 4; index_1++) {
+        if (((left >> uint(index_1)) & 1u) == 0u) {
+            continue;
         }
-        loop_init_1 = false;
-        if (index_1 < 4) {
-        } else {
-            break;
+        ivec2 step_ = around(index_1);
+        edge = edge_between(own, pixel, step_);
+        if (edge.kind == -1) {
+            continue;
         }
-        {
-            if (((left >> uint(index_1)) & 1u) == 0u) {
-                continue;
-            }
-            ivec2 step_ = around(index_1);
-            edge = edge_between(own, pixel, step_);
-            if (edge.kind == -1) {
-                continue;
-            }
-            if (edge.kind != 0) {
-                edge = meeting(own, pixel, step_, edge.kind);
-            }
-            int place = min(edge.kind, 3);
-            bvec4 is_kind = equal(ivec4(place), ivec4(0, 1, 2, 3));
-            float edge_now = edge.trust;
-            vec4 trust_now = trust;
-            bvec4 is_better = bvec4(is_kind.x && greaterThan(vec4(edge_now), trust_now).x,
-                is_kind.y && greaterThan(vec4(edge_now), trust_now).y, is_kind.z
-                && greaterThan(vec4(edge_now), trust_now).z, is_kind.w
-                && greaterThan(vec4(edge_now), trust_now).w);
-            trust = mix(trust, vec4(edge.trust), is_better);
-            float code = edge_code(edge.normal, edge.offset);
-            codes = mix(codes, vec4(edge.kind == 4 ? -code : code), is_better);
+        if (edge.kind != 0) {
+            edge = meeting(own, pixel, step_, edge.kind);
         }
+        int place = min(edge.kind, 3);
+        bvec4 is_kind = equal(ivec4(place), ivec4(0, 1, 2, 3));
+        float edge_now = edge.trust;
+        vec4 trust_now = trust;
+        bvec4 is_better = bvec4(is_kind.x && greaterThan(vec4(edge_now), trust_now).x, is_kind.y
+            && greaterThan(vec4(edge_now), trust_now).y, is_kind.z
+            && greaterThan(vec4(edge_now), trust_now).z, is_kind.w
+            && greaterThan(vec4(edge_now), trust_now).w);
+        trust = mix(trust, vec4(edge.trust), is_better);
+        float code = edge_code(edge.normal, edge.offset);
+        codes = mix(codes, vec4(edge.kind == 4 ? -code : code), is_better);
     }
     return codes;
 }

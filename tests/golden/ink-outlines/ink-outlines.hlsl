@@ -323,7 +323,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
     places = ramp.places;
     if (ramp.interpolation == INTERPOLATION_STEPPED) {
         color = colors[0];
-        for (; (i < count); i = i + 1u) {
+        for (; i < count; i++) {
             const float step_filtered_value = step_filtered(x,
                 places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)], w);
             color = color + (colors[min(uint(i), 15u)] - colors[min(uint(i - 1u), 15u)])
@@ -331,7 +331,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
         }
         return bounded_vec4(color);
     }
-    for (uint i_1 = 1u; (i_1 < count); i_1 = i_1 + 1u) {
+    for (uint i_1 = 1u; i_1 < count; i_1++) {
         float places_now = places[min(uint(naga_div(i_1, 4u)), 3u)][min(uint(naga_mod(i_1, 4u)),
             3u)];
         at = places_now <= x ? i_1 : at;
@@ -383,7 +383,7 @@ float4 ramp_at_2(Ramp ramp, float x, float w)
     colors = ramp.colors;
     places = ramp.places;
     color = colors[0];
-    for (uint i = 1u; (i < 4u); i = i + 1u) {
+    for (uint i = 1u; i < 4u; i++) {
         const float step_filtered_2_value = step_filtered_2(x,
             places[0][min(uint(naga_mod(i, 4u)), 3u)], w);
         color = color + (colors[min(uint(i), 15u)] - colors[min(uint(i - 1u), 15u)])
@@ -475,7 +475,7 @@ float perlin_noise(float3 p, uint seed)
     float3 d = p - corner;
     const float3 f = fade_quintic(d);
     int3 cell = to_int(corner);
-    for (int i = 0; (i < 8); i++) {
+    for (int i = 0; i < 8; i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
         float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
         const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)),
@@ -497,7 +497,7 @@ float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed,
     float total = 0.0;
     float sum = 0.0;
 
-    for (int i = 0; (i < 2); i++) {
+    for (int i = 0; i < 2; i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

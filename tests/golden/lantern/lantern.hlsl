@@ -192,7 +192,7 @@ RampPlace ramp_place(Ramp ramp, float x)
 
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i = 1u; (i < 3u); i = i + 1u) {
+    for (uint i = 1u; i < 3u; i++) {
         float places_now = places[0][min(uint(naga_mod(i, 4u)), 3u)];
         at = places_now <= x ? i : at;
     }

@@ -193,7 +193,7 @@ RampPlace ramp_place(
     uint at = 0u;
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i = 1u; (i < 3u); i++) {
+    for (uint i = 1u; i < 3u; i++) {
         float places_now = places.inner[0][naga_mod(i, 4u)];
         at = places_now <= x ? i : at;
     }

@@ -524,14 +524,14 @@ vec2 bristles_laid(SpacedPlace at, float ink, Brush style) {
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave = octave + 1) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
         ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
-        for (int i = 0; (i < 9); i = i + 1) {
+        for (int i = 0; i < 9; i++) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(1, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
@@ -595,14 +595,14 @@ vec2 bristles_laid_2(SpacedPlace at, float ink, Brush style) {
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave = octave + 1) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
         ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
-        for (int i = 0; (i < 9); i = i + 1) {
+        for (int i = 0; i < 9; i++) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(6, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
@@ -659,14 +659,14 @@ vec2 bristles_laid_3(SpacedPlace at, float ink, Brush style) {
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave = octave + 1) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
         ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
-        for (int i = 0; (i < 9); i = i + 1) {
+        for (int i = 0; i < 9; i++) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(2, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
@@ -730,13 +730,13 @@ vec2 bristles_laid_4(SpacedPlace at, float ink, Brush style) {
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave = octave + 1) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0)) / vec2(3.0, 1.0);
         ivec2 corner = ivec2(floor(p));
         ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
-        for (int i = 0; (i < 9); i = i + 1) {
+        for (int i = 0; i < 9; i++) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(3, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
@@ -793,14 +793,14 @@ vec2 bristles_laid_5(SpacedPlace at, float ink, Brush style) {
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave = octave + 1) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
         ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
-        for (int i = 0; (i < 9); i = i + 1) {
+        for (int i = 0; i < 9; i++) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(4, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];
@@ -857,14 +857,14 @@ vec2 bristles_laid_6(SpacedPlace at, float ink, Brush style) {
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave = octave + 1) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
         ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
-        for (int i = 0; (i < 9); i = i + 1) {
+        for (int i = 0; i < 9; i++) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(8, 7 * (int(zoom) + octave));
             uint tile_now = tile[blue_index(turning)];

@@ -648,7 +648,7 @@ float2 bristles_laid(SpacedPlace at, float ink, Brush style)
     float f = level - zoom;
     const float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave++) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
         float scale = asfloat(uint(asint(asuint(asint(asuint(to_int(zoom)) + asuint(octave)))
             + asuint(int(127)))) << 23u);
@@ -657,7 +657,7 @@ float2 bristles_laid(SpacedPlace at, float ink, Brush style)
         int2 corner = to_int(floor(p));
         int2 phase = naga_mod(asint(asuint(naga_mod(corner, (int(3)).xx)) + asuint((int(3)).xx)),
             (int(3)).xx);
-        for (int i = 0; (i < 9); i++) {
+        for (int i = 0; i < 9; i++) {
             int2 cell = asint(asuint(asint(asuint(corner)
                 + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(i, int(3)),
                 naga_div(i, int(3)))) - asuint(phase))) + asuint((int(4)).xx)), (int(3)).xx))))
@@ -732,7 +732,7 @@ float2 bristles_laid_2(SpacedPlace at, float ink, Brush style)
     float f = level - zoom;
     const float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave++) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
         float scale = asfloat(uint(asint(asuint(asint(asuint(to_int(zoom)) + asuint(octave)))
             + asuint(int(127)))) << 23u);
@@ -741,7 +741,7 @@ float2 bristles_laid_2(SpacedPlace at, float ink, Brush style)
         int2 corner = to_int(floor(p));
         int2 phase = naga_mod(asint(asuint(naga_mod(corner, (int(3)).xx)) + asuint((int(3)).xx)),
             (int(3)).xx);
-        for (int i = 0; (i < 9); i++) {
+        for (int i = 0; i < 9; i++) {
             int2 cell = asint(asuint(asint(asuint(corner)
                 + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(i, int(3)),
                 naga_div(i, int(3)))) - asuint(phase))) + asuint((int(4)).xx)), (int(3)).xx))))
@@ -808,7 +808,7 @@ float2 bristles_laid_3(SpacedPlace at, float ink, Brush style)
     float f = level - zoom;
     const float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave++) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
         float scale = asfloat(uint(asint(asuint(asint(asuint(to_int(zoom)) + asuint(octave)))
             + asuint(int(127)))) << 23u);
@@ -817,7 +817,7 @@ float2 bristles_laid_3(SpacedPlace at, float ink, Brush style)
         int2 corner = to_int(floor(p));
         int2 phase = naga_mod(asint(asuint(naga_mod(corner, (int(3)).xx)) + asuint((int(3)).xx)),
             (int(3)).xx);
-        for (int i = 0; (i < 9); i++) {
+        for (int i = 0; i < 9; i++) {
             int2 cell = asint(asuint(asint(asuint(corner)
                 + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(i, int(3)),
                 naga_div(i, int(3)))) - asuint(phase))) + asuint((int(4)).xx)), (int(3)).xx))))
@@ -892,7 +892,7 @@ float2 bristles_laid_4(SpacedPlace at, float ink, Brush style)
     float f = level - zoom;
     const float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave++) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
         float scale = asfloat(uint(asint(asuint(asint(asuint(to_int(zoom)) + asuint(octave)))
             + asuint(int(127)))) << 23u);
@@ -900,7 +900,7 @@ float2 bristles_laid_4(SpacedPlace at, float ink, Brush style)
         int2 corner = to_int(floor(p));
         int2 phase = naga_mod(asint(asuint(naga_mod(corner, (int(3)).xx)) + asuint((int(3)).xx)),
             (int(3)).xx);
-        for (int i = 0; (i < 9); i++) {
+        for (int i = 0; i < 9; i++) {
             int2 cell = asint(asuint(asint(asuint(corner)
                 + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(i, int(3)),
                 naga_div(i, int(3)))) - asuint(phase))) + asuint((int(4)).xx)), (int(3)).xx))))
@@ -967,7 +967,7 @@ float2 bristles_laid_5(SpacedPlace at, float ink, Brush style)
     float f = level - zoom;
     const float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave++) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
         float scale = asfloat(uint(asint(asuint(asint(asuint(to_int(zoom)) + asuint(octave)))
             + asuint(int(127)))) << 23u);
@@ -976,7 +976,7 @@ float2 bristles_laid_5(SpacedPlace at, float ink, Brush style)
         int2 corner = to_int(floor(p));
         int2 phase = naga_mod(asint(asuint(naga_mod(corner, (int(3)).xx)) + asuint((int(3)).xx)),
             (int(3)).xx);
-        for (int i = 0; (i < 9); i++) {
+        for (int i = 0; i < 9; i++) {
             int2 cell = asint(asuint(asint(asuint(corner)
                 + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(i, int(3)),
                 naga_div(i, int(3)))) - asuint(phase))) + asuint((int(4)).xx)), (int(3)).xx))))
@@ -1043,7 +1043,7 @@ float2 bristles_laid_6(SpacedPlace at, float ink, Brush style)
     float f = level - zoom;
     const float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave++) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == int(1) ? fine : 1.0 - f);
         float scale = asfloat(uint(asint(asuint(asint(asuint(to_int(zoom)) + asuint(octave)))
             + asuint(int(127)))) << 23u);
@@ -1052,7 +1052,7 @@ float2 bristles_laid_6(SpacedPlace at, float ink, Brush style)
         int2 corner = to_int(floor(p));
         int2 phase = naga_mod(asint(asuint(naga_mod(corner, (int(3)).xx)) + asuint((int(3)).xx)),
             (int(3)).xx);
-        for (int i = 0; (i < 9); i++) {
+        for (int i = 0; i < 9; i++) {
             int2 cell = asint(asuint(asint(asuint(corner)
                 + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(i, int(3)),
                 naga_div(i, int(3)))) - asuint(phase))) + asuint((int(4)).xx)), (int(3)).xx))))

@@ -715,7 +715,7 @@ metal::float2 bristles_laid(
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave++) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
         metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
@@ -723,7 +723,7 @@ metal::float2 bristles_laid(
         metal::int2 corner = naga_f2i32(metal::floor(p));
         metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
             metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
-        for (int i = 0; (i < 9); i++) {
+        for (int i = 0; i < 9; i++) {
             metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
                 3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
                 + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
@@ -819,7 +819,7 @@ metal::float2 bristles_laid_2(
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave++) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
         metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
@@ -827,7 +827,7 @@ metal::float2 bristles_laid_2(
         metal::int2 corner = naga_f2i32(metal::floor(p));
         metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
             metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
-        for (int i = 0; (i < 9); i++) {
+        for (int i = 0; i < 9; i++) {
             metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
                 3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
                 + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
@@ -912,7 +912,7 @@ metal::float2 bristles_laid_3(
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave++) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
         metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
@@ -920,7 +920,7 @@ metal::float2 bristles_laid_3(
         metal::int2 corner = naga_f2i32(metal::floor(p));
         metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
             metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
-        for (int i = 0; (i < 9); i++) {
+        for (int i = 0; i < 9; i++) {
             metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
                 3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
                 + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
@@ -1016,7 +1016,7 @@ metal::float2 bristles_laid_4(
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave++) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
         metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
@@ -1024,7 +1024,7 @@ metal::float2 bristles_laid_4(
         metal::int2 corner = naga_f2i32(metal::floor(p));
         metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
             metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
-        for (int i = 0; (i < 9); i++) {
+        for (int i = 0; i < 9; i++) {
             metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
                 3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
                 + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
@@ -1109,7 +1109,7 @@ metal::float2 bristles_laid_5(
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave++) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
         metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
@@ -1117,7 +1117,7 @@ metal::float2 bristles_laid_5(
         metal::int2 corner = naga_f2i32(metal::floor(p));
         metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
             metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
-        for (int i = 0; (i < 9); i++) {
+        for (int i = 0; i < 9; i++) {
             metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
                 3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
                 + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))
@@ -1202,7 +1202,7 @@ metal::float2 bristles_laid_6(
     float f = level - zoom;
     float coarse_cells = exp2_stable(-2.0 * f);
     float fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    for (int octave = 0; (octave < 2); octave++) {
+    for (int octave = 0; octave < 2; octave++) {
         float amount = ink * (octave == 1 ? fine : 1.0 - f);
         float scale = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom)) + as_type<uint>(octave))) + as_type<uint>(127))) << 23u);
         metal::float2 p = metal::clamp(at.place * scale, metal::float2(-4194304.0),
@@ -1210,7 +1210,7 @@ metal::float2 bristles_laid_6(
         metal::int2 corner = naga_f2i32(metal::floor(p));
         metal::int2 phase = naga_mod(as_type<metal::int2>(as_type<metal::uint2>(naga_mod(corner,
             metal::int2(3))) + as_type<metal::uint2>(metal::int2(3))), metal::int2(3));
-        for (int i = 0; (i < 9); i++) {
+        for (int i = 0; i < 9; i++) {
             metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(i,
                 3), naga_div(i, 3))) - as_type<metal::uint2>(phase)))
                 + as_type<metal::uint2>(metal::int2(4))), metal::int2(3)))))

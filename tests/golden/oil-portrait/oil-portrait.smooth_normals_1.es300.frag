@@ -99,7 +99,7 @@ SeenPixel seen_pixel(ivec2 pixel) {
         local = false;
     }
     bool may_be_missed = local;
-    for (int index = may_be_missed ? 7 : -1; (index >= 0); index = index - 1) {
+    for (int index = may_be_missed ? 7 : -1; index >= 0; index--) {
         ivec2 near = min(max(pixel + around(index), ivec2(0)), last);
         vec4 texel = texelFetch(u_surface, near, 0);
         if (texel.w != 0.0) {

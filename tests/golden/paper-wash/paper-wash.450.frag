@@ -252,7 +252,7 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
     vec4 to_b = vec4(0.0);
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i_2 = 1u; (i_2 < 5u); i_2 = i_2 + 1u) {
+    for (uint i_2 = 1u; i_2 < 5u; i_2++) {
         float places_now = places[i_2 / 4u][i_2 % 4u];
         at = places_now <= x ? i_2 : at;
     }
@@ -329,7 +329,7 @@ float perlin_noise(vec3 p, uint seed) {
     vec3 d = p - corner;
     vec3 f = d * d * d * (d * (d * 6.0 - vec3(15.0)) + vec3(10.0));
     ivec3 cell = ivec3(corner);
-    for (int i = 0; (i < 8); i = i + 1) {
+    for (int i = 0; i < 8; i++) {
         ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
         vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
         uvec3 hash_pcg3d_value = hash_pcg3d(uvec3(cell + at) + seed

@@ -311,7 +311,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
 
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i_2 = 1u; (i_2 < 5u); i_2 = i_2 + 1u) {
+    for (uint i_2 = 1u; i_2 < 5u; i_2++) {
         float places_now = places[min(uint(naga_div(i_2, 4u)), 3u)][min(uint(naga_mod(i_2, 4u)),
             3u)];
         at = places_now <= x ? i_2 : at;
@@ -412,7 +412,7 @@ float perlin_noise(float3 p, uint seed)
     float3 d = p - corner;
     float3 f = d * d * d * (d * (d * 6.0 - (15.0).xxx) + (10.0).xxx);
     int3 cell = to_int(corner);
-    for (int i = 0; (i < 8); i++) {
+    for (int i = 0; i < 8; i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
         float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
         const uint3 hash_pcg3d_value = hash_pcg3d(asuint(asint(asuint(cell) + asuint(at))) + seed

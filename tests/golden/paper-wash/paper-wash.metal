@@ -335,7 +335,7 @@ Color ramp_at(
     metal::float4 to_b = metal::float4(0.0);
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i_2 = 1u; (i_2 < 5u); i_2++) {
+    for (uint i_2 = 1u; i_2 < 5u; i_2++) {
         float places_now = places.inner[naga_div(i_2, 4u)][naga_mod(i_2, 4u)];
         at = places_now <= x ? i_2 : at;
     }
@@ -433,7 +433,7 @@ float perlin_noise(
     metal::float3 d = p - corner;
     metal::float3 f = d * d * d * (d * (d * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
     metal::int3 cell = naga_f2i32(corner);
-    for (int i = 0; (i < 8); i++) {
+    for (int i = 0; i < 8; i++) {
         metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
         metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
         metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at))) + seed * metal::uint3(2654435769u,

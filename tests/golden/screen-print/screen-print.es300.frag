@@ -258,7 +258,7 @@ float dot_radius(float share) {
     }
     float s = (share - 0.7853982) / 0.21460183;
     a = mix(0.5227232 * sqrt(s), 0.7853982 - 0.3275682 * sqrt(1.0 - s), s);
-    for (int i = 0; (i < 2); i = i + 1) {
+    for (int i = 0; i < 2; i++) {
         vec2 turn = sin_cos_quarter(clamp(a, 0.0, 0.7853982));
         float tangent = turn.x / turn.y;
         float square = 1.0 / (turn.y * turn.y);

@@ -244,7 +244,7 @@ RampPlace ramp_place(
     uint at = 0u;
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i = 1u; (i < 5u); i++) {
+    for (uint i = 1u; i < 5u; i++) {
         float places_now = places.inner[naga_div(i, 4u)][naga_mod(i, 4u)];
         at = places_now <= x ? i : at;
     }

@@ -539,7 +539,7 @@ float fractal_noise(
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    for (int i = 0; (i < 2); i++) {
+    for (int i = 0; i < 2; i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

@@ -257,7 +257,7 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
     colors = ramp.colors;
     places = ramp.places;
     color = colors[0];
-    for (uint i = 1u; (i < 7u); i = i + 1u) {
+    for (uint i = 1u; i < 7u; i++) {
         color = color + (colors[i] - colors[i - 1u]) * step_filtered(x, places[i / 4u][i % 4u], w);
     }
     return color;
@@ -440,7 +440,7 @@ float perlin_noise(vec3 p, uint seed) {
     vec3 d = p - corner;
     vec3 f = fade_quintic(d);
     ivec3 cell = ivec3(corner);
-    for (int i = 0; (i < 8); i = i + 1) {
+    for (int i = 0; i < 8; i++) {
         ivec3 at = ivec3(i & 1, (i >> 1u) & 1, i >> 2u);
         vec3 weight = mix(vec3(1.0) - f, f, equal(at, ivec3(1)));
         sum = sum + weight.x * weight.y * weight.z
@@ -462,7 +462,7 @@ Cell nearest_cell(vec3 p, uint seed) {
     vec3 corner = floor(p);
     vec3 d = p - corner;
     ivec3 cell = ivec3(corner);
-    for (int i = 0; (i < 27); i = i + 1) {
+    for (int i = 0; i < 27; i++) {
         ivec3 at = ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
         uvec3 own = lattice_hash(cell + at, seed);
         vec3 offset = vec3(at) + vec3(0.25) + 0.5 * unit_of_hash(own) - d;
@@ -473,7 +473,7 @@ Cell nearest_cell(vec3 p, uint seed) {
     }
     float distance_ = length(nearest);
     border = max(0.5 * (CELL_REACH - distance_), 0.0);
-    for (int i_1 = 0; (i_1 < 27); i_1 = i_1 + 1) {
+    for (int i_1 = 0; i_1 < 27; i_1++) {
         ivec3 at_1 = ivec3(i_1 % 3 - 1, i_1 / 3 % 3 - 1, i_1 / 9 - 1);
         vec3 apart = vec3(at_1) + vec3(0.25) + 0.5 * unit_of_hash(lattice_hash(cell + at_1, seed))
             - d - nearest;
@@ -497,7 +497,7 @@ float fractal_noise(uint kind, vec3 p, int octaves, float roughness, int seed, f
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    for (int i = 0; (i < 2); i = i + 1) {
+    for (int i = 0; i < 2; i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

@@ -324,7 +324,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
     colors = ramp.colors;
     places = ramp.places;
     color = colors[0];
-    for (uint i = 1u; (i < 7u); i = i + 1u) {
+    for (uint i = 1u; i < 7u; i++) {
         const float step_filtered_value = step_filtered(x,
             places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)], w);
         color = color + (colors[min(uint(i), 15u)] - colors[min(uint(i - 1u), 15u)])
@@ -542,7 +542,7 @@ float perlin_noise(float3 p, uint seed)
     float3 d = p - corner;
     const float3 f = fade_quintic(d);
     int3 cell = to_int(corner);
-    for (int i = 0; (i < 8); i++) {
+    for (int i = 0; i < 8; i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
         float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
         const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)),
@@ -584,7 +584,7 @@ Cell nearest_cell(float3 p, uint seed)
     float3 corner = floor(p);
     float3 d = p - corner;
     int3 cell = to_int(corner);
-    for (int i = 0; (i < 27); i++) {
+    for (int i = 0; i < 27; i++) {
         int3 at = int3(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))),
             asint(asuint(naga_mod(naga_div(i, int(3)), int(3))) - asuint(int(1))),
             asint(asuint(naga_div(i, int(9))) - asuint(int(1))));
@@ -597,7 +597,7 @@ Cell nearest_cell(float3 p, uint seed)
     }
     float distance_ = length(nearest);
     border = max(0.5 * (CELL_REACH - distance_), 0.0);
-    for (int i_1 = 0; (i_1 < 27); i_1++) {
+    for (int i_1 = 0; i_1 < 27; i_1++) {
         int3 at_1 = int3(asint(asuint(naga_mod(i_1, int(3))) - asuint(int(1))),
             asint(asuint(naga_mod(naga_div(i_1, int(3)), int(3))) - asuint(int(1))),
             asint(asuint(naga_div(i_1, int(9))) - asuint(int(1))));
@@ -628,7 +628,7 @@ float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed,
     float total = 0.0;
     float sum = 0.0;
 
-    for (int i = 0; (i < 2); i++) {
+    for (int i = 0; i < 2; i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

@@ -329,7 +329,7 @@ Color ramp_at(
     colors = ramp.colors;
     places = ramp.places;
     color = colors.inner[0];
-    for (uint i = 1u; (i < 7u); i++) {
+    for (uint i = 1u; i < 7u; i++) {
         float step_filtered_value = step_filtered(x, places.inner[naga_div(i, 4u)][naga_mod(i, 4u)],
             w);
         color = color + (colors.inner[i] - colors.inner[i - 1u]) * step_filtered_value;
@@ -686,7 +686,7 @@ float fractal_noise(
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    for (int i = 0; (i < 2); i++) {
+    for (int i = 0; i < 2; i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

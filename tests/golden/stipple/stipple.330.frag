@@ -288,7 +288,7 @@ float dots_of_octave(vec2 place, int zoom, float ink, vec3 stretch, float w, Dot
         vec2(4194304.0));
     vec2 corner = floor(p);
     float reach = 1.0 - 0.5 * style.scatter;
-    for (int i = 0; (i < 9); i = i + 1) {
+    for (int i = 0; i < 9; i++) {
         ivec2 cell = ivec2(corner) + ivec2(i % 3 - 1, i / 3 - 1);
         vec3 chance = vec3(hash_pcg3d(uvec3(ivec3(cell, zoom)) + uvec3(0u, 0u, 0u)) >> uvec3(8u))
             * 5.9604645e-8;

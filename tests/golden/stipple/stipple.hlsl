@@ -373,7 +373,7 @@ float dots_of_octave(float2 place, int zoom, float ink, float3 stretch, float w,
         (-4194304.0).xx, (4194304.0).xx);
     float2 corner = floor(p);
     float reach = 1.0 - 0.5 * style.scatter;
-    for (int i = 0; (i < 9); i++) {
+    for (int i = 0; i < 9; i++) {
         int2 cell = asint(asuint(to_int(corner))
             + asuint(int2(asint(asuint(naga_mod(i, int(3))) - asuint(int(1))),
             asint(asuint(naga_div(i, int(3))) - asuint(int(1))))));

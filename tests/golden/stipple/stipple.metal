@@ -381,7 +381,7 @@ float dots_of_octave(
         << 23u), metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float2 corner = metal::floor(p);
     float reach = 1.0 - 0.5 * style.scatter;
-    for (int i = 0; (i < 9); i++) {
+    for (int i = 0; i < 9; i++) {
         metal::int2 cell = as_type<metal::int2>(as_type<metal::uint2>(naga_f2i32(corner))
             + as_type<metal::uint2>(metal::int2(as_type<int>(as_type<uint>(naga_mod(i, 3))
             - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(i, 3)) - as_type<uint>(1)))));

@@ -383,35 +383,23 @@ LightParts ConstructLightParts(float3 direction, float4 color, float intensity) 
 float4 shade(Surface surface)
 {
     float4 lamps_brightest = float4(0.0, 0.0, 0.0, 1.0);
-    uint each = 0u;
 
-    bool loop_init = true;
     // For each light: lamp_1, lamp_2, lamp_3, lamp_4, lamp_5, lamp_6 and 30 more.
-    while(true) {
-        if (!loop_init) {
-            each = each + 1u;
-        }
-        loop_init = false;
-        if (each < 36u) {
-        } else {
-            break;
-        }
-        {
-            // Lamps (Each lamp)
-            const Light light = light_at(look.lights[each].position,
-                look.lights[each].own_from_world, look.lights[each].color,
-                look.lights[each].intensity, look.lights[each].fading, surface.position);
-            LightParts light_2 = ConstructLightParts(light.direction, float4(light.color, 1.0),
-                light.intensity);
-            Angle lamps_angle = ConstructAngle(0.5 * length(surface.normal - light.direction), 0.5
-                * length(surface.normal + light.direction));
-            const float lamps_tone = profile_balanced(lamps_angle, 0.0, lamps_tone_shape);
-            float lamps_bands = lerp(0.55, 1.0, eased(light_2.intensity, 0.5, 0.55));
-            float lamps_reach = lamps_tone * (lamps_bands * eased(light_2.intensity, 0.2, 0.24));
-            float4 lamps_lit = light_2.color * float4((lamps_reach).xxx, 1.0);
-            lamps_brightest = light_2.intensity
-                > 0.0 ? float4(max(lamps_brightest.xyz, lamps_lit.xyz), 1.0) : lamps_brightest;
-        }
+    for (uint each = 0u; each < 36u; each++) {
+        // Lamps (Each lamp)
+        const Light light = light_at(look.lights[each].position, look.lights[each].own_from_world,
+            look.lights[each].color, look.lights[each].intensity, look.lights[each].fading,
+            surface.position);
+        LightParts light_2 = ConstructLightParts(light.direction, float4(light.color, 1.0),
+            light.intensity);
+        Angle lamps_angle = ConstructAngle(0.5 * length(surface.normal - light.direction), 0.5
+            * length(surface.normal + light.direction));
+        const float lamps_tone = profile_balanced(lamps_angle, 0.0, lamps_tone_shape);
+        float lamps_bands = lerp(0.55, 1.0, eased(light_2.intensity, 0.5, 0.55));
+        float lamps_reach = lamps_tone * (lamps_bands * eased(light_2.intensity, 0.2, 0.24));
+        float4 lamps_lit = light_2.color * float4((lamps_reach).xxx, 1.0);
+        lamps_brightest = light_2.intensity
+            > 0.0 ? float4(max(lamps_brightest.xyz, lamps_lit.xyz), 1.0) : lamps_brightest;
     }
 
     // Parametrization

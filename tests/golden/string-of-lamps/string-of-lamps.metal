@@ -389,36 +389,23 @@ metal::float4 shade(
     constant Look& look
 ) {
     metal::float4 lamps_brightest = metal::float4(0.0, 0.0, 0.0, 1.0);
-    uint each = 0u;
-    bool loop_init = true;
     // For each light: lamp_1, lamp_2, lamp_3, lamp_4, lamp_5, lamp_6 and 30 more.
-    while(true) {
-        if (!loop_init) {
-            each = each + 1u;
-        }
-        loop_init = false;
-        if (each < 36u) {
-        } else {
-            break;
-        }
-        {
-            // Lamps (Each lamp)
-            Light light = light_at(look.lights.inner[each].position,
-                look.lights.inner[each].own_from_world, look.lights.inner[each].color,
-                look.lights.inner[each].intensity, look.lights.inner[each].fading,
-                surface.position);
-            LightParts light_2 = LightParts {light.direction, metal::float4(light.color, 1.0),
-                light.intensity};
-            Angle lamps_angle = Angle {0.5 * metal::length(surface.normal - light.direction), 0.5
-                * metal::length(surface.normal + light.direction)};
-            float lamps_tone = profile_balanced(lamps_angle, 0.0, lamps_tone_shape);
-            float lamps_bands = metal::mix(0.55, 1.0, eased(light_2.intensity, 0.5, 0.55));
-            float lamps_reach = lamps_tone * (lamps_bands * eased(light_2.intensity, 0.2, 0.24));
-            Color lamps_lit = light_2.color * metal::float4(metal::float3(lamps_reach), 1.0);
-            lamps_brightest = light_2.intensity
-                > 0.0 ? metal::float4(metal::max(lamps_brightest.xyz, lamps_lit.xyz),
-                1.0) : lamps_brightest;
-        }
+    for (uint each = 0u; each < 36u; each++) {
+        // Lamps (Each lamp)
+        Light light = light_at(look.lights.inner[each].position,
+            look.lights.inner[each].own_from_world, look.lights.inner[each].color,
+            look.lights.inner[each].intensity, look.lights.inner[each].fading, surface.position);
+        LightParts light_2 = LightParts {light.direction, metal::float4(light.color, 1.0),
+            light.intensity};
+        Angle lamps_angle = Angle {0.5 * metal::length(surface.normal - light.direction), 0.5
+            * metal::length(surface.normal + light.direction)};
+        float lamps_tone = profile_balanced(lamps_angle, 0.0, lamps_tone_shape);
+        float lamps_bands = metal::mix(0.55, 1.0, eased(light_2.intensity, 0.5, 0.55));
+        float lamps_reach = lamps_tone * (lamps_bands * eased(light_2.intensity, 0.2, 0.24));
+        Color lamps_lit = light_2.color * metal::float4(metal::float3(lamps_reach), 1.0);
+        lamps_brightest = light_2.intensity
+            > 0.0 ? metal::float4(metal::max(lamps_brightest.xyz, lamps_lit.xyz),
+            1.0) : lamps_brightest;
     }
 
     // Parametrization

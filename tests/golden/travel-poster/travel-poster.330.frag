@@ -341,7 +341,7 @@ vec3 palette_blend(Ramp palette, vec3 rgb, float softness) {
     colors = palette.colors;
     vec3 wanted = oklab_of_linear_2(vec3(linear_of_srgb_2(rgb.x), linear_of_srgb_2(rgb.y),
         linear_of_srgb_2(rgb.z)));
-    for (uint i = 0u; (i < 7u); i = i + 1u) {
+    for (uint i = 0u; i < 7u; i++) {
         vec3 lab = oklab_of_srgb(colors[i].xyz);
         float far = min(length(lab - wanted), 1e29);
         found = far < nearest ? colors[i].xyz : found;

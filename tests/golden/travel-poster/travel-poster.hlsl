@@ -409,7 +409,7 @@ float3 palette_blend(Ramp palette, float3 rgb, float softness)
     colors = palette.colors;
     const float3 wanted = oklab_of_linear_2(float3(linear_of_srgb_2(rgb.x), linear_of_srgb_2(rgb.y),
         linear_of_srgb_2(rgb.z)));
-    for (uint i = 0u; (i < 7u); i = i + 1u) {
+    for (uint i = 0u; i < 7u; i++) {
         const float3 lab = oklab_of_srgb(colors[min(uint(i), 15u)].xyz);
         float far = min(length(lab - wanted), 1e29);
         float4 colors_now = colors[min(uint(i), 15u)];

@@ -442,7 +442,7 @@ metal::float3 palette_blend(
     float linear_of_srgb_2_value = linear_of_srgb_2(rgb.z);
     metal::float3 wanted = oklab_of_linear_2(metal::float3(linear_of_srgb_2(rgb.x),
         linear_of_srgb_2(rgb.y), linear_of_srgb_2_value));
-    for (uint i = 0u; (i < 7u); i++) {
+    for (uint i = 0u; i < 7u; i++) {
         metal::float3 lab = oklab_of_srgb(colors.inner[i].xyz);
         float far = metal::min(metal::length(lab - wanted), 100000000000000000000000000000.0);
         found = far < nearest ? colors.inner[i].xyz : found;

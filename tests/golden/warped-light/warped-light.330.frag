@@ -237,7 +237,7 @@ RampPlace ramp_place(Ramp ramp, float x) {
     uint at = 0u;
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i = 1u; (i < 5u); i = i + 1u) {
+    for (uint i = 1u; i < 5u; i++) {
         float places_now = places[i / 4u][i % 4u];
         at = places_now <= x ? i : at;
     }

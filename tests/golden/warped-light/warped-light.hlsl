@@ -308,7 +308,7 @@ RampPlace ramp_place(Ramp ramp, float x)
 
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i = 1u; (i < 5u); i = i + 1u) {
+    for (uint i = 1u; i < 5u; i++) {
         float places_now = places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)];
         at = places_now <= x ? i : at;
     }

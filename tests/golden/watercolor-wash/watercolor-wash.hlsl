@@ -348,7 +348,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
 
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i_2 = 1u; (i_2 < 4u); i_2 = i_2 + 1u) {
+    for (uint i_2 = 1u; i_2 < 4u; i_2++) {
         float places_now = places[0][min(uint(naga_mod(i_2, 4u)), 3u)];
         at = places_now <= x ? i_2 : at;
     }
@@ -446,7 +446,7 @@ float perlin_noise(float3 p, uint seed)
     float3 d = p - corner;
     const float3 f = fade_quintic(d);
     int3 cell = to_int(corner);
-    for (int i = 0; (i < 8); i++) {
+    for (int i = 0; i < 8; i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
         float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
         const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)),
@@ -466,7 +466,7 @@ float perlin_noise_2(float3 p, uint seed)
     float3 d = p - corner;
     float3 f = d * d * d * (d * (d * 6.0 - (15.0).xxx) + (10.0).xxx);
     int3 cell = to_int(corner);
-    for (int i = 0; (i < 8); i++) {
+    for (int i = 0; i < 8; i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
         float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
         const uint3 hash_pcg3d_value = hash_pcg3d(asuint(asint(asuint(cell) + asuint(at))) + seed
@@ -487,7 +487,7 @@ float fractal_noise(uint kind, float3 p, int octaves, float roughness, int seed,
     float total = 0.0;
     float sum = 0.0;
 
-    for (int i = 0; (i < 2); i++) {
+    for (int i = 0; i < 2; i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
@@ -514,7 +514,7 @@ float fractal_noise_2(uint kind, float3 p, int octaves, float roughness, int see
     float total = 0.0;
     float sum = 0.0;
 
-    for (int i = 0; (i < 4); i++) {
+    for (int i = 0; i < 4; i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

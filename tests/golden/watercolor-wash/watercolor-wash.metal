@@ -380,7 +380,7 @@ Color ramp_at(
     metal::float4 to_b = metal::float4(0.0);
     colors = ramp.colors;
     places = ramp.places;
-    for (uint i_2 = 1u; (i_2 < 4u); i_2++) {
+    for (uint i_2 = 1u; i_2 < 4u; i_2++) {
         float places_now = places.inner[0][naga_mod(i_2, 4u)];
         at = places_now <= x ? i_2 : at;
     }
@@ -506,7 +506,7 @@ float perlin_noise_2(
     metal::float3 d = p - corner;
     metal::float3 f = d * d * d * (d * (d * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
     metal::int3 cell = naga_f2i32(corner);
-    for (int i = 0; (i < 8); i++) {
+    for (int i = 0; i < 8; i++) {
         metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
         metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
         metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at))) + seed * metal::uint3(2654435769u,
@@ -533,7 +533,7 @@ float fractal_noise(
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    for (int i = 0; (i < 2); i++) {
+    for (int i = 0; i < 2; i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {
@@ -566,7 +566,7 @@ float fractal_noise_2(
     float strength = 1.0;
     float total = 0.0;
     float sum = 0.0;
-    for (int i = 0; (i < 4); i++) {
+    for (int i = 0; i < 4; i++) {
         float visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if (visible > 0.0) {

@@ -271,7 +271,7 @@ float value_noise(float3 p, uint seed)
     float3 t = p - corner;
     float3 f = t * t * t * (t * (t * 6.0 - (15.0).xxx) + (10.0).xxx);
     int3 cell = to_int(corner);
-    for (int i = 0; (i < 8); i++) {
+    for (int i = 0; i < 8; i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
         float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
         const uint3 hash_pcg3d_value = hash_pcg3d(asuint(asint(asuint(cell) + asuint(at))) + seed
@@ -469,7 +469,7 @@ float cross_hatched(SpacedPlace at, float ink, int layers, float cross_, Strokes
 
     float2 x = ddx(at.place);
     float2 y = ddy(at.place);
-    for (int i = 0; (i < 4); i++) {
+    for (int i = 0; i < 4; i++) {
         if (i < int(1)) {
             float2 turn = float2(0.0, 1.0);
             float2 along = float2(turn.y, turn.x);

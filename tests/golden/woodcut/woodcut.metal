@@ -265,7 +265,7 @@ float value_noise(
     metal::float3 t = p - corner;
     metal::float3 f = t * t * t * (t * (t * 6.0 - metal::float3(15.0)) + metal::float3(10.0));
     metal::int3 cell = naga_f2i32(corner);
-    for (int i = 0; (i < 8); i++) {
+    for (int i = 0; i < 8; i++) {
         metal::int3 at = metal::int3(i & 1, (i >> 1u) & 1, i >> 2u);
         metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at == metal::int3(1));
         metal::uint3 hash_pcg3d_value = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at))) + seed * metal::uint3(2654435769u,
@@ -505,7 +505,7 @@ float cross_hatched(
     float free = 1.0;
     metal::float2 x = metal::dfdx(at.place);
     metal::float2 y = metal::dfdy(at.place);
-    for (int i = 0; (i < 4); i++) {
+    for (int i = 0; i < 4; i++) {
         if (i < 1) {
             metal::float2 turn = metal::float2(0.0, 1.0);
             metal::float2 along = metal::float2(turn.y, turn.x);

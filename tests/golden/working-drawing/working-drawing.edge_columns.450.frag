@@ -98,7 +98,7 @@ SeenPixel seen_pixel(ivec2 pixel) {
         local_1 = false;
     }
     bool may_be_missed = local_1;
-    for (int index = may_be_missed ? 7 : -1; (index >= 0); index = index - 1) {
+    for (int index = may_be_missed ? 7 : -1; index >= 0; index--) {
         ivec2 near = min(max(pixel + around(index), ivec2(0)), last);
         vec4 texel = texelFetch(u_surface, near, 0);
         if (texel.w != 0.0) {
@@ -183,7 +183,7 @@ vec4 nearest_in_column(ivec2 pixel, Plane own, int reach, bool of_all) {
     vec4 codes = vec4(0.0);
     bool local_4 = false;
     ivec2 last = ivec2(uvec2(textureSize(u_surface, 0).xy)) - ivec2(1);
-    for (int row = max(-reach, -pixel.y); (row <= min(reach, last.y - pixel.y)); row = row + 1) {
+    for (int row = max(-reach, -pixel.y); row <= min(reach, last.y - pixel.y); row++) {
         ivec2 at = pixel + ivec2(0, row);
         vec4 found = texelFetch(u_edges, at, 0);
         if (all(equal(found, vec4(0.0)))) {

@@ -242,13 +242,13 @@ vec4 ramp_at(Ramp ramp, float x, float w) {
     places = ramp.places;
     if (ramp.interpolation == INTERPOLATION_STEPPED) {
         color = colors[0];
-        for (; (i < count); i = i + 1u) {
+        for (; i < count; i++) {
             color = color + (colors[i] - colors[i - 1u])
                 * step_filtered(x, places[i / 4u][i % 4u], w);
         }
         return bounded_vec4(color);
     }
-    for (uint i_1 = 1u; (i_1 < count); i_1 = i_1 + 1u) {
+    for (uint i_1 = 1u; i_1 < count; i_1++) {
         float places_now = places[i_1 / 4u][i_1 % 4u];
         at = places_now <= x ? i_1 : at;
     }

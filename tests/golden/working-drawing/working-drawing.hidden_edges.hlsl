@@ -228,7 +228,7 @@ SeenPixel seen_pixel(int2 pixel)
         local_1 = false;
     }
     bool may_be_missed = local_1;
-    for (int index = may_be_missed ? 7 : -1; (index >= 0); index--) {
+    for (int index = may_be_missed ? 7 : -1; index >= 0; index--) {
         int2 near = clamp(asint(asuint(pixel) + asuint(around(index))), (int(0)).xx, last);
         float4 texel = surface.Load(int3(near, int(0)));
         if (texel.w != 0.0) {
@@ -575,7 +575,7 @@ Course course_at(int2 pixel, int2 step_, float number, float limit)
     bool local_12 = (bool)0;
 
     int2 along = naga_abs(step_.yx);
-    for (int side = 0; (side < 2); side++) {
+    for (int side = 0; side < 2; side++) {
         int2 way = asint(asuint(along) * asuint(asint(asuint(int(1))
             - asuint(asint(asuint(int(2)) * asuint(side))))));
         height = int(0);
@@ -882,7 +882,6 @@ float4 edges_at(int2 pixel)
     uint left = 0u;
     float4 codes = (0.0).xxxx;
     float4 trust = (-1.0).xxxx;
-    int index_1 = (int)0;
     Edge edge = (Edge)0;
 
     const Facet own = facet_at(pixel);
@@ -891,41 +890,29 @@ float4 edges_at(int2 pixel)
     }
     float2 slope = surface.Load(int3(pixel, int(0))).xy;
     const float size = pixel_size_at(own.depth);
-    for (int index = 0; (index < 4); index++) {
+    for (int index = 0; index < 4; index++) {
         const bool goes_on_value = goes_on(own, slope, size, pixel, around(index));
         left = left | (goes_on_value ? 0u : (1u << uint(index)));
     }
-    index_1 = left == 0u ? int(4) : int(0);
-    bool loop_init_1 = true;
     // Most pixels have no round at all: what a loop does not enter costs nothing everywhere.
-    while(true) {
-        if (!loop_init_1) {
-            index_1 = asint(asuint(index_1) + asuint(int(1)));
+    for (int index_1 = left == 0u ? 4 : 0; index_1 < 4; index_1++) {
+        if (((left >> uint(index_1)) & 1u) == 0u) {
+            continue;
         }
-        loop_init_1 = false;
-        if (index_1 < int(4)) {
-        } else {
-            break;
+        const int2 step_ = around(index_1);
+        edge = edge_between(own, pixel, step_);
+        if (edge.kind == int(-1)) {
+            continue;
         }
-        {
-            if (((left >> uint(index_1)) & 1u) == 0u) {
-                continue;
-            }
-            const int2 step_ = around(index_1);
-            edge = edge_between(own, pixel, step_);
-            if (edge.kind == int(-1)) {
-                continue;
-            }
-            if (edge.kind != int(0)) {
-                edge = meeting(own, pixel, step_, edge.kind);
-            }
-            int place = min(edge.kind, int(3));
-            bool4 is_kind = (place).xxxx == int4(int(0), int(1), int(2), int(3));
-            bool4 is_better = is_kind & ((edge.trust).xxxx > trust);
-            trust = is_better ? (edge.trust).xxxx : trust;
-            const float code = edge_code(edge.normal, edge.offset);
-            codes = is_better ? (edge.kind == int(4) ? -code : code).xxxx : codes;
+        if (edge.kind != int(0)) {
+            edge = meeting(own, pixel, step_, edge.kind);
         }
+        int place = min(edge.kind, int(3));
+        bool4 is_kind = (place).xxxx == int4(int(0), int(1), int(2), int(3));
+        bool4 is_better = is_kind & ((edge.trust).xxxx > trust);
+        trust = is_better ? (edge.trust).xxxx : trust;
+        const float code = edge_code(edge.normal, edge.offset);
+        codes = is_better ? (edge.kind == int(4) ? -code : code).xxxx : codes;
     }
     return codes;
 }

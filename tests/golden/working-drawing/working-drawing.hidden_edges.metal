@@ -937,7 +937,6 @@ metal::float4 edges_at(
     uint left = 0u;
     metal::float4 codes = metal::float4(0.0);
     metal::float4 trust = metal::float4(-1.0);
-    int index_1 = {};
     Edge edge = {};
     Facet own = facet_at(pixel, surface, curvature);
     if (own.number == 0.0) {
@@ -949,37 +948,25 @@ metal::float4 edges_at(
         bool goes_on_value = goes_on(own, slope, size, pixel, around(index), surface);
         left = left | (goes_on_value ? 0u : (1u << static_cast<uint>(index)));
     }
-    index_1 = left == 0u ? 4 : 0;
-    bool loop_init_1 = true;
     // Most pixels have no round at all: what a loop does not enter costs nothing everywhere.
-    while(true) {
-        if (!loop_init_1) {
-            index_1 = as_type<int>(as_type<uint>(index_1) + as_type<uint>(1));
+    for (int index_1 = left == 0u ? 4 : 0; index_1 < 4; index_1++) {
+        if (((left >> static_cast<uint>(index_1)) & 1u) == 0u) {
+            continue;
         }
-        loop_init_1 = false;
-        if (index_1 < 4) {
-        } else {
-            break;
+        metal::int2 step = around(index_1);
+        edge = edge_between(own, pixel, step, surface, curvature);
+        if (edge.kind == -1) {
+            continue;
         }
-        {
-            if (((left >> static_cast<uint>(index_1)) & 1u) == 0u) {
-                continue;
-            }
-            metal::int2 step = around(index_1);
-            edge = edge_between(own, pixel, step, surface, curvature);
-            if (edge.kind == -1) {
-                continue;
-            }
-            if (edge.kind != 0) {
-                edge = meeting(own, pixel, step, edge.kind, surface, curvature);
-            }
-            int place = metal::min(edge.kind, 3);
-            metal::bool4 is_kind = metal::int4(place) == metal::int4(0, 1, 2, 3);
-            metal::bool4 is_better = is_kind & (metal::float4(edge.trust) > trust);
-            trust = metal::select(trust, metal::float4(edge.trust), is_better);
-            float code = edge_code(edge.normal, edge.offset);
-            codes = metal::select(codes, metal::float4(edge.kind == 4 ? -code : code), is_better);
+        if (edge.kind != 0) {
+            edge = meeting(own, pixel, step, edge.kind, surface, curvature);
         }
+        int place = metal::min(edge.kind, 3);
+        metal::bool4 is_kind = metal::int4(place) == metal::int4(0, 1, 2, 3);
+        metal::bool4 is_better = is_kind & (metal::float4(edge.trust) > trust);
+        trust = metal::select(trust, metal::float4(edge.trust), is_better);
+        float code = edge_code(edge.normal, edge.offset);
+        codes = metal::select(codes, metal::float4(edge.kind == 4 ? -code : code), is_better);
     }
     return codes;
 }

@@ -100,7 +100,7 @@ SeenPixel seen_pixel(ivec2 pixel) {
         local_1 = false;
     }
     bool may_be_missed = local_1;
-    for (int index = may_be_missed ? 7 : -1; (index >= 0); index = index - 1) {
+    for (int index = may_be_missed ? 7 : -1; index >= 0; index--) {
         ivec2 near = min(max(pixel + around(index), ivec2(0)), last);
         vec4 texel = texelFetch(u_surface, near, 0);
         if (texel.w != 0.0) {
@@ -192,8 +192,7 @@ vec4 nearness_at(ivec2 pixel, Plane own) {
     bool local_5 = false;
     ivec2 last = ivec2(uvec2(textureSize(u_surface, 0).xy)) - ivec2(1);
     int reach = int(line_reach(u_curvature.viewport_height, 16.0));
-    for (int column = max(-reach, -pixel.x); (column
-        <= min(reach, last.x - pixel.x)); column = column + 1) {
+    for (int column = max(-reach, -pixel.x); column <= min(reach, last.x - pixel.x); column++) {
         ivec2 at = pixel + ivec2(column, 0);
         vec4 found = texelFetch(u_columns, at, 0);
         if (all(equal(found, vec4(0.0)))) {

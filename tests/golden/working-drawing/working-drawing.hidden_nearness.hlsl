@@ -250,7 +250,7 @@ SeenPixel seen_pixel(int2 pixel)
         local_1 = false;
     }
     bool may_be_missed = local_1;
-    for (int index = may_be_missed ? 7 : -1; (index >= 0); index--) {
+    for (int index = may_be_missed ? 7 : -1; index >= 0; index--) {
         int2 near = clamp(asint(asuint(pixel) + asuint(around(index))), (int(0)).xx, last);
         float4 texel = surface.Load(int3(near, int(0)));
         if (texel.w != 0.0) {
@@ -1228,8 +1228,8 @@ float4 nearest_in_column(int2 pixel, Plane own, int reach, bool of_all)
     bool local_6 = (bool)0;
 
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
-    for (int row = max(naga_neg(reach), naga_neg(pixel.y)); (row
-        <= min(reach, asint(asuint(last.y) - asuint(pixel.y)))); row++) {
+    for (int row = max(naga_neg(reach), naga_neg(pixel.y)); row
+        <= min(reach, asint(asuint(last.y) - asuint(pixel.y))); row++) {
         int2 at = asint(asuint(pixel) + asuint(int2(int(0), row)));
         float4 found = edges.Load(int3(at, int(0)));
         if (all(found == (0.0).xxxx)) {
@@ -1271,8 +1271,8 @@ float4 nearness_at(int2 pixel, Plane own)
 
     int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
     int reach = to_int(line_reach(curvature.viewport_height, 16.0));
-    for (int column = max(naga_neg(reach), naga_neg(pixel.x)); (column
-        <= min(reach, asint(asuint(last.x) - asuint(pixel.x)))); column++) {
+    for (int column = max(naga_neg(reach), naga_neg(pixel.x)); column
+        <= min(reach, asint(asuint(last.x) - asuint(pixel.x))); column++) {
         int2 at = asint(asuint(pixel) + asuint(int2(column, int(0))));
         float4 found = columns.Load(int3(at, int(0)));
         if (all(found == (0.0).xxxx)) {

@@ -291,7 +291,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
     places = ramp.places;
     if (ramp.interpolation == INTERPOLATION_STEPPED) {
         color = colors[0];
-        for (; (i < count); i = i + 1u) {
+        for (; i < count; i++) {
             const float step_filtered_value = step_filtered(x,
                 places[min(uint(naga_div(i, 4u)), 3u)][min(uint(naga_mod(i, 4u)), 3u)], w);
             color = color + (colors[min(uint(i), 15u)] - colors[min(uint(i - 1u), 15u)])
@@ -299,7 +299,7 @@ float4 ramp_at(Ramp ramp, float x, float w)
         }
         return bounded_vec4(color);
     }
-    for (uint i_1 = 1u; (i_1 < count); i_1 = i_1 + 1u) {
+    for (uint i_1 = 1u; i_1 < count; i_1++) {
         float places_now = places[min(uint(naga_div(i_1, 4u)), 3u)][min(uint(naga_mod(i_1, 4u)),
             3u)];
         at = places_now <= x ? i_1 : at;

@@ -10,7 +10,7 @@ use super::textures::{Texture, Textures};
 use super::{Package, stand_ins};
 use crate::support::validators::slangc;
 
-/// What a component gives its material, by property.
+/// Values that a component gives its material, by property.
 #[derive(Clone, Debug, Default)]
 pub(super) struct WornLook {
     pub(super) numbers: BTreeMap<String, Vec<f32>>,
@@ -27,8 +27,8 @@ impl Engine {
         runs("mcs") && runs("mono")
     }
 
-    /// What a package's component gives its material. `main` are statements that make `look`,
-    /// `camera` and `wearer` what they are; fields that name files do so as in the editor.
+    /// Values that a package's component gives its material. `main` are statements that make
+    /// `look`, `camera` and `wearer` what they are; fields that name files do so as in the editor.
     pub(super) fn worn(package: &Package, main: &str) -> WornLook {
         let folder = tempfile::tempdir().expect("a folder");
         let main = package.references() + main;

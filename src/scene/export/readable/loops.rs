@@ -4,6 +4,7 @@
 //! which begin with the step, and a condition of its own leaves. Where the step is one assignment
 //! and the condition comes first, that is a `for` of all languages here, `continue` included.
 
+use super::brackets;
 use super::word::words;
 
 /// The text with a `for` in the place of each loop that counts.
@@ -25,6 +26,8 @@ pub(super) fn counted(text: &str) -> String {
 struct Loop {
     /// Line of the flag's declaration.
     start: usize,
+    /// Comments between the flag and the loop.
+    comments: Vec<String>,
     /// Lines of the body.
     body: std::ops::Range<usize>,
     /// Line of the closing bracket.
@@ -45,26 +48,34 @@ impl Loop {
         let first = lines[start].trim_start();
         let flag = first.strip_prefix("bool ")?.strip_suffix(" = true;")?;
         let indent = lines[start].len() - first.len();
+        let is_comment = |line: &&String| line.trim_start().starts_with("//");
+        let comments: Vec<String> =
+            lines[start + 1..].iter().take_while(is_comment).cloned().collect();
+        let flag_at = start + comments.len();
         // A line by its number after the flag's and the levels by which it is further in.
         let line = |number: usize, levels: usize| {
-            let line = lines.get(start + number)?.strip_prefix(&" ".repeat(indent + 4 * levels))?;
+            let line =
+                lines.get(flag_at + number)?.strip_prefix(&" ".repeat(indent + 4 * levels))?;
             (!line.starts_with(' ')).then_some(line)
         };
         let is = |number, levels, wanted: &str| line(number, levels) == Some(wanted);
         if !is(1, 0, "while(true) {") || !is(2, 1, &format!("if (!{flag}) {{")) {
             return None;
         }
-        let step = line(3, 2)?.strip_suffix(';')?;
+        let step = brackets::without_needless(line(3, 2)?);
+        let step = step.strip_suffix(';')?;
         let (counter, value) = step.split_once(" = ")?;
         let is_plain = counter.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
         if !is_plain || !is(4, 1, "}") || !is(5, 1, &format!("{flag} = false;")) {
             return None;
         }
-        let asked = line(6, 1)?.strip_prefix("if (")?.strip_suffix(") {")?;
+        let asked = brackets::without_needless(line(6, 1)?);
+        let asked = asked.strip_prefix("if (")?.strip_suffix(") {")?;
         let (condition, body) = if is(7, 1, "} else {") && is(8, 2, "break;") && is(9, 1, "}") {
-            (asked, start + 10)
+            (asked, flag_at + 10)
         } else if is(7, 2, "break;") && is(8, 1, "}") {
-            (asked.strip_prefix("!(")?.strip_suffix(')')?, start + 9)
+            let left = asked.strip_prefix("!(")?.strip_suffix(')')?;
+            (is_whole(left).then_some(left)?, flag_at + 9)
         } else {
             return None;
         };
@@ -72,6 +83,7 @@ impl Loop {
         let end = (body..lines.len()).find(|&number| lines[number] == closing)?;
         Some(Self {
             start,
+            comments,
             body: body..end,
             end,
             indent,
@@ -99,7 +111,7 @@ impl Loop {
             beginning = format!("{} = {}", self.counter, without_casts(value));
             start -= 1;
         }
-        let mut comments = Vec::new();
+        let mut comments = self.comments.clone();
         let mut removed = 0;
         if let Some((declared, number)) = self.own_declaration(lines, start) {
             let (ty, value) = declared;
@@ -112,7 +124,8 @@ impl Loop {
             while first > 0 && lines[first - 1].trim_start().starts_with("//") {
                 first -= 1;
             }
-            comments = lines[first..number].iter().map(|it| space.clone() + it.trim()).collect();
+            let about = lines[first..number].iter().map(|it| space.clone() + it.trim());
+            comments.splice(0..0, about);
             lines.drain(first..=number);
             removed = number + 1 - first;
         }
@@ -148,6 +161,16 @@ impl Loop {
         let is_own = is_known && name == self.counter && has_value;
         is_own.then(|| ((ty.to_owned(), value.to_owned()), number))
     }
+}
+
+/// True for a text whose brackets are all its own, unlike `a) || (b` of `(a) || (b)`.
+fn is_whole(text: &str) -> bool {
+    let mut depth = 0_i32;
+    let is_open = text.chars().all(|c| {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        depth >= 0
+    });
+    is_open && depth == 0
 }
 
 /// True for a function's first line.
@@ -217,12 +240,13 @@ float sum(int count)
     int i = int(0);
     float sum = 0.0;
     bool loop_init = true;
+    // No more than there are.
     while(true) {
         if (!loop_init) {
-            i = asint(asuint(i) + asuint(int(1)));
+            i = asint((asuint(i) + asuint(int(1))));
         }
         loop_init = false;
-        if (i < count) {
+        if ((i < count)) {
         } else {
             break;
         }
@@ -241,6 +265,7 @@ float sum(int count)
 {
     float sum = 0.0;
     // Each of them.
+    // No more than there are.
     for (int i = 0; i < count; i++) {
         if (i == int(3)) {
             continue;
@@ -262,10 +287,10 @@ float f() {
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            a = a + 1u;
+            a = (a + 1u);
         }
         loop_init = false;
-        if (!(a < 2u)) {
+        if (!((a < 2u))) {
             break;
         }
         b = 1u;
@@ -330,6 +355,9 @@ int f() {
 }
 ";
         assert_eq!(counted(written), wanted);
+        let either = written.replace("if (i >= 0) {\n        } else {", "if (!(a) || (b)) {");
+        assert_ne!(either, written);
+        assert_eq!(counted(&either), either);
         // A step of two statements is no step of a `for`.
         let two = written.replace("i = i - 1;\n", "i = i - 1;\n            j = i;\n");
         assert_eq!(counted(&two), two);

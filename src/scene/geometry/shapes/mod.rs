@@ -119,9 +119,11 @@ pub fn shape(name: &str) -> Option<Mesh> {
         SHAPES[index].name.clone_into(&mut soup.name);
         Ok(build(soup, CREASE_ANGLE).0)
     };
-    let mesh = MADE[index].get_or_init(|| {
-        let Ok(mesh) = cache::cached("shape", &name, make);
-        mesh
-    });
-    Some(mesh.clone())
+    if let Some(made) = MADE[index].get() {
+        return Some(made.clone());
+    }
+    // Made before anybody is let wait for it: making is spread over rayon's threads, which would
+    // wait for it too. Another thread may have been first; its mesh is the same.
+    let Ok(mesh) = cache::cached("shape", &name, make);
+    Some(MADE[index].get_or_init(|| mesh).clone())
 }

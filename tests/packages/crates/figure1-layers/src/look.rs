@@ -19,7 +19,7 @@ pub(crate) struct Pass {
     pub(crate) outputs: &'static [PassOutput],
 }
 
-/// What a pass draws.
+/// Objects that a pass draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Draws {
     /// Every mesh.

@@ -7,12 +7,11 @@
 pub struct Parameters {
     /// Color of Base. What is seen where no layer paints.
     pub base_color: [f32; 4],
-    /// Offset of Fill, 0 to 3.1416, in radians. Up to this angle the tone is 1 (tau); pi is
-    /// ambient.
+    /// Offset of Fill, 0 to 3.1416, in radians. Up to this angle the tone is 1; pi is ambient.
     pub fill_offset: f32,
-    /// Fall-off of Fill, 0 to 3.1416, in radians. Where the tone falls fastest (f).
+    /// Fall-off of Fill, 0 to 3.1416, in radians. Where the tone falls fastest.
     pub fill_falloff: f32,
-    /// Cut-off of Fill, 0 to 3.1416, in radians. Where the tone reaches 0 (c).
+    /// Cut-off of Fill, 0 to 3.1416, in radians. Where the tone reaches 0.
     pub fill_cutoff: f32,
     /// Convex color of Fill. Straight RGBA, where the surface bulges.
     pub fill_convex: [f32; 4],
@@ -28,12 +27,11 @@ pub struct Parameters {
     pub fill_opacity: f32,
     /// Clamp of Fill. Keeps the stack, which is premultiplied, within 0 and 1 after this layer.
     pub fill_clamped: bool,
-    /// Offset of Diffuse, 0 to 3.1416, in radians. Up to this angle the tone is 1 (tau); pi is
-    /// ambient.
+    /// Offset of Diffuse, 0 to 3.1416, in radians. Up to this angle the tone is 1; pi is ambient.
     pub diffuse_offset: f32,
-    /// Fall-off of Diffuse, 0 to 3.1416, in radians. Where the tone falls fastest (f).
+    /// Fall-off of Diffuse, 0 to 3.1416, in radians. Where the tone falls fastest.
     pub diffuse_falloff: f32,
-    /// Cut-off of Diffuse, 0 to 3.1416, in radians. Where the tone reaches 0 (c).
+    /// Cut-off of Diffuse, 0 to 3.1416, in radians. Where the tone reaches 0.
     pub diffuse_cutoff: f32,
     /// Convex color of Diffuse. Straight RGBA, where the surface bulges.
     pub diffuse_convex: [f32; 4],
@@ -49,12 +47,11 @@ pub struct Parameters {
     pub diffuse_opacity: f32,
     /// Clamp of Diffuse. Keeps the stack, which is premultiplied, within 0 and 1 after this layer.
     pub diffuse_clamped: bool,
-    /// Offset of Specular, 0 to 3.1416, in radians. Up to this angle the tone is 1 (tau); pi is
-    /// ambient.
+    /// Offset of Specular, 0 to 3.1416, in radians. Up to this angle the tone is 1; pi is ambient.
     pub specular_offset: f32,
-    /// Fall-off of Specular, 0 to 3.1416, in radians. Where the tone falls fastest (f).
+    /// Fall-off of Specular, 0 to 3.1416, in radians. Where the tone falls fastest.
     pub specular_falloff: f32,
-    /// Cut-off of Specular, 0 to 3.1416, in radians. Where the tone reaches 0 (c).
+    /// Cut-off of Specular, 0 to 3.1416, in radians. Where the tone reaches 0.
     pub specular_cutoff: f32,
     /// Convex color of Specular. Straight RGBA, where the surface bulges.
     pub specular_convex: [f32; 4],
@@ -70,12 +67,12 @@ pub struct Parameters {
     pub specular_opacity: f32,
     /// Clamp of Specular. Keeps the stack, which is premultiplied, within 0 and 1 after this layer.
     pub specular_clamped: bool,
-    /// Offset of Back-light, 0 to 3.1416, in radians. Up to this angle the tone is 1 (tau); pi is
+    /// Offset of Back-light, 0 to 3.1416, in radians. Up to this angle the tone is 1; pi is
     /// ambient.
     pub back_light_offset: f32,
-    /// Fall-off of Back-light, 0 to 3.1416, in radians. Where the tone falls fastest (f).
+    /// Fall-off of Back-light, 0 to 3.1416, in radians. Where the tone falls fastest.
     pub back_light_falloff: f32,
-    /// Cut-off of Back-light, 0 to 3.1416, in radians. Where the tone reaches 0 (c).
+    /// Cut-off of Back-light, 0 to 3.1416, in radians. Where the tone reaches 0.
     pub back_light_cutoff: f32,
     /// Convex color of Back-light. Straight RGBA, where the surface bulges.
     pub back_light_convex: [f32; 4],

@@ -39,7 +39,7 @@ pub(crate) struct ShadowMaps<'a> {
     /// Number of layers that a texture may have.
     most_layers: usize,
     pub(crate) layers: Vec<Layer>,
-    /// Where light comes from, and the place of its map: lights of several objects are one light
+    /// Sources of light, each with the place of its map: lights of several objects are one light
     /// where they are the same in the world.
     places: Vec<([f64; 4], [f64; 4])>,
 }
