@@ -199,11 +199,15 @@ pub(crate) fn example_looks() -> Vec<ExampleLook> {
 
 /// Trials of all example looks that a package takes, each made fit by `fit`; the reasons of those
 /// that it refuses are compared with the table, or written there. Shadows are read from maps, for
-/// no package traces them.
+/// no package traces them. `CHIARO_LOOKS` names a few, joined by commas, to be tried alone.
 pub(crate) fn soak_trials(slug: &str, fit: impl Fn(Trial) -> Trial) -> Vec<(String, Trial)> {
     let mut refused = BTreeMap::new();
     let mut taken = Vec::new();
-    for look in example_looks() {
+    let few = std::env::var("CHIARO_LOOKS").ok();
+    let is_wanted = |look: &ExampleLook| {
+        few.as_ref().is_none_or(|few| few.split(',').any(|name| name == look.name))
+    };
+    for look in example_looks().into_iter().filter(is_wanted) {
         let mut trial = fit(Trial::of(&look.place));
         if look.place.starts_with("shadows") {
             trial = trial.in_tier("balanced");
