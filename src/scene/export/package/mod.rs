@@ -13,6 +13,7 @@ mod javascript;
 mod light_table;
 mod materials;
 mod materialx;
+mod numbers;
 mod parameter_table;
 mod python;
 mod rust;

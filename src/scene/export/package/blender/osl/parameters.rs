@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use serde_json::{Map, Value as Json, json};
 
 use super::super::super::PackageRequest;
+use super::super::super::numbers::{number as float, numbers};
 use crate::document::{ColorSpace, Light, LightField, LightQuantity, Target, srgb_to_linear};
 use crate::export::exposed::ExposedParameter;
 use crate::export::host_code::OSL;
@@ -280,29 +281,9 @@ fn escaped(text: &str) -> String {
     plain.replace('\\', "\\\\").replace('"', "\\\"")
 }
 
-/// A number with a point, as f32 has it.
-#[expect(clippy::cast_possible_truncation, reason = "shaders calculate with f32")]
-fn float(x: f64) -> String {
-    let x = if x.is_nan() { 0.0 } else { x as f32 };
-    format!("{:?}", x.clamp(f32::MIN, f32::MAX))
-}
-
 fn vector(numbers: &[f64]) -> String {
     let items: Vec<String> = numbers.iter().map(|x| float(*x)).collect();
     format!("vector({})", items.join(", "))
-}
-
-/// The numbers of a value in their order; none of arrays and structs.
-fn numbers(value: &Value) -> Vec<f64> {
-    match value {
-        Value::Bool(x) => vec![f64::from(u8::from(*x))],
-        Value::I32(x) => vec![f64::from(*x)],
-        Value::U32(x) => vec![f64::from(*x)],
-        Value::Float(x) => vec![*x],
-        Value::Vector(scalars) => scalars.iter().map(|scalar| scalar.as_f64()).collect(),
-        Value::Matrix { components, .. } => components.clone(),
-        Value::Array(_) | Value::Struct(_) => Vec::new(),
-    }
 }
 
 /// A value that nothing sets.
