@@ -16,6 +16,7 @@ import chiaro::antialias;
 /// @param value "Value" default=0 : Where on the ramp; a tone goes from 0 to 1.
 /// @param ramp "Ramp" : Its colors, at most 16.
 /// @return color "Color" : Straight RGBA.
+/// @opaque
 /// @source Ottosson 2020 for Oklab
 fn ramp_plain(value: f32, ramp: Ramp) -> Color {
     let w = footprint_of(value);

@@ -252,21 +252,16 @@ fn border_end(
         if inner && !outer {
             continue;
         }
-        if inner {
-            // It turns outward.
-            let beyond = next + 2 * outward;
-            let goes_on = is_dark_texel(maps, behind, surface, beyond, by_itself) == is_dark
-                && is_dark_texel(maps, behind, surface, beyond - along, by_itself) != is_dark;
-            return vec2f(f32(step), select(0.5, 0.0, goes_on));
-        }
-        if outer {
+        if inner != outer {
             // Texels touch at their corners alone.
             return vec2f(f32(step), 0.0);
         }
-        let before = next - outward;
-        let goes_on = is_dark_texel(maps, behind, surface, before, by_itself) != is_dark
-            && is_dark_texel(maps, behind, surface, before - along, by_itself) == is_dark;
-        return vec2f(f32(step), select(-0.5, 0.0, goes_on));
+        // It turns outward, where both are alike, or inward.
+        let turned = next + select(-1, 2, inner) * outward;
+        let wanted = inner == is_dark;
+        let goes_on = is_dark_texel(maps, behind, surface, turned, by_itself) == wanted
+            && is_dark_texel(maps, behind, surface, turned - along, by_itself) != wanted;
+        return vec2f(f32(step), select(select(-0.5, 0.5, inner), 0.0, goes_on));
     }
     return vec2f(f32(LONGEST_RUN), 0.0);
 }
@@ -304,8 +299,15 @@ fn shadow_of_edges(
             continue;
         }
         let along = select(vec2i(0, 1), vec2i(1, 0), is_row);
-        let before = border_end(maps, behind, surface, texel, -along, outward, by_itself, is_dark);
-        let after = border_end(maps, behind, surface, texel, along, outward, by_itself, is_dark);
+        var before = vec2f(0.0);
+        var after = vec2f(0.0);
+        // Compilers copy functions to where they are called.
+        for (var end = 0; end < 2; end++) {
+            let way = select(-along, along, end == 1);
+            let found = border_end(maps, behind, surface, texel, way, outward, by_itself, is_dark);
+            before = select(before, found, end == 0);
+            after = found;
+        }
         let place = select(within, within.yx, is_row);
         let course = edge_course(before, after, place.y);
         let extent = select(pixel, pixel.yx, is_row);

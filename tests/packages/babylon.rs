@@ -17,8 +17,7 @@ static BABYLON: Library = Library {
 /// linear light, and one that shows both sides.
 #[test]
 fn babylon_draws_what_we_draw() {
-    let mut trials =
-        examples(&["looks/string-of-lamps", "looks/figure1-layers", "hcbtf/grass-flat"]);
+    let mut trials = examples(&["looks/string-of-lamps", "hcbtf/grass-flat"]);
     let shadows = Trial::of("shadows/long-shadows").with(&["--tier", "balanced"]);
     trials.push(("long-shadows".to_owned(), shadows));
     let linear = Trial::changed("looks/figure2-diffuse", |look| {

@@ -14,16 +14,12 @@ static THREE: Library = Library {
     page: &["three.html", "gltf.js"],
 };
 
-/// A look of each kind is drawn as we draw it: layers with curvature, many passes, an image,
-/// painted surfaces, shadow maps, one of linear light, and one that shows both sides.
+/// A look of each kind is drawn as we draw it: many passes, an image, painted surfaces, shadow maps,
+/// one of linear light, and one that shows both sides.
 #[test]
 fn three_draws_what_we_draw() {
-    let mut trials = examples(&[
-        "looks/figure1-layers",
-        "looks/ink-outlines",
-        "hcbtf/grass-flat",
-        "images/xtoon-orientation",
-    ]);
+    let mut trials =
+        examples(&["looks/ink-outlines", "hcbtf/grass-flat", "images/xtoon-orientation"]);
     let linear = Trial::changed("looks/figure2-diffuse", |look| {
         look["color_space"] = json!("linear");
     });

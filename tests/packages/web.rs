@@ -51,14 +51,12 @@ fn compare(browser: &mut Chromium, trials: &[(String, Trial)]) {
     table::check(&measured);
 }
 
-/// A look of each kind of passes and textures is drawn as we draw it: layers with curvature, parts
-/// that are cut away, painted surfaces, shadows. [`soak_pages_of_all_examples_show_what_we_show`]
-/// has the others.
+/// A look of each kind of passes and textures is drawn as we draw it: layers with curvature, painted
+/// surfaces, shadows. [`soak_pages_of_all_examples_show_what_we_show`] has the others.
 #[test]
 fn pages_show_what_we_show() {
     let Some(mut browser) = Chromium::start().expect("Chromium") else { return };
-    let mut trials =
-        examples(&["looks/figure1-layers", "looks/technical-cutaway", "hcbtf/grass-flat"]);
+    let mut trials = examples(&["looks/figure1-layers", "hcbtf/grass-flat"]);
     let shadows = Trial::of("shadows/long-shadows").with(&["--tier", "balanced"]);
     trials.push(("long-shadows".to_owned(), shadows));
     compare(&mut browser, &trials);

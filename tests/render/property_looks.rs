@@ -328,12 +328,12 @@ fn run(cases: u32, check: impl Fn(u64) -> Result<(), TestCaseError>) {
 
 #[test]
 fn random_looks_compile() {
-    run(150, |seed| check_valid(seed, false));
+    run(90, |seed| check_valid(seed, false));
 }
 
 #[test]
 fn random_looks_show_finite_pixels() {
-    run(50, |seed| check_valid(seed, true));
+    run(30, |seed| check_valid(seed, true));
 }
 
 #[test]

@@ -23,8 +23,9 @@ use tempfile::TempDir;
 
 use crate::validators::Tool;
 
-/// Longest time that the browser may take for an answer.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// Longest time that the browser may take for an answer: looks with ten shadow maps take minutes by
+/// WebGL 2 in software.
+const PATIENCE: Duration = Duration::from_secs(300);
 
 /// Flags of the browser: no window, no network of its own, both graphics APIs in software.
 const FLAGS: [&str; 15] = [

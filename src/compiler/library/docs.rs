@@ -29,9 +29,9 @@
 //! are `<=` and `>=`, against a number or another input: they hold where constants or ranges show
 //! that they hold at every fragment. `@unit` says when the result is known to lie in [0, 1], apart
 //! from a card's rounding error, and `@unit alpha` that the alpha of a color does. `@opaque` says
-//! that the color is opaque where the node's image and all colors that the node takes are. A test
-//! holds that a bypassed node equals one that is not. An `@error` bounds the difference of a
-//! cheaper tier from the exact one; a test holds that too.
+//! that the color is opaque where the node's image, all colors that the node takes and all stops of
+//! its ramps are. A test holds that a bypassed node equals one that is not. An `@error` bounds the
+//! difference of a cheaper tier from the exact one; a test holds that too.
 //!
 //! A `@bound` names an input that is a share, with the choices for which it is one: the compiler
 //! clamps the input (of a color its alpha) to [0, 1] before the node's functions see it, and adds

@@ -38,8 +38,8 @@ pub struct NodeDef {
     pub unit_when: Option<Vec<Condition>>,
     /// True if the result is a color whose alpha lies in [0, 1].
     pub has_unit_alpha: bool,
-    /// True if the result is an opaque color where the node's image and every color that it takes
-    /// are opaque.
+    /// True if the result is an opaque color where the node's image, every color that it takes and
+    /// every stop of its ramps are opaque.
     pub keeps_opaque: bool,
     /// Greatest differences of the cheaper tiers from the exact one.
     pub errors: Vec<TierError>,

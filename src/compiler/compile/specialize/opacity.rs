@@ -24,12 +24,12 @@ impl Builder<'_> {
         let mut images = Vec::new();
         // What a value is made of was made before.
         for id in (0..=color).filter(|id| reached[*id]) {
-            if let Some(image) = self.opaque_image(id, &known) {
+            if let Some(needed) = self.opaque_paints(id, &known) {
                 let any = || intervals::any_like(&interp::Value::vec(&[0.0; 4]));
                 let ranges = self.values[id].ranges.clone().unwrap_or_else(any);
                 let one = intervals::of_value(&interp::Value::Float(1.0));
                 known.insert(id, ranges.iter().take(3).chain(one.iter()).copied().collect());
-                images.push(self.images[image].clone());
+                images.extend(needed.iter().map(|image| self.images[*image].clone()));
             } else if operands(&self.values[id].operation).any(|part| known.contains_key(&part))
                 && let Some(ranges) = self.ranges_with(id, &known)
             {
@@ -47,28 +47,38 @@ impl Builder<'_> {
         is_opaque.then_some(images)
     }
 
-    /// The image of a node that is opaque where the image is, if all colors that it takes are.
-    fn opaque_image(&self, id: ValueId, known: &HashMap<ValueId, Ranges>) -> Option<usize> {
+    /// The images that must be opaque for the color of a node to be, if all other colors that it
+    /// takes are opaque, and all stops of its ramps; `None` where it may be transparent even then.
+    fn opaque_paints(&self, id: ValueId, known: &HashMap<ValueId, Ranges>) -> Option<Vec<usize>> {
         let value = &self.values[id];
         let node = &self.graph.nodes[value.node];
         let Operation::Call { function, arguments } = &value.operation else { return None };
         if !node.def.keeps_opaque || *function.name != *node.variant().function {
             return None;
         }
-        let mut image = None;
+        let mut images = Vec::new();
         for argument in arguments {
             match argument {
-                Argument::Image(index) => image = Some(*index),
-                Argument::Value(part) if self.values[*part].ty == Type::Color => {
-                    let ranges = known.get(part).or(self.values[*part].ranges.as_ref());
-                    if !ranges?.get(3).copied().is_some_and(is_one) {
+                Argument::Image(index) => images.push(*index),
+                Argument::Value(part) => {
+                    let part_value = &self.values[*part];
+                    let is_opaque = match (&part_value.ty, &part_value.operation) {
+                        (Type::Color, _) => {
+                            let ranges = known.get(part).or(part_value.ranges.as_ref());
+                            ranges?.get(3).copied().is_some_and(is_one)
+                        }
+                        (Type::Ramp, Operation::Constant(ramp)) => is_opaque_ramp(ramp),
+                        (Type::Ramp, _) => false,
+                        _ => true,
+                    };
+                    if !is_opaque {
                         return None;
                     }
                 }
-                Argument::Value(_) | Argument::Sampler(_) => {}
+                Argument::Sampler(_) => {}
             }
         }
-        image
+        Some(images)
     }
 
     /// The ranges of a value from what is known of its parts.
@@ -94,4 +104,15 @@ impl Builder<'_> {
 
 fn is_one(alpha: Range) -> bool {
     alpha.bounds().is_some_and(|[least, _]| least >= LEAST_ALPHA)
+}
+
+/// True if a ramp has stops, all of them opaque.
+fn is_opaque_ramp(ramp: &interp::Value) -> bool {
+    let interp::Value::Struct(members) = ramp else { return false };
+    let [interp::Value::Array(colors), _, interp::Value::U32(count), _] = &members[..] else {
+        return false;
+    };
+    let mut stops = colors.iter().take(*count as usize);
+    let is_opaque = |stop: &interp::Value| stop.components().is_some_and(|color| color[3] == 1.0);
+    *count > 0 && stops.all(is_opaque)
 }

@@ -406,6 +406,9 @@ const ALBEDO_OF_LIGHT: &str = include_str!("light.gdshaderinc");
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeMap;
+
+    use super::super::uniforms::ImageUniform;
     use super::*;
 
     #[test]
@@ -433,6 +436,23 @@ mod tests {
         );
         let text = "float lit(Light light) {\n    return light.x;\n}\n";
         assert_eq!(with_words_of_godot(text, &free_words(text)), text);
+    }
+
+    #[test]
+    fn no_parameter_of_a_function_is_called_as_a_texture_is() {
+        let text = "vec4 image(sampler2D image_1, vec2 uv) {\n    return texture(image_1, uv);\n}\n";
+        let image = ImageUniform {
+            old: "u_image_1".to_owned(),
+            name: "image_1".to_owned(),
+            file: String::new(),
+            hints: String::new(),
+        };
+        let (parameters, lights) = (BTreeMap::new(), BTreeMap::new());
+        let mut uniforms =
+            Uniforms::of(vec![], parameters, &lights, vec![image], vec![]).expect("no members");
+        let text = without_clashes(text, &mut uniforms, &free_words(text));
+        assert!(text.contains("image_1_, vec2") && text.contains("(image_1_, uv)"), "{text}");
+        assert_eq!(uniforms.names(), ["image_1"]);
     }
 
     #[test]

@@ -129,9 +129,10 @@ impl<'a> Uniforms<'a> {
         })
     }
 
-    /// Names of all uniforms.
+    /// Names of all uniforms, those of textures last.
     pub(super) fn names(&self) -> Vec<String> {
-        self.list.iter().map(|uniform| uniform.name.clone()).collect()
+        let values = self.list.iter().map(|uniform| &uniform.name);
+        values.chain(self.images.iter().map(|image| &image.name)).cloned().collect()
     }
 
     /// Gives a uniform another name.
@@ -141,6 +142,9 @@ impl<'a> Uniforms<'a> {
         }
         for parameter in self.parameters.values_mut().filter(|parameter| parameter.name == old) {
             new.clone_into(&mut parameter.name);
+        }
+        for image in self.images.iter_mut().filter(|image| image.name == old) {
+            new.clone_into(&mut image.name);
         }
     }
 
