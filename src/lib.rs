@@ -63,6 +63,10 @@
 //! - Counted operations: `language/wgsl/operations.rs`, `scene/frame/cost.rs`; shown by
 //!   `editor/panels/effects.rs`.
 //!
+//! Film:
+//! - Frames of a scene: `film/frames.rs` (`FrameList`); drawn by `cli/render/frames.rs`.
+//! - EXR: `film/exr/mod.rs` (`encode`).
+//!
 //! Window:
 //! - Panels: `editor/panels/mod.rs` (`PANELS`) lists their rows, which are in the panels' files.
 //! - Shortcuts: rows in `editor/commands/table/`, listed by `editor/app/shortcuts_and_palette.rs`.
@@ -93,6 +97,9 @@ pub use chiaro_reference as reference;
 #[doc(inline)]
 pub use chiaro_render as render;
 
+#[cfg(feature = "scene")]
+#[doc(inline)]
+pub use chiaro_film as film;
 #[cfg(feature = "scene")]
 #[doc(inline)]
 pub use chiaro_laboratory::fit;

@@ -7,7 +7,7 @@ use serde_json::json;
 
 use super::open::{check_nodes_folder, library_for, not_a_look};
 use super::output::Output;
-use super::render::{adjust_camera, check_target, parse_time, turn_lights};
+use super::render::{adjust_camera, check_png, parse_time, turn_lights};
 use super::target::{OutputPath, check_document, outputs};
 use crate::diag::Diagnostic;
 use crate::document::{Document, Look};
@@ -206,7 +206,7 @@ fn planned(arguments: &Arguments) -> Result<Outputs, Diagnostic> {
     let mut outputs = outputs(arguments.force, read.into_iter().flatten());
     arguments.look.iter().for_each(|look| outputs.changes(look));
     if let Some(path) = arguments.misses.as_ref().map(AsRef::as_ref) {
-        check_target(path)?;
+        check_png(path)?;
         outputs.check(path, OutputKind::PICTURE)?;
     }
     check_document(&outputs, arguments.output.as_ref().filter(|_| !arguments.dry_run))?;

@@ -6,6 +6,7 @@
 
 use chiaro_compiler::{catalog, compile, document, library};
 use chiaro_files as files;
+use chiaro_film as film;
 use chiaro_language::{clock, diag, figures, ids, milestones, progress};
 use chiaro_reference as reference;
 use chiaro_scene::{frame, threads};

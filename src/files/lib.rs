@@ -20,4 +20,4 @@ pub use chiaro_compiler::files::{
 };
 pub use disk::{Disk, read, walk};
 pub use outputs::{FileSet, OutputKind, Outputs, remove_abandoned, remove_unfinished};
-pub use write::{TextDocument, make_folder, read_text, write_atomic};
+pub use write::{TextDocument, link, make_folder, read_text, write_atomic};

@@ -30,6 +30,29 @@ pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
     set.commit()
 }
 
+/// Gives a file a second name, which is another file's until then if there is one: a hard link, or a
+/// copy where the file system has none.
+///
+/// # Errors
+/// A diagnostic that names the file; what had the name is then as it was.
+pub fn link(file: &Path, name: &Path) -> Result<(), Box<Diagnostic>> {
+    let folder = name.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = folder.unwrap_or(Path::new("."));
+    let linked = tempfile::tempdir_in(folder).and_then(|made| {
+        let beside = made.path().join("link");
+        fs::hard_link(file, &beside)?;
+        fs::rename(&beside, name)
+    });
+    if linked.is_ok() {
+        return Ok(());
+    }
+    let bytes = fs::read(file).map_err(|error| {
+        let problem = Diagnostic::error("cannot-read", error.to_string());
+        Box::new(problem.in_file(file.display().to_string()))
+    })?;
+    write_atomic(name, &bytes)
+}
+
 /// Makes a folder to write files into, with all folders that it lies in, if there is none.
 ///
 /// # Errors
@@ -96,6 +119,23 @@ mod tests {
         write_atomic(&path, b"two").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"two");
         assert_eq!(names(folder.path()), ["a.json"]);
+    }
+
+    #[test]
+    fn a_second_name_is_the_same_file_until_one_is_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let [first, second] = ["a.png", "b.png"].map(|name| folder.path().join(name));
+        write_atomic(&first, b"one").unwrap();
+        write_atomic(&second, b"old").unwrap();
+        link(&first, &second).unwrap();
+        assert_eq!(fs::read(&second).unwrap(), b"one");
+        write_atomic(&first, b"two").unwrap();
+        assert_eq!(fs::read(&second).unwrap(), b"one");
+        let mut left = names(folder.path());
+        left.sort();
+        assert_eq!(left, ["a.png", "b.png"]);
+        assert!(link(&folder.path().join("none"), &second).is_err());
+        assert_eq!(fs::read(&second).unwrap(), b"one");
     }
 
     #[test]

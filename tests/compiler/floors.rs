@@ -46,6 +46,7 @@ const CRATES: &[(&str, &[&[&str]])] = &[
     ),
     ("reference", &[]),
     ("render", &[]),
+    ("film", &[&["frames"], &["exr", "plan_hash", "png"]]),
     ("laboratory", &[&["accuracy", "fit"], &["gallery"]]),
     ("sweeps", &[]),
     (
@@ -129,6 +130,7 @@ const KEPT_TO: &[(&str, &[&str])] = &[
     ("rfd", &["editor"]),
     ("notify", &["editor", "cli"]),
     ("clap", &["cli"]),
+    ("exr", &["film"]),
     ("ctrlc", &["cli"]),
     ("zip", &["scene"]),
     ("faer", &["scene"]),
@@ -170,7 +172,7 @@ const EXECUTORS: &[NamedExecutor] = &[
     NamedExecutor {
         name: "Reference",
         modules: &["reference", "chiaro_reference"],
-        allowed: &[("cli/render.rs", "chooses the executor that was asked for")],
+        allowed: &[("cli/render/mod.rs", "chooses the executor that was asked for")],
     },
 ];
 

@@ -6,6 +6,7 @@ mod bench;
 mod cli;
 mod desktop;
 mod fit;
+mod frames;
 mod gallery;
 mod lights;
 #[cfg(target_os = "linux")]

@@ -1,9 +1,15 @@
-//! `chiaro render`: a look or a scene as a PNG.
+//! `chiaro render`: a look or a scene as a picture, or frames of it.
+
+mod format;
+mod frames;
 
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use serde_json::json;
+
+use format::{PictureFormat, parse_compression, parse_depth};
+use frames::Sequence;
 
 use super::open::{check_nodes_folder, library_for};
 use super::output::{Output, once, raise};
@@ -13,9 +19,11 @@ use super::tier::{self, TierChoice};
 use crate::clock::Clock;
 use crate::compile::Live;
 use crate::diag::{Diagnostic, Severity};
-use crate::document::{Camera, Scene, Tier, parse_hex};
-use crate::files::OutputKind;
-use crate::frame::{self, Assets, Executor, PassId, PlanOptions, PlanStyle, open};
+use crate::document::{Camera, ColorSpace, Look, Scene, Tier, parse_hex};
+use crate::film::exr::{ExrEncoding, ExrHeader, LosslessCompression, SampleType};
+use crate::film::{FrameList, FramePattern, FrameRate};
+use crate::frame::{self, Assets, Executor, PassId, PlanOptions, PlanStyle, Planner, Setup, open};
+use crate::library::Library;
 use crate::milestones;
 use crate::reference::Reference;
 #[cfg(feature = "gpu")]
@@ -28,6 +36,7 @@ Examples:
   chiaro render look.json -o turned.png --turn-lights 90 --camera orbit=30,15
   chiaro render look.json -o close.png --camera 'eye=1,0.5,3;target=0,0.2,0;fov=20'
   chiaro render scene.json -o frame.png --time 1.5 --backdrop none --json
+  chiaro render scene.json -o 'out/####.exr' --frames 1-240x2 --rate 24
   chiaro render look.json -o truth.png --on reference";
 
 /// Arguments of `chiaro render`.
@@ -36,7 +45,7 @@ Examples:
 pub(super) struct Arguments {
     /// A look or a scene
     document: PathBuf,
-    /// The PNG to write
+    /// The PNG or EXR to write; `####` stands for the number of each of the --frames
     #[arg(short, long)]
     output: OutputPath,
     /// A mesh (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:creature) in place of the
@@ -69,6 +78,19 @@ pub(super) struct Arguments {
     /// The time in seconds
     #[arg(long, default_value_t = 0.0, value_parser = parse_time, allow_negative_numbers = true)]
     time: f64,
+    /// Draws many frames: 1-240, every second one of them as 1-240x2, several joined by commas.
+    /// Frames whose files are whole are kept; those that are equal are drawn once
+    #[arg(long, allow_hyphen_values = true, conflicts_with = "time")]
+    frames: Option<FrameList>,
+    /// Frames per second: 24, 23.976, 24000/1001; frame 0 is at 0 seconds
+    #[arg(long, default_value = "24", requires = "frames")]
+    rate: FrameRate,
+    /// Numbers of an EXR: half, which has 16 bits, or float, which has 32
+    #[arg(long, default_value = "half", value_parser = parse_depth)]
+    depth: SampleType,
+    /// Compression of an EXR, which loses nothing: zip, zips, piz, rle or none
+    #[arg(long, default_value = "zip", value_parser = parse_compression)]
+    compression: LosslessCompression,
     /// The implementation to run in every node: exact, balanced, fast, or automatic, the cheapest
     /// that nobody can see; the document's without it
     #[arg(long, value_parser = tier::parse)]
@@ -89,9 +111,19 @@ pub(super) struct Arguments {
     /// Replace a file that Chiaro did not render
     #[arg(long)]
     force: bool,
-    /// Print what was done as JSON: size, seconds, adapter, passes that ran, tiers, warnings
+    /// Print what was done as JSON: size, seconds, adapter, passes that ran, tiers, warnings; of
+    /// frames a line each, when the frame is on the disk
     #[arg(long)]
     json: bool,
+}
+
+/// What is drawn, opened and ready to be planned.
+struct Stage {
+    setup: Setup,
+    library: Library,
+    planner: Planner,
+    live: Live,
+    options: PlanOptions,
 }
 
 /// Executor of the plan.
@@ -129,52 +161,45 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let one = |problem: Diagnostic| vec![problem];
     check_nodes_folder(arguments.nodes.as_deref())?;
     let target = arguments.output.as_ref();
-    check_target(target).map_err(one)?;
+    let format = check_target(target, arguments.encoding()).map_err(one)?;
+    let sequence = arguments.sequence(format, target).map_err(one)?;
     let read = [
         Some(arguments.document.as_path()),
         arguments.mesh.as_deref().map(Path::new),
         arguments.nodes.as_deref(),
     ];
     let mut outputs = outputs(arguments.force, read.into_iter().flatten());
-    outputs.check(target, OutputKind::PICTURE).map_err(one)?;
-    let clock = Clock::start();
-    let mut library = library_for(&arguments.document, arguments.nodes.as_deref());
-    let mut assets = Assets::default();
-    let (mut setup, of_document) =
-        open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?.into_parts();
-    let mut warnings = [std::mem::take(&mut library.problems), of_document].concat();
-    warnings.extend(check_values(&setup, &arguments.document, &library)?);
-    if arguments.z_up {
-        setup.stand_up();
-    }
-    if let Some(tier) = arguments.tier {
-        setup
-            .looks
-            .iter_mut()
-            .for_each(|worn| tier::set_every_tier(&mut worn.look, &mut library, tier));
-    }
-    if arguments.on == Some(ExecutorChoice::Reference) && arguments.tier.is_none() {
-        // The truth is exact, whatever the looks say.
-        let exact = TierChoice::Every(Tier::Exact);
-        for worn in &mut setup.looks {
-            tier::set_every_tier(&mut worn.look, &mut library, exact);
+    match &sequence {
+        None => outputs.check(target, format.kind()).map_err(one)?,
+        Some((list, pattern)) => {
+            let mut files = list.frames().iter().map(|frame| pattern.path(*frame));
+            files.try_for_each(|file| outputs.check(&file, format.kind())).map_err(one)?;
         }
     }
-    let size = size_of(arguments.size.as_ref(), &setup.scene.camera);
-    adjust(&mut setup.scene, arguments).map_err(one)?;
-    // Who asks for the reference by its name asks for the truth; else the reference stands in for a
-    // GPU and draws what that would draw.
-    let style = match arguments.on {
-        Some(ExecutorChoice::Reference) => PlanStyle::AsWritten,
-        _ => PlanStyle::Specialized,
-    };
-    let mut planner = style.planner(assets);
-    let options = PlanOptions { size, samples: arguments.samples, time: arguments.time };
-    let live = if arguments.live { Live::All } else { style.live() };
-    let plan = planner.plan(&setup, &library, &live, &options)?.tell(&mut warnings);
+    let clock = Clock::start();
+    let mut warnings = Vec::new();
+    let mut stage = arguments.open(&mut warnings)?;
+    if let Some((frames, pattern)) = &sequence {
+        if arguments.is_strict_about(&mut warnings) {
+            return Err(once(warnings));
+        }
+        output.diagnostics(&warnings);
+        reads_all(&mut outputs, &arguments.document, &stage.setup, &stage.planner.assets);
+        let mut executor = executor(arguments.on, output).await.map_err(one)?;
+        let sequence = Sequence {
+            frames,
+            rate: arguments.rate,
+            pattern,
+            format,
+            is_strict: arguments.strict,
+            has_json: arguments.json,
+        };
+        return frames::draw(sequence, stage, outputs, executor.as_mut(), output);
+    }
+    let Stage { setup, library, planner, live, options } = &mut stage;
+    let plan = planner.plan(setup, library, live, options)?.tell(&mut warnings);
     milestones::reached("first shaders");
-    if arguments.strict && warnings.iter().any(|one| one.severity == Severity::Warning) {
-        raise(&mut warnings);
+    if arguments.is_strict_about(&mut warnings) {
         return Err(once(warnings));
     }
     output.diagnostics(&warnings);
@@ -187,16 +212,21 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     milestones::reached("first picture");
     output.diagnostics(&of_device);
     warnings.extend(of_device);
-    let png = picture.to_png().map_err(one)?;
-    reads_all(&mut outputs, &arguments.document, &setup, &planner.assets);
-    outputs.write(target, OutputKind::PICTURE, &png).map_err(one)?;
+    let header = ExrHeader {
+        view: Some(plan.view),
+        blended_in: blended_in(setup.looks.iter().map(|worn| &worn.look)),
+        ..ExrHeader::default()
+    };
+    let bytes = format.encode(&picture, &header).map_err(one)?;
+    reads_all(&mut outputs, &arguments.document, setup, &planner.assets);
+    outputs.write(target, format.kind(), &bytes).map_err(one)?;
     let [width, height] = picture.size;
     let (file, adapter) = (target.display().to_string(), executor.name());
     if arguments.json {
         let passes: Vec<PassId> = plan.passes.iter().map(|pass| pass.id).collect();
         let looks = setup.looks.iter().map(|worn| &worn.look);
         let looks: Vec<_> = looks
-            .map(|look| json!({"name": look.name, "tiers": tier::counts(look, &library)}))
+            .map(|look| json!({"name": look.name, "tiers": tier::counts(look, library)}))
             .collect();
         output.json(&json!({
             "file": file, "width": width, "height": height, "samples": arguments.samples,
@@ -207,10 +237,97 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     } else {
         output.message(&format!("{file}: {width}x{height}, on {adapter}"));
         for worn in &setup.looks {
-            tier::told(&worn.look, &library).iter().for_each(|told| output.message(told));
+            tier::told(&worn.look, library).iter().for_each(|told| output.message(told));
         }
     }
     Ok(())
+}
+
+impl Arguments {
+    fn encoding(&self) -> ExrEncoding {
+        ExrEncoding { samples: self.depth, compression: self.compression }
+    }
+
+    /// The frames that were asked for, and their files.
+    fn sequence(
+        &self,
+        format: PictureFormat,
+        target: &Path,
+    ) -> Result<Option<(&FrameList, FramePattern)>, Diagnostic> {
+        let pattern = FramePattern::of(target).map_err(|message| {
+            let hint = "write one place for the number in the name of the file: out/####.exr";
+            Diagnostic::error("bad-argument", message).hint(hint)
+        })?;
+        match (&self.frames, pattern) {
+            (Some(frames), Some(pattern)) => Ok(Some((frames, pattern))),
+            (Some(_), None) => {
+                let path = target.with_extension("####");
+                let ending = if format == PictureFormat::Png { "png" } else { "exr" };
+                let message = "all frames would be written into one file";
+                Err(Diagnostic::error("bad-argument", message)
+                    .hint(format!("let #### stand for the number: {}.{ending}", path.display())))
+            }
+            (None, Some(_)) => {
+                let message = "the name of the file has a place for the number of a frame";
+                Err(Diagnostic::error("bad-argument", message)
+                    .hint("name the frames, as --frames 1-48, or write a name without # and %"))
+            }
+            (None, None) => Ok(None),
+        }
+    }
+
+    /// Opens what is drawn.
+    fn open(&self, warnings: &mut Vec<Diagnostic>) -> Result<Stage, Vec<Diagnostic>> {
+        let mut library = library_for(&self.document, self.nodes.as_deref());
+        let mut assets = Assets::default();
+        let (mut setup, of_document) =
+            open(&self.document, self.mesh.as_deref(), &mut assets)?.into_parts();
+        warnings.append(&mut library.problems);
+        warnings.extend(of_document);
+        warnings.extend(check_values(&setup, &self.document, &library)?);
+        if self.z_up {
+            setup.stand_up();
+        }
+        // The truth is exact, whatever the looks say.
+        let is_truth = self.on == Some(ExecutorChoice::Reference);
+        let exact = is_truth.then_some(TierChoice::Every(Tier::Exact));
+        if let Some(tier) = self.tier.or(exact) {
+            let looks = setup.looks.iter_mut();
+            looks.for_each(|worn| tier::set_every_tier(&mut worn.look, &mut library, tier));
+        }
+        let size = size_of(self.size.as_ref(), &setup.scene.camera);
+        adjust(&mut setup.scene, self).map_err(|problem| vec![problem])?;
+        // Who asks for the reference by its name asks for the truth; else the reference stands in
+        // for a GPU and draws what that would draw.
+        let style = if is_truth { PlanStyle::AsWritten } else { PlanStyle::Specialized };
+        let options = PlanOptions { size, samples: self.samples, time: self.time };
+        let live = if self.live { Live::All } else { style.live() };
+        Ok(Stage { setup, library, planner: style.planner(assets), live, options })
+    }
+
+    /// True if nothing may be drawn while there are such warnings, which become errors then.
+    fn is_strict_about(&self, warnings: &mut [Diagnostic]) -> bool {
+        let is_wrong = self.strict && warnings.iter().any(|one| one.severity == Severity::Warning);
+        if is_wrong {
+            raise(warnings);
+        }
+        is_wrong
+    }
+}
+
+/// The spaces in which looks blend their layers, each once.
+fn blended_in<'l>(looks: impl Iterator<Item = &'l Look>) -> String {
+    let mut words: Vec<&str> = Vec::new();
+    for look in looks {
+        let word = match look.color_space {
+            ColorSpace::Display => "display",
+            ColorSpace::Linear => "linear",
+        };
+        if !words.contains(&word) {
+            words.push(word);
+        }
+    }
+    words.join(", ")
 }
 
 /// Size of a picture: the one that was asked for, or else of the shape that the camera was placed
@@ -259,8 +376,14 @@ pub(super) fn parse_time(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "it is a number of seconds".to_owned())
 }
 
-/// Checks that a file can be written to a path, before the work is done.
-pub(super) fn check_target(path: &Path) -> Result<(), Diagnostic> {
+/// Checks that a PNG can be written to a path, before the work is done.
+pub(super) fn check_png(path: &Path) -> Result<(), Diagnostic> {
+    let found = check_target(path, ExrEncoding::default())?;
+    if found == PictureFormat::Png { Ok(()) } else { Err(other_ending(path, "PNG")) }
+}
+
+/// Checks that a picture can be written to a path, before the work is done, and gives its format.
+fn check_target(path: &Path, encoding: ExrEncoding) -> Result<PictureFormat, Diagnostic> {
     let problem = |message: String| {
         Diagnostic::error("cannot-write", message)
             .in_file(path.display().to_string())
@@ -269,13 +392,8 @@ pub(super) fn check_target(path: &Path) -> Result<(), Diagnostic> {
     if path.is_dir() {
         return Err(problem("this is a folder".to_owned()));
     }
-    if !path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
-        let message = "pictures are written as PNG and in no other format";
-        let hint = format!("let its name end in .png: -o {}", path.with_extension("png").display());
-        return Err(Diagnostic::error("cannot-write", message)
-            .in_file(path.display().to_string())
-            .hint(hint));
-    }
+    let format = PictureFormat::of(path, encoding)
+        .ok_or_else(|| other_ending(path, "PNG or EXR"))?;
     let folder =
         path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if !folder.is_dir() {
@@ -283,9 +401,15 @@ pub(super) fn check_target(path: &Path) -> Result<(), Diagnostic> {
     }
     // The file has no name, and is gone as soon as it is closed.
     let tried = tempfile::tempfile_in(folder);
-    tried.map(drop).map_err(|error| {
+    tried.map(|_| format).map_err(|error| {
         problem(format!("nothing can be written into `{}`: {error}", folder.display()))
     })
+}
+
+fn other_ending(path: &Path, formats: &str) -> Diagnostic {
+    let message = format!("pictures are written as {formats} and in no other format");
+    let hint = format!("let its name end in .png: -o {}", path.with_extension("png").display());
+    Diagnostic::error("cannot-write", message).in_file(path.display().to_string()).hint(hint)
 }
 
 fn adjust(scene: &mut Scene, arguments: &Arguments) -> Result<(), Diagnostic> {

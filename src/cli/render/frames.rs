@@ -1,0 +1,343 @@
+//! `chiaro render --frames`: many frames, each in a file of its own.
+//!
+//! Three work side by side: one plans the next frame, one draws, and one writes the last frame and
+//! reads it back. What is whole from a run before is kept, and a frame that would be the same
+//! picture as another is not drawn.
+
+use std::collections::{HashMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+
+use serde_json::{Value as Json, json};
+
+use super::format::PictureFormat;
+use super::{Stage, blended_in};
+use crate::clock::Clock;
+use crate::diag::{Diagnostic, Severity};
+use crate::document::Look;
+use crate::files::{self, Outputs};
+use crate::film::exr::{ExrHeader, FrameStamp};
+use crate::film::{FrameList, FramePattern, FrameRate, PlanHasher};
+use crate::frame::{Executor, FramePlan, Picture, PlanOptions};
+use crate::output::{Output, once, raise};
+use crate::threads;
+
+/// Frames, and where they go.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sequence<'a> {
+    pub(super) frames: &'a FrameList,
+    pub(super) rate: FrameRate,
+    pub(super) pattern: &'a FramePattern,
+    pub(super) format: PictureFormat,
+    pub(super) is_strict: bool,
+    /// True if each frame is told as a line of JSON.
+    pub(super) has_json: bool,
+}
+
+/// Work on a frame: a plan, or the picture that is drawn of it.
+struct Frame<T> {
+    frame: i32,
+    file: PathBuf,
+    header: ExrHeader,
+    state: FrameState<T>,
+    seconds: Seconds,
+}
+
+/// What becomes of a frame.
+enum FrameState<T> {
+    /// The file of a run before is whole, and of the same plan.
+    Kept,
+    /// Another frame is the same picture.
+    Equal { frame: i32, file: PathBuf },
+    /// Neither: the plan, or the picture.
+    New(T),
+}
+
+type PlannedFrame = Frame<Box<FramePlan>>;
+type DrawnFrame = Frame<Picture>;
+
+/// Time that was spent on a frame, or on all, in seconds.
+#[derive(Clone, Copy, Debug, Default)]
+struct Seconds {
+    planning: f64,
+    drawing: f64,
+    writing: f64,
+}
+
+/// What became of all frames.
+#[derive(Debug, Default)]
+struct Summary {
+    drawn: usize,
+    equal: usize,
+    kept: usize,
+    seconds: Seconds,
+}
+
+/// Draws frames with what was opened.
+///
+/// # Errors
+/// Of the first frame that cannot be planned, drawn or written; the files of those before it stay.
+pub(super) fn draw(
+    sequence: Sequence<'_>,
+    stage: Stage,
+    outputs: Outputs,
+    executor: &mut dyn Executor,
+    output: &Output,
+) -> Result<(), Vec<Diagnostic>> {
+    let clock = Clock::start();
+    let (to_draw, planned) = sync_channel(1);
+    let (to_write, drawn) = sync_channel(1);
+    let summary = in_parallel(
+        move || plan_all(sequence, stage, &to_draw, output),
+        || draw_all(&planned, &to_write, executor, output),
+        move || write_all(sequence, outputs, &drawn, output),
+    )?;
+    output.message(&summary.text(clock.seconds(), &executor.name()));
+    Ok(())
+}
+
+/// Runs the three parts, the second one on this thread. Whichever fails first ends the others, for
+/// nobody takes what they make.
+#[expect(
+    clippy::disallowed_methods,
+    reason = "the command line's own threads, as many as there are parts"
+)]
+fn in_parallel<W: Send>(
+    plan: impl FnOnce() -> Result<(), Vec<Diagnostic>> + Send,
+    draw: impl FnOnce() -> Result<(), Vec<Diagnostic>>,
+    write: impl FnOnce() -> Result<W, Vec<Diagnostic>> + Send,
+) -> Result<W, Vec<Diagnostic>> {
+    let no_thread = |error: std::io::Error| {
+        vec![Diagnostic::error("no-thread", format!("the system starts no thread: {error}"))]
+    };
+    std::thread::scope(|scope| {
+        let planner = threads::builder("plan").spawn_scoped(scope, plan).map_err(no_thread)?;
+        let writer = threads::builder("write").spawn_scoped(scope, write).map_err(no_thread)?;
+        let drawn = draw();
+        let planned = planner.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        let written = writer.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        // What went wrong first is told: drawing ends early, and without a word, when a frame cannot
+        // be written.
+        drawn.and(planned).and(written)
+    })
+}
+
+/// Plans frame after frame. Ends early where nobody draws any more.
+fn plan_all(
+    sequence: Sequence<'_>,
+    mut stage: Stage,
+    to_draw: &SyncSender<PlannedFrame>,
+    output: &Output,
+) -> Result<(), Vec<Diagnostic>> {
+    let mut hasher = PlanHasher::default();
+    let mut seen: HashMap<String, (i32, PathBuf)> = HashMap::new();
+    let mut told = HashSet::new();
+    let blended_in = blended_in(stage.setup.looks.iter().map(|worn| &worn.look as &Look));
+    for &frame in sequence.frames.frames() {
+        let clock = Clock::start();
+        let file = sequence.pattern.path(frame);
+        let options = PlanOptions { time: sequence.rate.time(frame), ..stage.options.clone() };
+        let mut warnings = Vec::new();
+        let plan = stage.planner.plan(&stage.setup, &stage.library, &stage.live, &options)?;
+        let plan = plan.tell(&mut warnings);
+        if sequence.is_strict && warnings.iter().any(|one| one.severity == Severity::Warning) {
+            raise(&mut warnings);
+            return Err(once(warnings));
+        }
+        warnings.retain(|warning| told.insert(warning.to_string()));
+        output.diagnostics(&warnings);
+        let content = hasher.hash(&plan);
+        let stamp = FrameStamp { frame, rate: sequence.rate };
+        let header = ExrHeader {
+            view: Some(plan.view),
+            stamp: Some(stamp),
+            plan: key(&content, sequence),
+            blended_in: blended_in.clone(),
+        };
+        let is_whole = |bytes: Vec<u8>| sequence.format.plan_of(&bytes) == Some(header.plan.clone());
+        let state = if std::fs::read(&file).is_ok_and(is_whole) {
+            FrameState::Kept
+        } else if let Some((frame, file)) = seen.get(&content).cloned() {
+            FrameState::Equal { frame, file }
+        } else {
+            FrameState::New(Box::new(plan))
+        };
+        seen.entry(content).or_insert_with(|| (frame, file.clone()));
+        let seconds = Seconds { planning: clock.seconds(), ..Seconds::default() };
+        if to_draw.send(Frame { frame, file, header, state, seconds }).is_err() {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// What a file is of: the plan, and how it was stored.
+fn key(content: &str, sequence: Sequence<'_>) -> String {
+    let FrameRate { frames, seconds } = sequence.rate;
+    match sequence.format {
+        PictureFormat::Png => content.to_owned(),
+        PictureFormat::Exr(encoding) => format!(
+            "{content} {:?} {:?} {frames}/{seconds}",
+            encoding.samples, encoding.compression
+        ),
+    }
+}
+
+/// Draws the frames that are to be drawn, in their order. Ends early where nobody writes any more.
+fn draw_all(
+    planned: &Receiver<PlannedFrame>,
+    to_write: &SyncSender<DrawnFrame>,
+    executor: &mut dyn Executor,
+    output: &Output,
+) -> Result<(), Vec<Diagnostic>> {
+    let mut told = HashSet::new();
+    for Frame { frame, file, header, state, mut seconds } in planned {
+        let state = match state {
+            FrameState::Kept => FrameState::Kept,
+            FrameState::Equal { frame, file } => FrameState::Equal { frame, file },
+            FrameState::New(plan) => {
+                let clock = Clock::start();
+                let mut warnings = executor.warnings(&plan);
+                warnings.retain(|warning| told.insert(warning.to_string()));
+                output.diagnostics(&warnings);
+                let picture = output.watch_async("drawing", async |progress| {
+                    executor.picture(&plan, progress).await
+                });
+                let picture = crate::wait(picture).map_err(|problem| vec![problem])?;
+                seconds.drawing = clock.seconds();
+                FrameState::New(picture)
+            }
+        };
+        if to_write.send(Frame { frame, file, header, state, seconds }).is_err() {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// Writes frames, reads them back, and tells each when it is whole.
+fn write_all(
+    sequence: Sequence<'_>,
+    mut outputs: Outputs,
+    drawn: &Receiver<DrawnFrame>,
+    output: &Output,
+) -> Result<Summary, Vec<Diagnostic>> {
+    let mut summary = Summary::default();
+    for mut frame in drawn {
+        let clock = Clock::start();
+        write(sequence.format, &mut outputs, &frame).map_err(|problem| vec![problem])?;
+        frame.seconds.writing = clock.seconds();
+        summary.add(&frame);
+        if sequence.has_json {
+            output.result(&frame.json(sequence.rate).to_string());
+        } else {
+            output.message(&frame.text());
+        }
+    }
+    Ok(summary)
+}
+
+/// Writes the file of a frame, whole or not at all, and reads it back.
+fn write(
+    format: PictureFormat,
+    outputs: &mut Outputs,
+    frame: &DrawnFrame,
+) -> Result<(), Diagnostic> {
+    let Frame { file, header, .. } = frame;
+    match &frame.state {
+        FrameState::Kept => return Ok(()),
+        FrameState::New(picture) => {
+            outputs.write(file, format.kind(), &format.encode(picture, header)?)?;
+        }
+        FrameState::Equal { file: first, .. } => {
+            outputs.check(file, format.kind())?;
+            match format {
+                PictureFormat::Png => files::link(first, file).map_err(|problem| *problem)?,
+                // The number and the time of a frame stand in its file.
+                PictureFormat::Exr(encoding) => {
+                    let bytes = crate::film::exr::stamped(&read(first)?, header, encoding)?;
+                    outputs.write(file, format.kind(), &bytes)?;
+                }
+            }
+        }
+    }
+    if format.plan_of(&read(file)?).as_ref() == Some(&header.plan) {
+        return Ok(());
+    }
+    let problem = Diagnostic::error("not-whole", "the frame was written and read back as another");
+    Err(problem
+        .in_file(file.display().to_string())
+        .hint("the disk may be full or failing; the same command goes on with this frame"))
+}
+
+fn read(file: &Path) -> Result<Vec<u8>, Diagnostic> {
+    std::fs::read(file).map_err(|error| {
+        Diagnostic::error("cannot-read", error.to_string()).in_file(file.display().to_string())
+    })
+}
+
+impl DrawnFrame {
+    /// What became of the frame, in a word.
+    fn state(&self) -> &'static str {
+        match self.state {
+            FrameState::Kept => "kept",
+            FrameState::Equal { .. } => "equal",
+            FrameState::New(_) => "drawn",
+        }
+    }
+
+    fn json(&self, rate: FrameRate) -> Json {
+        let Seconds { planning, drawing, writing } = self.seconds;
+        let mut told = json!({
+            "frame": self.frame, "time": rate.time(self.frame),
+            "file": self.file.display().to_string(), "state": self.state(),
+            "plan": self.header.plan.split(' ').next(),
+            "seconds": {"planning": planning, "drawing": drawing, "writing": writing},
+        });
+        if let FrameState::Equal { frame, .. } = &self.state {
+            told["to"] = json!(frame);
+        }
+        told
+    }
+
+    fn text(&self) -> String {
+        let file = self.file.display();
+        let Seconds { planning, drawing, writing } = self.seconds;
+        match &self.state {
+            FrameState::Kept => format!("{file}: whole, and kept"),
+            FrameState::Equal { frame, .. } => format!("{file}: as frame {frame}"),
+            FrameState::New(_) => format!(
+                "{file}: planned in {planning:.3} s, drawn in {drawing:.3} s, written in \
+                 {writing:.3} s"
+            ),
+        }
+    }
+}
+
+impl Summary {
+    fn add(&mut self, frame: &DrawnFrame) {
+        *match frame.state {
+            FrameState::Kept => &mut self.kept,
+            FrameState::Equal { .. } => &mut self.equal,
+            FrameState::New(_) => &mut self.drawn,
+        } += 1;
+        self.seconds.planning += frame.seconds.planning;
+        self.seconds.drawing += frame.seconds.drawing;
+        self.seconds.writing += frame.seconds.writing;
+    }
+
+    /// The sum of it, and what took the time.
+    fn text(&self, seconds: f64, executor: &str) -> String {
+        let Self { drawn, equal, kept, .. } = self;
+        let Seconds { planning, drawing, writing } = self.seconds;
+        let parts = [("planning", planning), ("drawing", drawing), ("writing", writing)];
+        let most = parts.into_iter().max_by(|(_, a), (_, b)| a.total_cmp(b));
+        let (bound, longest) = most.unwrap_or_default();
+        let frames = drawn + equal + kept;
+        let an_hour = 3600.0 * frames as f64 / seconds.max(1e-9);
+        format!(
+            "{frames} frames on {executor}: {drawn} drawn, {equal} equal to others, {kept} kept; \
+             {seconds:.1} s, {an_hour:.0} frames an hour, bound by {bound} ({longest:.1} s of it)"
+        )
+    }
+}

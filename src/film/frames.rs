@@ -1,0 +1,217 @@
+//! Frames: which ones, when, and into which files.
+
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+/// Greatest number of frames of one list: a feature film has some 200,000.
+const MAX_FRAMES: usize = 1_000_000;
+
+/// Greatest number of a frame, and of digits in a pattern.
+const MAX_FRAME: i32 = 99_999_999;
+const MAX_DIGITS: usize = 8;
+
+/// Frames to draw, in the order in which they are named, each once: `1-240`, `1-240x2` for every
+/// second one, `-12--1` before frame 0, several joined by commas.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FrameList(Vec<i32>);
+
+impl FrameList {
+    /// The numbers of the frames.
+    pub fn frames(&self) -> &[i32] {
+        &self.0
+    }
+}
+
+impl FromStr for FrameList {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let form = || {
+            "write frames as 1-240, every second one as 1-240x2, and several as 1-48,60,96-120"
+                .to_owned()
+        };
+        let mut frames = Vec::new();
+        for part in text.split(',').map(str::trim) {
+            let (range, step) = part.split_once('x').unwrap_or((part, "1"));
+            let step: usize = step.parse().ok().filter(|step| *step > 0).ok_or_else(form)?;
+            // A sign at the beginning is no range.
+            let after_sign = range.strip_prefix('-').map_or(0, |_| 1);
+            let dash = range[after_sign..].find('-').map(|at| at + after_sign);
+            let (first, last) = dash.map_or((range, range), |at| (&range[..at], &range[at + 1..]));
+            let number = |text: &str| {
+                let number = text.parse().ok();
+                number.filter(|number: &i32| number.abs() <= MAX_FRAME).ok_or_else(form)
+            };
+            let (first, last) = (number(first)?, number(last)?);
+            if first > last {
+                return Err(format!("the last frame of `{part}` comes before its first"));
+            }
+            let count = (last - first) as usize / step + 1;
+            if frames.len() + count > MAX_FRAMES {
+                return Err(format!("these are more than {MAX_FRAMES} frames"));
+            }
+            frames.extend((first..=last).step_by(step));
+        }
+        let mut seen = std::collections::HashSet::with_capacity(frames.len());
+        frames.retain(|frame| seen.insert(*frame));
+        Ok(Self(frames))
+    }
+}
+
+/// Frames per second: a whole number, or one of the rates of television, which are those times
+/// 1000 / 1001.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FrameRate {
+    /// Frames in [`Self::seconds`] seconds.
+    pub frames: u32,
+    /// Seconds.
+    pub seconds: u32,
+}
+
+impl FrameRate {
+    /// The rate of film.
+    pub const FILM: Self = Self { frames: 24, seconds: 1 };
+
+    /// The time at which a frame begins, in seconds: frame 0 begins at 0.
+    pub fn time(self, frame: i32) -> f64 {
+        f64::from(frame) * f64::from(self.seconds) / f64::from(self.frames)
+    }
+
+    /// The number of frames that clocks count in a second.
+    pub fn nominal(self) -> u32 {
+        self.frames.div_ceil(self.seconds)
+    }
+}
+
+impl FromStr for FrameRate {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        /// What people write for rates of television, and the whole number that each is near to.
+        const OF_TELEVISION: [(&str, u32); 6] = [
+            ("23.976", 24),
+            ("23.98", 24),
+            ("29.97", 30),
+            ("47.952", 48),
+            ("59.94", 60),
+            ("119.88", 120),
+        ];
+        if let Some((_, whole)) = OF_TELEVISION.iter().find(|(written, _)| *written == text) {
+            return Ok(Self { frames: whole * 1000, seconds: 1001 });
+        }
+        let (frames, seconds) = text.split_once('/').unwrap_or((text, "1"));
+        let number = |text: &str| text.parse().ok().filter(|number| (1..=1_000_000).contains(number));
+        let rate = number(frames).zip(number(seconds));
+        rate.map(|(frames, seconds)| Self { frames, seconds }).ok_or_else(|| {
+            "write frames per second as 24, as 23.976, or as a fraction such as 24000/1001"
+                .to_owned()
+        })
+    }
+}
+
+/// A path with the place of the frame's number: `####`, a digit each, or `%04d`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FramePattern {
+    before: String,
+    digits: usize,
+    after: String,
+}
+
+impl FramePattern {
+    /// The pattern that a path is; `None` for a path without a place for a number.
+    ///
+    /// # Errors
+    /// The reason, for a path that is not text, has two places or too many digits.
+    pub fn of(path: &Path) -> Result<Option<Self>, String> {
+        let Some(text) = path.to_str() else { return Ok(None) };
+        let Some((before, digits, after)) = split(text) else { return Ok(None) };
+        if split(after).is_some() {
+            return Err("the path has two places for the frame's number".to_owned());
+        }
+        if !(1..=MAX_DIGITS).contains(&digits) {
+            return Err(format!("a frame's number has 1 to {MAX_DIGITS} digits"));
+        }
+        if after.contains(['/', '\\']) {
+            let problem = "the frame's number belongs into the name of the file, not of a folder";
+            return Err(problem.to_owned());
+        }
+        Ok(Some(Self { before: before.to_owned(), digits, after: after.to_owned() }))
+    }
+
+    /// The path of a frame's file. A number that is longer takes the digits that it needs.
+    pub fn path(&self, frame: i32) -> PathBuf {
+        let sign = if frame < 0 { "-" } else { "" };
+        let number = frame.unsigned_abs();
+        let width = self.digits;
+        format!("{}{sign}{number:0width$}{}", self.before, self.after).into()
+    }
+}
+
+/// The text before the place of a number, the number of digits, and the text after it.
+fn split(text: &str) -> Option<(&str, usize, &str)> {
+    let hashes = text.find('#').map(|at| {
+        let digits = text[at..].bytes().take_while(|byte| *byte == b'#').count();
+        (at, digits, at + digits)
+    });
+    let percent = text.find('%').and_then(|at| {
+        let inner = &text[at + 1..];
+        let end = inner.find('d')?;
+        let digits = &inner[..end];
+        let width = if digits.is_empty() { 1 } else { digits.parse().ok()? };
+        Some((at, width, at + 1 + end + 1))
+    });
+    let first = [hashes, percent].into_iter().flatten().min_by_key(|(at, ..)| *at);
+    first.map(|(at, digits, end)| (&text[..at], digits, &text[end..]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn frames(text: &str) -> Result<Vec<i32>, String> {
+        text.parse::<FrameList>().map(|list| list.0)
+    }
+
+    #[test]
+    fn lists_of_frames_are_read() {
+        assert_eq!(frames("7"), Ok(vec![7]));
+        assert_eq!(frames("1-4"), Ok(vec![1, 2, 3, 4]));
+        assert_eq!(frames("1-8x3, 20,7"), Ok(vec![1, 4, 7, 20]));
+        assert_eq!(frames("-3--1,-1-1"), Ok(vec![-3, -2, -1, 0, 1]));
+        for wrong in ["", "a", "1-", "1-4x0", "1-4x", "4-1", "1-2-3", "--1", "1-2000000", "1.5"] {
+            assert!(frames(wrong).is_err(), "{wrong}");
+        }
+        assert!(frames("1-999999999").is_err(), "no memory without bound");
+    }
+
+    #[test]
+    fn rates_are_exact() {
+        let rate = |text: &str| text.parse::<FrameRate>();
+        assert_eq!(rate("24"), Ok(FrameRate::FILM));
+        assert_eq!(rate("23.976"), Ok(FrameRate { frames: 24_000, seconds: 1001 }));
+        assert_eq!(rate("30000/1001"), rate("29.97"));
+        assert_eq!(rate("29.97").unwrap().nominal(), 30);
+        assert_eq!(FrameRate::FILM.time(36), 1.5);
+        assert_eq!(rate("24000/1001").unwrap().time(24_000), 1001.0);
+        for wrong in ["0", "-24", "24/0", "fast", "24.5", "1e3"] {
+            assert!(rate(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn patterns_name_files() {
+        let path = |pattern: &str, frame| {
+            let pattern = FramePattern::of(Path::new(pattern)).unwrap().unwrap();
+            pattern.path(frame).display().to_string()
+        };
+        assert_eq!(path("out/####.exr", 7), "out/0007.exr");
+        assert_eq!(path("out/a.%04d.png", 12_345), "out/a.12345.png");
+        assert_eq!(path("#.exr", -3), "-3.exr");
+        assert_eq!(path("%d.exr", 42), "42.exr");
+        assert_eq!(FramePattern::of(Path::new("out/a.png")), Ok(None));
+        assert_eq!(FramePattern::of(Path::new("100%.png")), Ok(None));
+        for wrong in ["##/##.png", "####/a.png", "#########.png", "%0d#.png"] {
+            assert!(FramePattern::of(Path::new(wrong)).is_err(), "{wrong}");
+        }
+    }
+}
