@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use serde_json::Value;
 
 use super::super::super::header;
+use super::super::rust::FragmentEntry;
 use super::super::{PackageRequest, javascript};
 use crate::document::ColorSpace;
 
@@ -172,20 +173,12 @@ pub(super) fn write(request: &PackageRequest<'_>, module: &Value) -> Option<Stri
         .replace("vertex.uv", "vec2f(vertex.uv.x, 1.0 - vertex.uv.y)")
         .replace("vertex.", "corner.")
         .replace("(vertex: Vertex)", "(corner: Vertex)");
-    let rest = fragment.strip_prefix("fn fs_main(")?;
-    let (parameters, body) = rest.split_once(") -> @location(0) vec4f {")?;
-    let plain: Vec<&str> = parameters
-        .split(", ")
-        .map(|parameter| parameter.rsplit_once(") ").map_or(parameter, |(_, plain)| plain))
-        .collect();
-    let arguments: Vec<&str> =
-        plain.iter().map(|it| it.split(':').next().unwrap_or_default()).collect();
+    let fragment = FragmentEntry::of(fragment)?;
     let is_linear = request.description.color_space == ColorSpace::Linear;
     let entry = if is_linear { LINEAR } else { DISPLAY };
-    let mut entry =
-        entry.replace("PARAMETERS", parameters).replace("ARGUMENTS", &arguments.join(", "));
+    let mut entry = fragment.fill(entry);
     if reads_object {
-        let surface = arguments.first()?;
+        let surface = fragment.surface()?;
         let columns = COLUMNS.map(|name| {
             let w = if name == "origin" { "1.0" } else { "0.0" };
             format!("        vec4f({surface}.object_{name}, {w}),\n")
@@ -197,13 +190,8 @@ pub(super) fn write(request: &PackageRequest<'_>, module: &Value) -> Option<Stri
         entry = entry.replacen("view = view_of_camera();", &set, 1);
     }
     let mut whole = before;
-    let _infallible = write!(
-        whole,
-        "{entries}\n@vertex\n{vertex}\n/// The look's color: straight RGBA.\n\
-         fn look_color({}) -> vec4f {{{}\n{entry}",
-        plain.join(", "),
-        body.trim_end()
-    );
+    let function = fragment.function();
+    let _infallible = write!(whole, "{entries}\n@vertex\n{vertex}\n{function}{entry}");
     Some(whole)
 }
 
