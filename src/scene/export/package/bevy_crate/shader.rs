@@ -208,10 +208,8 @@ fn with_place(before: &str, vertex: &str) -> Option<(String, String)> {
     let (start, varyings) = before.split_once("struct Varyings {\n")?;
     let (members, rest) = varyings.split_once("\n}")?;
     let first = members.matches("@location(").count();
-    let mut before = format!(
-        "{start}struct Varyings {{\n{members}\n    // The object's place, which is the same at all of \
-         its points.\n"
-    );
+    let mut before =
+        format!("{start}struct Varyings {{\n{members}\n    // Columns of the object's matrix.\n");
     let (body, end) = vertex.rsplit_once(");\n}")?;
     let mut vertex = format!("{body},");
     for (column, name) in COLUMNS.iter().enumerate() {

@@ -51,8 +51,8 @@ pub(super) fn write(request: &PackageRequest<'_>, module: &str) -> Option<String
     let (same, other) =
         if is_linear { ("linear light", SHOWN) } else { ("colors as shown", LINEAR) };
     let own = format!(
-        "\n/// For targets of {same}.\n@fragment\nfn fs_main(PARAMETERS) -> @location(0) vec4f {{\n    \
-         return look_color(ARGUMENTS);\n}}\n"
+        "\n/// For targets of {same}.\n@fragment\n\
+         fn fs_main(PARAMETERS) -> @location(0) vec4f {{\n    return look_color(ARGUMENTS);\n}}\n"
     );
     let entries = entry.fill(&(own + other));
     Some(format!("{before}\n{}{entries}", entry.function()))

@@ -19,8 +19,8 @@ impl Camera {
     /// A camera from the matrices of a renderer, each as four columns.
     ///
     /// `camera_from_world` turns and moves, and does not scale; its axes are x right, y up, z
-    /// toward the viewer. `clip_from_camera` has depths from 0 (near) to 1 (far), or from 1 to 0 for
-    /// an [`Output`](crate::Output) whose depth is reversed.
+    /// toward the viewer. `clip_from_camera` has depths from 0 (near) to 1 (far), or from 1 to 0
+    /// for an [`Output`](crate::Output) whose depth is reversed.
     #[must_use]
     pub fn new(camera_from_world: [[f32; 4]; 4], clip_from_camera: [[f32; 4]; 4]) -> Self {
         Self {
@@ -149,8 +149,8 @@ pub struct MeshPart {
     pub is_two_sided: bool,
 }
 
-/// A mesh that is on the graphics card already: arrays as those of [`MeshData`], each in a buffer of
-/// its own, from its start on and without gaps. Buffers may be larger than what they hold.
+/// A mesh that is on the graphics card already: arrays as those of [`MeshData`], each in a buffer
+/// of its own, from its start on and without gaps. Buffers may be larger than what they hold.
 #[derive(Clone, Debug)]
 pub struct MeshBuffers {
     /// Positions: three floats for each vertex.
