@@ -15,7 +15,7 @@ use super::super::program::LightSetting;
 use super::materials::class_name;
 use super::rust::{
     HostModule, LOOK, Lights, MATH, Parameters, PassTable, SHADOW_MAPS, Template, UNIFORMS, Values,
-    crate_name, image_files, plain, structure, wide,
+    crate_name, image_files, plain, shader_text, structure, wide,
 };
 use super::{Package, PackageRequest, is_in_blocks, javascript, refusal};
 use crate::diag::Diagnostic;
@@ -106,6 +106,7 @@ fn pass_shaders(request: &PackageRequest<'_>) -> impl Iterator<Item = ExportFile
     modules.map(|module| {
         let text = javascript::source(request.sources, "wgsl", module.name, ".wgsl");
         let text = text.replace("vertex.uv", "vec2f(vertex.uv.x, 1.0 - vertex.uv.y)");
+        let text = shader_text(&text);
         ExportFile::text(format!("src/shaders/{}.wgsl", module.name), text)
     })
 }
@@ -216,6 +217,10 @@ fn fill_words(template: &mut Template, class: &str) {
     template.place("settings_visibility", if is_keyed { "" } else { "pub(crate) " });
     let call = if is_keyed { "material.settings_in(around)" } else { "material.settings()" };
     template.place("settings_call", call);
+    let has_illumination = template.has("illumination");
+    template.place("show_systems", if has_illumination { "(walk, turn_lights)" } else { "walk" });
+    let lights = if has_illumination { " with the right button to turn its lights," } else { "" };
+    template.place("turn_lights", lights);
     let what = ", and computes its numbers";
     let more = ", computes its numbers, and draws its passes";
     template.place("and_what", if has_passes { more } else { what });
@@ -234,6 +239,8 @@ fn fill_material(
 ) {
     let alpha = if request.description.opaque { "Opaque" } else { "Blend" };
     template.place("alpha_mode", format!("AlphaMode::{alpha}"));
+    let is_linear = request.description.color_space == ColorSpace::Linear;
+    template.section("blended", !request.description.opaque && !is_linear);
     let pass = request.description.passes.last();
     let index = pass.and_then(|pass| pass.sides_parameter);
     let cuts = index.and_then(|index| parameters.member_of(request, index));

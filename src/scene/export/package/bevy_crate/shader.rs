@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use serde_json::Value;
 
 use super::super::super::header;
+use super::super::rust::FragmentEntry;
 use super::super::{PackageRequest, javascript};
 use crate::document::ColorSpace;
 
@@ -22,9 +23,13 @@ fn view_of_camera() -> View {
     );
 }
 
-/// The place of a mesh, as Bevy has it.
+/// The mesh in its place, as Bevy has it.
 fn object_of_mesh(instance: u32) -> Object {
-    let world_from_object = mesh_functions::get_world_from_local(instance);
+    return object_in_place(mesh_functions::get_world_from_local(instance));
+}
+
+/// An object in its place.
+fn object_in_place(world_from_object: mat4x4f) -> Object {
     let x = world_from_object[0].xyz;
     let y = world_from_object[1].xyz;
     let z = world_from_object[2].xyz;
@@ -32,6 +37,9 @@ fn object_of_mesh(instance: u32) -> Object {
     return Object(world_from_object, cofactors * (1.0 / dot(x, cofactors[0])), 0.0MATERIAL);
 }
 ";
+
+/// Columns of an object's matrix, as members of what fragments are given name them.
+const COLUMNS: [&str; 4] = ["x", "y", "z", "origin"];
 
 /// The entry point of fragments for looks whose colors are as shown: Bevy's targets encode.
 const DISPLAY: &str = "
@@ -143,12 +151,12 @@ pub(super) fn write(request: &PackageRequest<'_>, module: &Value) -> Option<Stri
     let (before, after) = text.split_once("\n@vertex\n")?;
     let (vertex, fragment) = after.split_once("\n@fragment\n")?;
     let is_code = |line: &&str| !line.trim_start().starts_with("//");
-    let reads_object = before.lines().chain(fragment.lines()).filter(is_code);
-    let reads_object = reads_object.into_iter().any(|line| line.contains("object."));
+    let mut code = before.lines().chain(fragment.lines()).filter(is_code);
+    let reads_object = code.any(reads_object);
     let mut before = before.to_owned();
     let mut vertex = vertex.to_owned();
     if reads_object {
-        (before, vertex) = with_instance(&before, &vertex)?;
+        (before, vertex) = with_place(&before, &vertex)?;
     }
     let before = before.replacen(
         "struct Vertex {\n",
@@ -165,47 +173,53 @@ pub(super) fn write(request: &PackageRequest<'_>, module: &Value) -> Option<Stri
         .replace("vertex.uv", "vec2f(vertex.uv.x, 1.0 - vertex.uv.y)")
         .replace("vertex.", "corner.")
         .replace("(vertex: Vertex)", "(corner: Vertex)");
-    let rest = fragment.strip_prefix("fn fs_main(")?;
-    let (parameters, body) = rest.split_once(") -> @location(0) vec4f {")?;
-    let plain: Vec<&str> = parameters
-        .split(", ")
-        .map(|parameter| parameter.rsplit_once(") ").map_or(parameter, |(_, plain)| plain))
-        .collect();
-    let arguments: Vec<&str> =
-        plain.iter().map(|it| it.split(':').next().unwrap_or_default()).collect();
+    let fragment = FragmentEntry::of(fragment)?;
     let is_linear = request.description.color_space == ColorSpace::Linear;
     let entry = if is_linear { LINEAR } else { DISPLAY };
-    let mut entry =
-        entry.replace("PARAMETERS", parameters).replace("ARGUMENTS", &arguments.join(", "));
+    let mut entry = fragment.fill(entry);
     if reads_object {
-        let surface = arguments.first()?;
-        let object = format!("\n    object = object_of_mesh({surface}.instance);");
-        entry = entry.replacen(
-            "view = view_of_camera();",
-            &format!("view = view_of_camera();{object}"),
-            1,
+        let surface = fragment.surface()?;
+        let columns = COLUMNS.map(|name| {
+            let w = if name == "origin" { "1.0" } else { "0.0" };
+            format!("        vec4f({surface}.object_{name}, {w}),\n")
+        });
+        let set = format!(
+            "view = view_of_camera();\n    object = object_in_place(mat4x4f(\n{}    ));",
+            columns.concat()
         );
+        entry = entry.replacen("view = view_of_camera();", &set, 1);
     }
     let mut whole = before;
-    let _infallible = write!(
-        whole,
-        "{entries}\n@vertex\n{vertex}\n/// The look's color: straight RGBA.\n\
-         fn look_color({}) -> vec4f {{{}\n{entry}",
-        plain.join(", "),
-        body.trim_end()
-    );
+    let function = fragment.function();
+    let _infallible = write!(whole, "{entries}\n@vertex\n{vertex}\n{function}{entry}");
     Some(whole)
 }
 
-/// The declarations and the vertex shader with the mesh's instance among what fragments are given.
-fn with_instance(before: &str, vertex: &str) -> Option<(String, String)> {
+/// True for a line that reads a member of the variable `object`.
+fn reads_object(line: &str) -> bool {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.';
+    line.match_indices("object.").any(|(at, _)| !line[..at].ends_with(is_word))
+}
+
+/// The declarations and the vertex shader with the object's place among what fragments are given.
+/// Fragments do not read it from Bevy's buffer: where a pixel beside a triangle is shaded for the
+/// sake of derivatives, Vulkan in software reads zeros there.
+fn with_place(before: &str, vertex: &str) -> Option<(String, String)> {
     let (start, varyings) = before.split_once("struct Varyings {\n")?;
     let (members, rest) = varyings.split_once("\n}")?;
-    let location = members.matches("@location(").count();
-    let before = format!(
-        "{start}struct Varyings {{\n{members}\n    @location({location}) @interpolate(flat) \
-         instance: u32,\n}}{rest}"
-    );
+    let first = members.matches("@location(").count();
+    let mut before =
+        format!("{start}struct Varyings {{\n{members}\n    // Columns of the object's matrix.\n");
     let (body, end) = vertex.rsplit_once(");\n}")?;
-    Some((before, format!("{body}, vertex.instance);\n}}{end}")))
+    let mut vertex = format!("{body},");
+    for (column, name) in COLUMNS.iter().enumerate() {
+        let location = first + column;
+        let _infallible =
+            writeln!(before, "    @location({location}) @interpolate(flat) object_{name}: vec3f,");
+        // Two in a line.
+        let between = if column % 2 == 0 { "\n        " } else { " " };
+        let comma = if column + 1 < COLUMNS.len() { "," } else { "" };
+        let _infallible = write!(vertex, "{between}object.world_from_object[{column}].xyz{comma}");
+    }
+    Some((format!("{before}}}{rest}"), format!("{vertex});\n}}{end}")))
 }

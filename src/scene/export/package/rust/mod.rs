@@ -1,6 +1,7 @@
 //! Parts that packages in Rust share: templates, names, and the look's parameters, lights and host
 //! work as modules of a crate.
 
+mod fragment;
 mod passes;
 mod shadow_maps;
 mod template;
@@ -8,6 +9,7 @@ mod values;
 
 use super::super::ExportFile;
 use super::PackageRequest;
+pub(super) use fragment::FragmentEntry;
 pub(super) use passes::{LOOK, PassTable, UNIFORMS};
 pub(super) use shadow_maps::{SHADOW_MAPS, fill_shadow_maps};
 pub(super) use template::Template;
@@ -74,6 +76,16 @@ impl Values<'_> {
 pub(super) fn image_files(request: &PackageRequest<'_>) -> impl Iterator<Item = ExportFile> {
     let images = request.textures.iter().cloned();
     images.map(|file| ExportFile { name: format!("src/images/{}", file.name), ..file })
+}
+
+/// A shader's text for a crate, whose code has what the description of shaders alone says.
+pub(super) fn shader_text(text: &str) -> String {
+    const OTHER: &str = ".json says what to put there and how to draw.";
+    let own = |line: &str| match line.ends_with(OTHER) {
+        true => "// src/look.rs says what to put there.\n".to_owned(),
+        false => format!("{line}\n"),
+    };
+    text.lines().map(own).collect()
 }
 
 /// A member's name as Rust writes it.

@@ -3,18 +3,19 @@
 //! Files of the crate are templates of `template/`, whose sections stay where a look needs them:
 //! nobody is given code that their look does not run. `look.rs` is the look itself, a table of its
 //! passes ([`tables`]); `host.rs` its host work, translated; `material.rs` what draws it. Uniforms
-//! of a frame lie in one buffer that is made anew, so that two pictures of one material may be
-//! drawn in one submission.
+//! of a frame lie in one buffer, which is used again when nothing needs it any more: two pictures
+//! of one material may be drawn in one submission.
 
 mod scene;
+mod shader;
 mod tables;
 
 use super::super::ExportFile;
 use super::rust::{
     HostModule, LOOK, Lights, MATH, Parameters, SHADOW_MAPS, Template, UNIFORMS, Values,
-    crate_name, image_files, plain, structure,
+    crate_name, image_files, plain, structure, wide,
 };
-use super::{Package, PackageRequest, javascript, refusal};
+use super::{Package, PackageRequest, refusal};
 use crate::diag::Diagnostic;
 use crate::document::ColorSpace;
 
@@ -58,6 +59,10 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     tables.fill(&mut template, request, &parameters);
     fill_settings(&mut template, request, &parameters, &lights);
     fill_examples(&mut template, &parameters, &lights);
+    fill_meshes(&mut template);
+    let example = template.text(include_str!("template/example.rs.in"));
+    template.lines("readme_example", example.lines().map(str::to_owned).collect());
+    template.lines("doc_example", example.lines().map(|line| format!("//! {line}")).collect());
 
     let mut files = vec![
         template.file("Cargo.toml", include_str!("template/Cargo.toml.in")),
@@ -68,6 +73,7 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
         template.file("src/look.rs", LOOK),
         template.file("src/material.rs", include_str!("template/material.rs.in")),
         template.file("src/math.rs", MATH),
+        template.file("src/output.rs", include_str!("template/output.rs.in")),
         template.file("src/scene.rs", include_str!("template/scene.rs.in")),
         template.file("src/uniforms.rs", UNIFORMS),
         template.file("examples/show/main.rs", include_str!("template/main.rs.in")),
@@ -84,7 +90,10 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
         files.push(template.file("src/targets.rs", include_str!("template/targets.rs.in")));
     }
     for module in &request.description.modules {
-        let text = javascript::source(request.sources, "wgsl", module.name, ".wgsl");
+        let text = shader::write(request, module.name).ok_or_else(|| {
+            let message = "the look's shader has a form that the crate does not know";
+            one(refusal(message, "export it `--to wgsl`"))
+        })?;
         files.push(ExportFile::text(format!("src/shaders/{}.wgsl", module.name), text));
     }
     files.extend(image_files(request));
@@ -144,6 +153,7 @@ fn fill_settings(
     fields.extend([
         ("wgpu", "output"),
         ("wgpu", "pipelines"),
+        ("wgpu", "uniforms: UniformBuffers::default()"),
         ("images", "images: images::upload(device, queue)?"),
         ("targets", "targets: None"),
         ("shadows", "shadows: None"),
@@ -160,10 +170,8 @@ fn fill_examples(template: &mut Template, parameters: &Parameters<'_>, lights: &
     let set = parameter.map(|(name, value)| format!("material.parameters.{name} = {value};"));
     let set = set.or_else(|| lights.example("material.lights"));
     template.place("mut", "mut ");
-    template.lines("doc_set", set.iter().map(|line| format!("//! {line}")).collect());
     template.lines("example_set", set.iter().map(|line| format!("    {line}")).collect());
-    let readme = set.iter().cloned().collect();
-    template.lines("readme_set", readme);
+    template.lines("set", set.into_iter().collect());
     let listed = if parameters.is_empty() {
         vec![
             "  - This look exposes none: expose some in Chiaro, or export with `--live`."
@@ -177,4 +185,21 @@ fn fill_examples(template: &mut Template, parameters: &Parameters<'_>, lights: &
     template.place("light_types", types.join(", "));
     let names: Vec<String> = lights.names().iter().map(|name| format!("`{name}`")).collect();
     template.place("light_names", names.join(", "));
+}
+
+/// Lengths of a mesh's arrays, but for that of positions.
+fn fill_meshes(template: &mut Template) {
+    let arrays =
+        [("normal", "normals"), ("tangent", "tangents"), ("uv", "uvs"), ("color", "colors")];
+    let read = arrays.into_iter().filter(|(section, _)| template.has(section));
+    let lengths: Vec<String> =
+        read.map(|(_, name)| format!("({name:?}, data.{name}.len())")).collect();
+    template.section("attributed", !lengths.is_empty());
+    let in_one = wide("let lengths = [", &lengths.join(", "), "];", 8);
+    let lines = in_one.unwrap_or_else(|| {
+        let lengths = lengths.iter().map(|it| format!("    {it},"));
+        let [start, end] = ["let lengths = [", "];"].map(str::to_owned);
+        std::iter::once(start).chain(lengths).chain([end]).collect()
+    });
+    template.lines("lengths", lines);
 }

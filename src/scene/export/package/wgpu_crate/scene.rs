@@ -1,7 +1,7 @@
 //! The example's scene: mesh, camera and backdrop.
 
 use super::super::super::ExportFile;
-use super::super::rust::{Template, float, wide};
+use super::super::rust::{Template, float, structure, wide};
 use super::super::{PackageRequest, PackageScene};
 use crate::document::Projection;
 
@@ -22,7 +22,7 @@ pub(super) fn files(request: &PackageRequest<'_>, mut template: Template) -> [Ex
     template.place("backdrop", backdrop);
     template.lines("camera", camera(scene));
     let mut bytes = Vec::new();
-    let (mut arrays, mut fields) = (Vec::new(), String::new());
+    let (mut arrays, mut fields) = (Vec::new(), Vec::new());
     let mesh = &scene.mesh;
     bytes.extend((mesh.positions.len() as u32).to_le_bytes());
     bytes.extend((mesh.indices.len() as u32).to_le_bytes());
@@ -32,7 +32,7 @@ pub(super) fn files(request: &PackageRequest<'_>, mut template: Template) -> [Ex
         }
         arrays.push(format!("let {field} = take::<{width}>(&mut rest, vertices);"));
         if name != "position" {
-            fields += &format!("{field}: &{field}, ");
+            fields.push(format!("{field}: &{field}"));
         }
         bytes.extend(numbers.into_iter().flat_map(f32::to_le_bytes));
     };
@@ -52,10 +52,15 @@ pub(super) fn files(request: &PackageRequest<'_>, mut template: Template) -> [Ex
         let parts = parts.iter().map(|part| format!("    {part},"));
         std::iter::once("let parts = [".to_owned()).chain(parts).chain(["];".to_owned()]).collect()
     });
-    let data =
-        format!("MeshData {{ positions: &positions, {fields}indices: &indices, parts: &parts }};");
+    // In one line, in two, or a member a line, as rustfmt has it.
+    let mut members = vec!["positions: &positions".to_owned()];
+    members.extend(fields);
+    members.extend(["indices: &indices".to_owned(), "parts: &parts".to_owned()]);
+    let data = format!("MeshData {{ {} }};", members.join(", "));
     let in_one = wide("let data = ", &data, "", 4);
-    lines.extend(in_one.unwrap_or_else(|| vec!["let data =".to_owned(), format!("    {data}")]));
+    let in_two = || Some(["let data =".to_owned()].into_iter().chain(wide("    ", &data, "", 4)?));
+    let form = in_one.or_else(|| Some(in_two()?.collect()));
+    lines.extend(form.unwrap_or_else(|| structure("let data = MeshData", &members, ";", 4)));
     template.lines("parts", lines);
     [
         template.file("examples/show/scene.rs", include_str!("template/example_scene.rs.in")),

@@ -44,8 +44,6 @@ impl<'a> Tables<'a> {
         let cuts = self.cuts(request, parameters);
         template.section("cuts", cuts.is_some());
         template.place("cuts", cuts.unwrap_or_default());
-        let has_passes = template.has("passes");
-        template.place("encoder", if has_passes { "encoder" } else { "_encoder" });
         let reads_size = ["passes", "look", "numbers"].iter().any(|name| template.has(name));
         template.place("size", if reads_size { "size" } else { "_size" });
         self.fill_images(template, request);
@@ -90,11 +88,9 @@ impl<'a> Tables<'a> {
         template.place("and_uploads", if has_images { ", and uploads its images" } else { "" });
         template
             .place("image_errors", if has_images { "; an image that cannot be read" } else { "" });
-        template.place("doc_queue", if has_images { "queue: &wgpu::Queue, " } else { "" });
         template.place("doc_queue_argument", if has_images { "queue, " } else { "" });
         template.place("example_queue", if has_images { "&queue, " } else { "" });
         let is_linear = request.description.color_space == ColorSpace::Linear;
-        template.place("doc_format", if is_linear { "Rgba8UnormSrgb" } else { "Rgba8Unorm" });
         template.place("image_count", images.len().to_string());
         let mut lines = Vec::new();
         for image in images {

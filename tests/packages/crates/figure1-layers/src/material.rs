@@ -1,42 +1,18 @@
 //! The material: pipelines, and the passes of a frame.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use crate::error::Error;
 use crate::host;
 use crate::lights::Lights;
 use crate::look::{self, Feed, PASSES, Pass};
 use crate::math;
+use crate::output::{Encoding, Output, Target};
 use crate::parameters::Parameters;
 use crate::scene::{Camera, Mesh, Object};
 use crate::targets::Targets;
-use crate::uniforms::{self, Place, Uniforms};
-
-/// Kind of target that the material draws its picture into.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Output {
-    /// Format of the color target; see [`Material::view_format`].
-    pub color: wgpu::TextureFormat,
-    /// Format of the depth buffer, in which 1 is far.
-    pub depth: wgpu::TextureFormat,
-    /// Samples of a pixel: 1, or 4 for smooth edges.
-    pub samples: u32,
-}
-
-/// Target of a picture, in the formats of an [`Output`].
-#[derive(Clone, Copy, Debug)]
-pub struct Target<'a> {
-    /// Color target. The picture is premultiplied by its alpha.
-    pub color: &'a wgpu::TextureView,
-    /// Texture that takes the color where the target has several samples.
-    pub resolve: Option<&'a wgpu::TextureView>,
-    /// Depth buffer.
-    pub depth: &'a wgpu::TextureView,
-    /// Width and height in pixels.
-    pub size: [u32; 2],
-    /// Color behind the objects.
-    pub clear: wgpu::Color,
-}
+use crate::uniforms::{self, Place, UniformBuffers, Uniforms};
 
 /// The look *Layers* as a material.
 #[derive(Debug)]
@@ -50,13 +26,15 @@ pub struct Material {
     pub illumination: [[f32; 3]; 3],
     output: Output,
     pipelines: Vec<PassPipelines>,
+    uniforms: UniformBuffers,
     targets: Option<Targets>,
 }
 
 impl Material {
-    /// Format of the view of a target that takes the look's colors as they are.
-    /// They are encoded as sRGB already: a target must not do so again. Configure a surface with
-    /// its own format, this one among `view_formats`, and draw into a view of this one.
+    /// Format of the view of a target that takes the look's colors as they are made, so that what
+    /// is transparent blends as it does in Chiaro.
+    /// They are encoded as sRGB: a target must not do so again. Configure a surface with its own
+    /// format, this one among `view_formats`, and draw into a view of this one.
     #[must_use]
     pub fn view_format(format: wgpu::TextureFormat) -> wgpu::TextureFormat {
         format.remove_srgb_suffix()
@@ -65,11 +43,10 @@ impl Material {
     /// Compiles the look for a kind of target.
     ///
     /// # Errors
-    /// A target that changes the look's colors.
+    /// A format that encodes colors which are encoded already.
     pub fn new(device: &wgpu::Device, output: Output) -> Result<Self, Error> {
-        let format = Self::view_format(output.color);
-        if format != output.color {
-            return Err(Error::Encoding { output: output.color, expected: format });
+        if output.encoding == Encoding::Shown && output.color.is_srgb() {
+            return Err(Error::Encoding { format: output.color });
         }
         let mut pipelines: Vec<_> =
             PASSES.iter().map(|pass| PassPipelines::new(device, pass)).collect();
@@ -83,6 +60,7 @@ impl Material {
             illumination: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
             output,
             pipelines,
+            uniforms: UniformBuffers::default(),
             targets: None,
         })
     }
@@ -91,12 +69,13 @@ impl Material {
     pub fn draw(
         &mut self,
         device: &wgpu::Device,
+        queue: &wgpu::Queue,
         encoder: &mut wgpu::CommandEncoder,
         target: &Target<'_>,
         camera: &Camera,
         objects: &[Object<'_>],
     ) {
-        let picture = self.prepare(device, encoder, target.size, camera, objects);
+        let picture = self.prepare(device, queue, encoder, target.size, camera, objects);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("figure1-layers"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -108,7 +87,7 @@ impl Material {
                     store: wgpu::StoreOp::Store,
                 },
             })],
-            depth_stencil_attachment: Some(depth_attachment(target.depth)),
+            depth_stencil_attachment: Some(depth_attachment(target.depth, self.output.far())),
             ..Default::default()
         });
         picture.paint(&mut pass);
@@ -120,6 +99,7 @@ impl Material {
     pub fn prepare(
         &mut self,
         device: &wgpu::Device,
+        queue: &wgpu::Queue,
         encoder: &mut wgpu::CommandEncoder,
         size: [u32; 2],
         camera: &Camera,
@@ -153,18 +133,20 @@ impl Material {
                 look,
             });
         }
-        let buffer = uniforms.upload(device);
+        let (buffer, use_of_buffer) = self.uniforms.upload(device, queue, &uniforms);
+        let use_of_encoder = Arc::clone(&use_of_buffer);
+        encoder.on_submitted_work_done(move || drop(use_of_encoder));
         let frame = FrameUniforms { buffer, view, numbers };
         self.fit_targets(device, size);
         for (index, pass) in PASSES.iter().enumerate().take(PASSES.len() - 1) {
             let draws = self.draws(device, index, &frame, &placed);
             if let Some(targets) = &self.targets {
-                let mut drawing = targets.begin(encoder, index, pass);
+                let mut drawing = targets.begin(encoder, index, pass, self.output.far());
                 draws.iter().for_each(|draw| draw.paint(&mut drawing));
             }
         }
         let draws = self.draws(device, PASSES.len() - 1, &frame, &placed);
-        Picture { draws }
+        Picture { draws, use_of_buffer }
     }
 
     /// Parameters and lights as the look's own numbers take them.
@@ -314,12 +296,16 @@ impl Material {
 #[derive(Debug)]
 pub struct Picture {
     draws: Vec<Draw>,
+    /// Held as long as the numbers of the picture are needed.
+    use_of_buffer: Arc<()>,
 }
 
 impl Picture {
     /// Paints the picture in a render pass whose targets are those of the material's [`Output`].
     pub fn paint(&self, pass: &mut wgpu::RenderPass<'_>) {
         self.draws.iter().for_each(|draw| draw.paint(pass));
+        let use_of_pass = Arc::clone(&self.use_of_buffer);
+        pass.on_submitted_work_done(move || drop(use_of_pass));
     }
 }
 
@@ -450,7 +436,9 @@ fn make_pipeline(
             })
         })
         .collect();
+    let other = (Encoding::Linear, "fs_linear");
     let is_picture = pass.outputs.is_empty();
+    let is_other = is_picture && output.encoding == other.0;
     let targets: Vec<_> = if is_picture {
         vec![Some(picture_target(output.color))]
     } else {
@@ -461,10 +449,13 @@ fn make_pipeline(
     } else {
         (wgpu::TextureFormat::Depth32Float, 1)
     };
+    let is_reversed = output.is_depth_reversed;
+    let nearer =
+        if is_reversed { wgpu::CompareFunction::Greater } else { wgpu::CompareFunction::Less };
     let depth_stencil = wgpu::DepthStencilState {
         format: depth,
         depth_write_enabled: Some(true),
-        depth_compare: Some(wgpu::CompareFunction::Less),
+        depth_compare: Some(nearer),
         stencil: wgpu::StencilState::default(),
         bias: wgpu::DepthBiasState::default(),
     };
@@ -487,7 +478,7 @@ fn make_pipeline(
         multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
         fragment: Some(wgpu::FragmentState {
             module: &of.shader,
-            entry_point: Some("fs_main"),
+            entry_point: Some(if is_other { other.1 } else { "fs_main" }),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             targets: &targets,
         }),
@@ -510,14 +501,16 @@ fn picture_target(format: wgpu::TextureFormat) -> wgpu::ColorTargetState {
     }
 }
 
-/// A depth buffer that is cleared before it is used, and not read after.
+/// A depth buffer that is cleared to the depth of the far plane before it is used, and not read
+/// after.
 pub(crate) fn depth_attachment(
     view: &wgpu::TextureView,
+    far: f32,
 ) -> wgpu::RenderPassDepthStencilAttachment<'_> {
     wgpu::RenderPassDepthStencilAttachment {
         view,
         depth_ops: Some(wgpu::Operations {
-            load: wgpu::LoadOp::Clear(1.0),
+            load: wgpu::LoadOp::Clear(far),
             store: wgpu::StoreOp::Discard,
         }),
         stencil_ops: None,

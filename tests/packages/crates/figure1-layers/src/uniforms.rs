@@ -1,6 +1,6 @@
 //! The numbers that a frame's shaders read, in one buffer.
 
-use wgpu::util::DeviceExt as _;
+use std::sync::Arc;
 
 use crate::math::{self, Matrix4};
 
@@ -37,13 +37,42 @@ impl Uniforms {
         self.bytes.extend_from_slice(bytes);
         place
     }
+}
 
-    pub(crate) fn upload(&self, device: &wgpu::Device) -> wgpu::Buffer {
-        device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: Some("uniforms"),
-            contents: &self.bytes,
-            usage: wgpu::BufferUsages::UNIFORM,
-        })
+/// Buffers for the uniforms of frames. Each has a token that is held wherever the buffer is still
+/// needed: a picture, and what is drawn of it until the graphics card is done.
+#[derive(Debug, Default)]
+pub(crate) struct UniformBuffers(Vec<(wgpu::Buffer, Arc<()>)>);
+
+impl UniformBuffers {
+    /// Uploads the uniforms of a frame into a buffer that is needed no more, or into a new one, and
+    /// returns it with its token.
+    pub(crate) fn upload(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        uniforms: &Uniforms,
+    ) -> (wgpu::Buffer, Arc<()>) {
+        let size = uniforms.bytes.len() as u64;
+        let is_free = |(_, token): &(wgpu::Buffer, Arc<()>)| Arc::strong_count(token) == 1;
+        // Those that have become too small are let go.
+        self.0.retain(|it| !is_free(it) || it.0.size() >= size);
+        let (buffer, token) = match self.0.iter().find(|it| is_free(it)) {
+            Some(free) => free.clone(),
+            None => {
+                let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+                    label: Some("uniforms"),
+                    size: size.next_power_of_two(),
+                    usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+                    mapped_at_creation: false,
+                });
+                let new = (buffer, Arc::new(()));
+                self.0.push(new.clone());
+                new
+            }
+        };
+        queue.write_buffer(&buffer, 0, &uniforms.bytes);
+        (buffer, token)
     }
 }
 

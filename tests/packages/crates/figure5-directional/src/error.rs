@@ -1,27 +1,32 @@
-//! Reasons why a material cannot be made.
+//! Reasons why a material or a mesh cannot be made.
 
 use std::fmt;
 
-/// Reason why the material cannot be made.
+/// Reason why a material or a mesh cannot be made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Error {
-    /// The target would encode or decode the look's colors.
+    /// The target would encode colors that are encoded already.
     Encoding {
         /// Format of the target.
-        output: wgpu::TextureFormat,
-        /// Format that takes the colors as they are.
-        expected: wgpu::TextureFormat,
+        format: wgpu::TextureFormat,
+    },
+    /// A mesh cannot be drawn.
+    Mesh {
+        /// Reason in words.
+        reason: String,
     },
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Encoding { output, expected } => write!(
+            Self::Encoding { format } => write!(
                 f,
-                "the target's format {output:?} changes the look's colors: draw into a view of \
-                 the format {expected:?}"
+                "{format:?} encodes colors as sRGB, and those of Encoding::Shown are encoded: \
+                 take Encoding::Linear, or a view of the format {:?}",
+                format.remove_srgb_suffix()
             ),
+            Self::Mesh { reason } => write!(f, "the mesh cannot be drawn: {reason}"),
         }
     }
 }

@@ -27,12 +27,13 @@ impl Targets {
         Self { size, views: PASSES.iter().map(of_pass).collect(), depth }
     }
 
-    /// Begins a pass.
+    /// Begins a pass; `far` is the depth of the far plane.
     pub(crate) fn begin<'e>(
         &self,
         encoder: &'e mut wgpu::CommandEncoder,
         index: usize,
         pass: &Pass,
+        far: f32,
     ) -> wgpu::RenderPass<'e> {
         let outputs = self.views[index].iter().zip(pass.outputs);
         let attachments: Vec<_> =
@@ -41,7 +42,7 @@ impl Targets {
             label: Some(pass.name),
             color_attachments: &attachments,
             depth_stencil_attachment: (pass.draws == Draws::Meshes)
-                .then(|| depth_attachment(&self.depth)),
+                .then(|| depth_attachment(&self.depth, far)),
             ..Default::default()
         })
     }

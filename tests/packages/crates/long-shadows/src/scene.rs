@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use wgpu::util::DeviceExt as _;
 
+use crate::error::Error;
 use crate::math::{self, Matrix4};
 use crate::uniforms;
 
@@ -18,7 +19,8 @@ impl Camera {
     /// A camera from the matrices of a renderer, each as four columns.
     ///
     /// `camera_from_world` turns and moves, and does not scale; its axes are x right, y up, z
-    /// toward the viewer. `clip_from_camera` has depths from 0 (near) to 1 (far).
+    /// toward the viewer. `clip_from_camera` has depths from 0 (near) to 1 (far), or from 1 to 0
+    /// for an [`Output`](crate::Output) whose depth is reversed.
     #[must_use]
     pub fn new(camera_from_world: [[f32; 4]; 4], clip_from_camera: [[f32; 4]; 4]) -> Self {
         Self {
@@ -69,6 +71,16 @@ impl Camera {
             [0.0, 0.0, near * depth, 1.0],
         ];
         Self { camera_from_world: looking(eye, target, up), clip_from_camera }
+    }
+
+    /// The camera with its depths the other way around: from 1 (near) to 0 (far), for an
+    /// [`Output`](crate::Output) whose depth is reversed.
+    #[must_use]
+    pub fn reversed(mut self) -> Self {
+        for [_, _, depth, w] in &mut self.clip_from_camera {
+            *depth = *w - *depth;
+        }
+        self
     }
 
     pub(crate) fn is_parallel(&self) -> bool {
@@ -132,12 +144,35 @@ pub struct MeshPart {
     pub is_two_sided: bool,
 }
 
+/// A mesh that is on the graphics card already: arrays as those of [`MeshData`], each in a buffer
+/// of its own, from its start on and without gaps. Buffers may be larger than what they hold.
+#[derive(Clone, Debug)]
+pub struct MeshBuffers {
+    /// Positions: three floats for each vertex.
+    pub positions: wgpu::Buffer,
+    /// Unit normals: three floats for each vertex.
+    pub normals: wgpu::Buffer,
+    /// Number of vertices.
+    pub vertex_count: u32,
+    /// Indices of 32 bits, three for each triangle, counterclockwise seen from its front.
+    pub indices: wgpu::Buffer,
+    /// Number of indices.
+    pub index_count: u32,
+    /// Parts of the mesh, one for each of its materials; none for one closed part.
+    pub parts: Vec<MeshPart>,
+    /// Middle of the box around the positions.
+    pub middle: [f32; 3],
+    /// Distance of the farthest vertex from the middle.
+    pub radius: f32,
+}
+
 /// A mesh on the graphics card.
 #[derive(Clone, Debug)]
 pub struct Mesh {
     pub(crate) position: wgpu::Buffer,
     pub(crate) normal: wgpu::Buffer,
     pub(crate) indices: wgpu::Buffer,
+    pub(crate) index_count: u32,
     pub(crate) parts: Vec<MeshPart>,
     /// Middle of the mesh's box, in object space.
     pub(crate) middle: [f64; 3],
@@ -147,19 +182,72 @@ pub struct Mesh {
 
 impl Mesh {
     /// Uploads a mesh.
-    #[must_use]
-    pub fn new(device: &wgpu::Device, data: &MeshData<'_>) -> Self {
-        let whole = MeshPart { indices: 0..data.indices.len() as u32, is_two_sided: false };
+    ///
+    /// # Errors
+    /// A mesh without triangles; an array that has not one entry for each position; an index beyond
+    /// the vertices, or a part beyond the indices.
+    pub fn new(device: &wgpu::Device, data: &MeshData<'_>) -> Result<Self, Error> {
+        let vertices = data.positions.len();
+        let lengths = [("normals", data.normals.len())];
+        for (name, length) in lengths {
+            if length != vertices {
+                let reason = format!("it has {vertices} positions and {length} {name}");
+                return Err(Error::Mesh { reason });
+            }
+        }
+        if let Some(index) = data.indices.iter().find(|index| **index as usize >= vertices) {
+            let reason = format!("index {index} is beyond the last of {vertices} vertices");
+            return Err(Error::Mesh { reason });
+        }
+        let index_count = data.indices.len() as u32;
+        let parts = checked_parts(index_count, data.parts)?;
         let (middle, radius) = bounds(data.positions);
         let indices = data.indices.iter().flat_map(|index| index.to_le_bytes()).collect();
-        Self {
-            position: vertices(device, data.positions),
-            normal: vertices(device, data.normals),
+        Ok(Self {
+            position: vertex_buffer(device, data.positions),
+            normal: vertex_buffer(device, data.normals),
             indices: buffer(device, indices, wgpu::BufferUsages::INDEX),
-            parts: if data.parts.is_empty() { vec![whole] } else { data.parts.to_vec() },
+            index_count,
+            parts,
             middle,
             radius,
+        })
+    }
+
+    /// A mesh of buffers that are on the graphics card already.
+    ///
+    /// # Errors
+    /// A buffer that is too small for what it is to hold, or that was not made for it; a mesh
+    /// without triangles, or a part beyond the indices. Indices are not looked at.
+    pub fn from_buffers(buffers: MeshBuffers) -> Result<Self, Error> {
+        let vertices = (wgpu::BufferUsages::VERTEX, buffers.vertex_count);
+        let indices = (wgpu::BufferUsages::INDEX, buffers.index_count);
+        let all = [
+            ("positions", &buffers.positions, vertices, 12),
+            ("normals", &buffers.normals, vertices, 12),
+            ("indices", &buffers.indices, indices, 4),
+        ];
+        for (name, buffer, (usage, count), stride) in all {
+            if !buffer.usage().contains(usage) {
+                let reason = format!("the buffer of {name} has not the usage {usage:?}");
+                return Err(Error::Mesh { reason });
+            }
+            let (size, least) = (buffer.size(), u64::from(count) * stride);
+            if size < least {
+                let reason =
+                    format!("{count} {name} take {least} bytes, and their buffer has {size}");
+                return Err(Error::Mesh { reason });
+            }
         }
+        Ok(Self {
+            parts: checked_parts(buffers.index_count, &buffers.parts)?,
+            position: buffers.positions,
+            normal: buffers.normals,
+            indices: buffers.indices,
+            index_count: buffers.index_count,
+            middle: buffers.middle.map(f64::from),
+            radius: buffers.radius.into(),
+        })
     }
 
     /// The model matrix that moves the mesh to the origin and scales it to radius 1, for which
@@ -173,6 +261,21 @@ impl Mesh {
     }
 }
 
+/// Parts of a mesh with that number of indices, or why it cannot be drawn.
+fn checked_parts(index_count: u32, parts: &[MeshPart]) -> Result<Vec<MeshPart>, Error> {
+    let whole = MeshPart { indices: 0..index_count, is_two_sided: false };
+    let is_drawn = |part: &MeshPart| {
+        let Range { start, end } = part.indices;
+        start < end && end <= index_count && (end - start) % 3 == 0
+    };
+    if let Some(part) = parts.iter().chain([&whole]).find(|part| !is_drawn(part)) {
+        let range = &part.indices;
+        let reason = format!("indices {range:?} of {index_count} are no triangles of three each");
+        return Err(Error::Mesh { reason });
+    }
+    Ok(if parts.is_empty() { vec![whole] } else { parts.to_vec() })
+}
+
 fn buffer(device: &wgpu::Device, bytes: Vec<u8>, usage: wgpu::BufferUsages) -> wgpu::Buffer {
     device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
         label: Some("mesh"),
@@ -181,7 +284,7 @@ fn buffer(device: &wgpu::Device, bytes: Vec<u8>, usage: wgpu::BufferUsages) -> w
     })
 }
 
-fn vertices<const N: usize>(device: &wgpu::Device, vectors: &[[f32; N]]) -> wgpu::Buffer {
+fn vertex_buffer<const N: usize>(device: &wgpu::Device, vectors: &[[f32; N]]) -> wgpu::Buffer {
     let bytes = vectors.iter().flatten().flat_map(|number| number.to_le_bytes()).collect();
     buffer(device, bytes, wgpu::BufferUsages::VERTEX)
 }

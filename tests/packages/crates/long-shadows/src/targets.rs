@@ -55,7 +55,7 @@ impl ShadowTargets {
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some(pass.name),
             color_attachments: &[Some(color_attachment(&view, &pass.outputs[0]))],
-            depth_stencil_attachment: Some(depth_attachment(&self.depth)),
+            depth_stencil_attachment: Some(depth_attachment(&self.depth, 1.0)),
             ..Default::default()
         })
     }

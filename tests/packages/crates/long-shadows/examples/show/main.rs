@@ -21,14 +21,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (device, queue) = pollster::block_on(open())?;
 
     let format = Material::view_format(wgpu::TextureFormat::Rgba8UnormSrgb);
-    let depth_format = wgpu::TextureFormat::Depth32Float;
-    let output = Output { color: format, depth: depth_format, samples: SAMPLES };
+    let output = Output { samples: SAMPLES, ..Output::new(format) };
     let mut material = Material::new(&device, output)?;
     material.lights.sun.intensity = 1.0;
 
     let picture = texture(&device, format, 1, size);
     let sampled = texture(&device, format, SAMPLES, size);
-    let depth = texture(&device, depth_format, SAMPLES, size);
+    let depth = output.depth_buffer(&device, size);
     let [picture_view, sampled, depth] = [&picture, &sampled, &depth].map(view);
     let target = Target {
         color: if SAMPLES > 1 { &sampled } else { &picture_view },
@@ -42,7 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let camera = scene::camera(f64::from(size[0]) / f64::from(size[1]));
 
     let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    material.draw(&device, &mut encoder, &target, &camera, &[object]);
+    material.draw(&device, &queue, &mut encoder, &target, &camera, &[object]);
     queue.submit([encoder.finish()]);
     scene::save(&device, &queue, &picture, file)?;
     println!("{file}");
@@ -64,7 +63,7 @@ fn texture(
     sample_count: u32,
     [width, height]: [u32; 2],
 ) -> wgpu::Texture {
-    let is_read = sample_count == 1 && !format.is_depth_stencil_format();
+    let is_read = sample_count == 1;
     let read = if is_read { wgpu::TextureUsages::COPY_SRC } else { wgpu::TextureUsages::empty() };
     device.create_texture(&wgpu::TextureDescriptor {
         label: None,

@@ -37,7 +37,7 @@ pub fn mesh(device: &wgpu::Device) -> Result<Mesh, Box<dyn Error>> {
     let parts = [MeshPart { indices: 0..6912, is_two_sided: false }];
     let data =
         MeshData { positions: &positions, normals: &normals, indices: &indices, parts: &parts };
-    Ok(Mesh::new(device, &data))
+    Ok(Mesh::new(device, &data)?)
 }
 
 /// Takes an array of vectors from the front of words.

@@ -1,7 +1,7 @@
 // Ink at the turn: made by Chiaro 0.1.0, WGSL.
 // Draws a mesh with the look; the result is straight RGBA.
 // Bindings of group 0: view 0, object 1, look 2, image_1 3, image_1_sampler 4.
-// xtoon-orientation.json says what to put there and how to draw.
+// src/look.rs says what to put there.
 
 struct View {
     clip_from_world: mat4x4f,
@@ -294,10 +294,29 @@ fn vs_main(vertex: Vertex) -> Varyings {
         * vertex.normal);
 }
 
-@fragment
-fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
+/// The look's color: straight RGBA.
+fn look_color(in: Varyings, is_front: bool) -> vec4f {
     let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
     let surface = Surface(normal, normalize(view.eye.xyz - view.eye.w * in.position));
     return finite_vec4(shade(surface));
+}
+
+/// For targets of colors as shown.
+@fragment
+fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
+    return look_color(in, is_front);
+}
+
+/// Linear light of a color as shown.
+fn linear_of_shown(color: vec3f) -> vec3f {
+    let high = pow((color + 0.055) / 1.055, vec3f(2.4));
+    return select(high, color / 12.92, color <= vec3f(0.04045));
+}
+
+/// For targets of linear light.
+@fragment
+fn fs_linear(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
+    let shown = look_color(in, is_front);
+    return vec4f(linear_of_shown(shown.rgb), shown.a);
 }
