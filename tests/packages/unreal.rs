@@ -10,7 +10,7 @@ use std::path::Path;
 use crate::pictures::{Difference, Trial, examples, soak_trials};
 use crate::support::validators::Tool;
 use crate::table;
-use crate::unity::drawing::drawn_shader;
+use crate::unity::drawing::{drawn_shader, in_one_tier, keep};
 use crate::unity::glslang;
 use crate::unity::textures::{Texture, Textures};
 
@@ -135,7 +135,7 @@ impl Material {
              ResolvedView.ViewRectMin = float4(7.0, 9.0, 0.0, 0.0);\n\
              ResolvedView.ViewSizeAndInvSize = float4(_ScreenParams.xy, 1.0 / _ScreenParams.xy);\n\
              FMaterialPixelParameters Parameters;\n\
-             float2 pixel = float2(passed.clip.x, _ScreenParams.y - passed.clip.y);\n\
+             float2 pixel = passed.clip.xy;\n\
              Parameters.TangentToWorld =\n\
              float3x3(passed.tangent, passed.bitangent, passed.normal);\n\
              Parameters.SvPosition = float4(pixel + ResolvedView.ViewRectMin.xy, 0.5, 1.0);\n\
@@ -282,7 +282,9 @@ fn unreal_packages_draw_what_we_draw() {
     if !has_tools() {
         return;
     }
-    compare(&examples(&["looks/string-of-lamps", "hcbtf/grass-flat"]));
+    let trials = examples(&["looks/string-of-lamps", "hcbtf/grass-flat"]);
+    let trials = trials.into_iter().map(|(name, trial)| (name, in_one_tier(trial)));
+    compare(&trials.collect::<Vec<_>>());
 }
 
 /// All example looks. `CHIARO_BLESS=1` writes their lines.
@@ -290,8 +292,9 @@ fn unreal_packages_draw_what_we_draw() {
 #[ignore = "takes minutes; scripts/soak runs it"]
 fn soak_unreal_packages_draw_all_examples() {
     if has_tools() {
-        let trials = soak_trials("unreal", |trial| trial.in_tier("fast"));
-        assert!(trials.len() > 50, "{} looks are taken", trials.len());
+        let trials = soak_trials("unreal", in_one_tier);
+        let is_whole = std::env::var_os("CHIARO_LOOKS").is_none();
+        assert!(!is_whole || trials.len() > 50, "{} looks are taken", trials.len());
         compare(&trials);
     }
 }
@@ -303,6 +306,7 @@ fn compare(trials: &[(String, Trial)]) {
         let folder = trial.package("unreal");
         let material = Material::of(&folder);
         let (ours, found) = drawn_shader(trial, &folder, material.shader(), &material.textures);
+        keep(name, &found, &ours);
         let seen = ours.pixels().filter(|pixel| pixel.0[3] > 0).count();
         assert!(seen > 1000, "{name}: {seen} pixels are covered");
         measured.insert(format!("unreal stand-in {name}"), Difference::of(&found, &ours));
@@ -316,15 +320,15 @@ fn parameters_of_unreal_change_what_they_change_with_us() {
     if !has_tools() {
         return;
     }
-    let trial = Trial::of("looks/highlight-moves");
+    let trial = in_one_tier(Trial::of("looks/highlight-moves"));
     let folder = trial.package("unreal");
-    let changed = Trial::changed("looks/highlight-moves", |look| {
+    let changed = in_one_tier(Trial::changed("looks/highlight-moves", |look| {
         for node in look["nodes"].as_array_mut().into_iter().flatten() {
             if node["id"] == "move" {
                 node["values"]["x"] = serde_json::json!(0.3);
             }
         }
-    });
+    }));
     let mut material = Material::of(&folder);
     let (before, _) = drawn_shader(&trial, &folder, material.shader(), &Textures::new());
     let moved = material.inputs.iter_mut().find(|(name, ..)| name == "MoveX");

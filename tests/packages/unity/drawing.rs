@@ -1,4 +1,5 @@
-//! A package's picture as Unity would draw it: on its matrices, depth and rows.
+//! A package's picture as Unity would draw it: on its matrices and depth, with rows from either
+//! end.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -22,16 +23,59 @@ use chiaro::render::Gpu;
 /// The camera of both pictures, in the look's space.
 const CAMERA: &str = "eye=0.9,0.8,2.6;target=0,0.02,0;fov=38";
 
+/// End of a target where its rows begin. Unity's targets of textures begin at the bottom where the
+/// graphics API has them at the top.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum FirstRow {
+    Top,
+    Bottom,
+}
+
+/// A trial as all rows of the table have it: every node in the tier that needs no passes, and our
+/// own picture by the GPU that the stand-in draws with, whose edges of triangles are the same.
+pub(crate) fn in_one_tier(trial: Trial) -> Trial {
+    trial.in_tier("fast").here()
+}
+
+/// Writes a package's picture and our own where `CHIARO_PICTURES` says, for eyes.
+pub(crate) fn keep(name: &str, pixels: &[u8], ours: &RgbaImage) {
+    let Some(folder) = std::env::var_os("CHIARO_PICTURES").map(PathBuf::from) else { return };
+    let theirs = RgbaImage::from_raw(SIZE[0], SIZE[1], pixels.to_vec()).expect("a picture");
+    theirs.save(folder.join(format!("{name}.png"))).expect("a file");
+    ours.save(folder.join(format!("{name}.ours.png"))).expect("a file");
+}
+
 /// Our own picture of a trial, and that of its package. `set` are statements that set fields of
 /// `look`, the component.
 pub(super) fn drawn(trial: &Trial, package: &Package, set: &str) -> (RgbaImage, Vec<u8>) {
-    drawn_with(trial, package, |scene| Engine::worn(package, &scene.main(set)))
+    drawn_with(trial, package, FirstRow::Top, |scene| Engine::worn(package, &scene.main(set)))
+}
+
+/// Our own picture of a trial, and that of its package in a target whose rows begin at the bottom.
+pub(super) fn drawn_from_below(trial: &Trial, package: &Package) -> (RgbaImage, Vec<u8>) {
+    drawn_with(trial, package, FirstRow::Bottom, |scene| Engine::worn(package, &scene.main("")))
+}
+
+/// The picture of a package's shader with the numbers that its properties begin with, which a new
+/// material has before any component gives it others.
+pub(super) fn drawn_fresh(trial: &Trial, package: &Package) -> Vec<u8> {
+    let numbers = package.shader.lines().filter_map(|line| {
+        // [HideInInspector] _key_direction ("", Vector) = (0.5, 0, 1, 0)
+        let (property, value) =
+            line.trim().strip_prefix("[HideInInspector] ")?.split_once(" = ")?;
+        let name = property.split(' ').next()?.to_owned();
+        let numbers = value.trim_matches(['(', ')']).split(", ");
+        Some((name, numbers.map(|number| number.parse().expect("a number")).collect()))
+    });
+    let worn = WornLook { numbers: numbers.collect(), ..WornLook::default() };
+    drawn_with(trial, package, FirstRow::Top, |_| worn.clone()).1
 }
 
 /// Our own picture of a trial, and that of a shader with what a component gives the material.
 fn drawn_with(
     trial: &Trial,
     package: &Package,
+    first: FirstRow,
     worn: impl Fn(&UnityScene) -> WornLook,
 ) -> (RgbaImage, Vec<u8>) {
     let folder = tempfile::tempdir().expect("a folder");
@@ -42,7 +86,7 @@ fn drawn_with(
     let ours = trial.ours_with_arguments(&["--mesh", &file, "--camera", CAMERA]);
     let mesh = load(&Disk, &path).expect("a mesh").value;
     let scene = UnityScene::new(&mesh, reads_object(&package.folder));
-    (ours, scene.pixels(package, &worn(&scene)))
+    (ours, scene.pixels(package, &worn(&scene), first))
 }
 
 /// Our own picture of a trial, and that of a text of ShaderLab in a folder, which has textures but
@@ -55,14 +99,22 @@ pub(crate) fn drawn_shader(
 ) -> (RgbaImage, Vec<u8>) {
     let component = PathBuf::new();
     let package = Package { folder: folder.to_owned(), shader, component, class: String::new() };
-    drawn_with(trial, &package, |_| WornLook { textures: textures.clone(), ..WornLook::default() })
+    drawn_with(trial, &package, FirstRow::Top, |_| WornLook {
+        textures: textures.clone(),
+        ..WornLook::default()
+    })
 }
 
-/// True if the look reads places in the object's own space, which are then to be those of the mesh.
+/// True if the look's picture depends on the object's own space, which is then to be the mesh's.
 fn reads_object(folder: &Path) -> bool {
     files::below(folder).iter().any(|path| {
         let is_look = path.extension().is_some_and(|it| it == "hlsl" || it == "ush");
-        is_look && fs::read_to_string(path).expect("a text").contains("position_object")
+        if !is_look {
+            return false;
+        }
+        let text = fs::read_to_string(path).expect("a text");
+        let fragment = text.split_once(" fs_main(").map_or("", |(_, rest)| rest);
+        text.contains("position_object") || fragment.contains("object.")
     })
 }
 
@@ -169,15 +221,15 @@ impl UnityScene {
         }
     }
 
-    /// The matrix to the clip space of a render texture: rows upside down, depth from 1 to 0.
-    fn clip_from_world(&self) -> DMat4 {
-        let flipped = DMat4::from_cols(
+    /// The matrix to the clip space of a target: depth from 1 to 0.
+    fn clip_from_world(&self, first: FirstRow) -> DMat4 {
+        let target = DMat4::from_cols(
             DVec4::X,
-            -DVec4::Y,
+            if first == FirstRow::Top { DVec4::Y } else { -DVec4::Y },
             DVec4::new(0.0, 0.0, -0.5, 0.0),
             DVec4::new(0.0, 0.0, 0.5, 1.0),
         );
-        flipped * self.clip_from_camera * self.camera_from_world
+        target * self.clip_from_camera * self.camera_from_world
     }
 
     /// Statements of C# that set the scene.
@@ -210,12 +262,12 @@ impl UnityScene {
     }
 
     /// The numbers of the stand-in's block.
-    fn surroundings(&self) -> Vec<u8> {
+    fn surroundings(&self, first: FirstRow) -> Vec<u8> {
         let matrices = [
             self.world_from_object,
             self.world_from_object.inverse(),
             self.camera_from_world,
-            self.clip_from_world(),
+            self.clip_from_world(first),
             self.clip_from_camera,
         ];
         // Rows, as the stand-in takes them.
@@ -232,10 +284,11 @@ impl UnityScene {
 
     /// The pixels of the package's picture, rows from the top, straight and as shown.
     #[expect(clippy::too_many_lines, reason = "one draw, of which nothing is done twice")]
-    fn pixels(&self, package: &Package, worn: &WornLook) -> Vec<u8> {
+    fn pixels(&self, package: &Package, worn: &WornLook, first: FirstRow) -> Vec<u8> {
         let (text, [vertex, fragment]) = package.passes().swap_remove(0);
         let gpu = block_on(Gpu::headless()).expect("an adapter; software Vulkan does");
         let device = &gpu.device;
+        let guard = device.push_error_scope(wgpu::ErrorFilter::Validation);
         let sources = [(&vertex, "vertex"), (&fragment, "fragment")]
             .map(|(function, stage)| wgsl(&package.folder, &text, function, stage));
         let [vertex_module, fragment_module] = sources.each_ref().map(|source| {
@@ -245,7 +298,7 @@ impl UnityScene {
             })
         });
         let images = bound(&sources[1], &worn.textures, device, &gpu.queue);
-        let contents = [self.surroundings(), material(&text, &worn.numbers)];
+        let contents = [self.surroundings(first), material(&text, &worn.numbers)];
         let buffer = |contents: &[u8], usage| {
             device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
                 label: None,
@@ -328,9 +381,12 @@ impl UnityScene {
                     attributes: &layout_of_vertex,
                 })],
             },
-            // Rows upside down turn triangles around.
             primitive: wgpu::PrimitiveState {
-                front_face: wgpu::FrontFace::Cw,
+                // Rows upside down turn triangles around.
+                front_face: match first {
+                    FirstRow::Top => wgpu::FrontFace::Ccw,
+                    FirstRow::Bottom => wgpu::FrontFace::Cw,
+                },
                 cull_mode: Some(wgpu::Face::Back),
                 ..wgpu::PrimitiveState::default()
             },
@@ -416,10 +472,18 @@ impl UnityScene {
         let into = wgpu::TexelCopyBufferInfo { buffer: &found, layout };
         encoder.copy_texture_to_buffer(color.as_image_copy(), into, color.size());
         gpu.queue.submit([encoder.finish()]);
+        if let Some(problem) = block_on(guard.pop()) {
+            panic!("{}: {problem}", package.folder.display());
+        }
         found.slice(..).map_async(wgpu::MapMode::Read, |mapped| mapped.expect("a picture"));
         device.poll(wgpu::PollType::wait_indefinitely()).expect("the device draws");
         let mapped = found.slice(..).get_mapped_range().expect("a picture");
-        mapped.to_vec().chunks_exact(padded).rev().flat_map(|it| it[..row].to_vec()).collect()
+        let bytes = mapped.to_vec();
+        let mut rows: Vec<&[u8]> = bytes.chunks_exact(padded).map(|it| &it[..row]).collect();
+        if first == FirstRow::Bottom {
+            rows.reverse();
+        }
+        rows.concat()
     }
 }
 

@@ -17,7 +17,9 @@ use glam::{DMat3, DVec3};
 ///
 /// # Errors
 /// Host work that does not run.
-pub(super) fn numbers(request: &PackageRequest<'_>) -> Result<Vec<f64>, Diagnostic> {
+pub(in crate::export::package) fn numbers(
+    request: &PackageRequest<'_>,
+) -> Result<Vec<f64>, Diagnostic> {
     let work = request.work;
     let Some(module) = work.modules.iter().find(|it| it.module == "draw") else {
         return Ok(Vec::new());

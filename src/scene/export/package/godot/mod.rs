@@ -7,7 +7,7 @@
 //! the same for all looks is in `chiaro.look.gd`, and the host work itself in `STEM.host.gd`. A
 //! project with a scene shows the look ([`scene`]).
 
-mod defaults;
+pub(super) mod defaults;
 mod scene;
 mod script;
 mod shader;

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use super::images::{self, UnityImage};
 use super::leaves::Leaf;
 use super::parameters::{ComponentField, light_field, quoted};
+use super::scratch::without_garbage;
 use super::{plain, shader};
 use crate::diag::Diagnostic;
 use crate::document::{ColorSpace, LightSpace};
@@ -45,7 +46,9 @@ pub(super) fn write(
     let (host, set, properties) = match draw {
         Some(draw) => {
             let host = translate(&work.wgsl, &functions, &CSHARP)?;
-            (host, set(request, &draw.function), properties(leaves))
+            let function = CSHARP.function_name(&draw.function);
+            let (host, count) = without_garbage(&host, &function);
+            (host, set(request, &function, count), properties(leaves, count))
         }
         None => (String::new(), String::new(), String::new()),
     };
@@ -200,8 +203,8 @@ fn double(value: &Value) -> String {
     format!("{:?}", value.as_f64().unwrap_or_default())
 }
 
-/// The table of properties.
-fn properties(leaves: &[Leaf]) -> String {
+/// The table of properties, and the array of numbers that the host work fills, if it fills one.
+fn properties(leaves: &[Leaf], count: Option<usize>) -> String {
     let mut text = "        /// <summary>Properties of the shader, with the numbers that are \
                     theirs.</summary>\n        \
                     static readonly Property[] Properties =\n        {\n"
@@ -214,19 +217,25 @@ fn properties(leaves: &[Leaf]) -> String {
             count => writeln!(text, "            Property.Vector({name}, {}, {count}),", leaf.word),
         };
     }
-    text + "        };\n\n"
+    text += "        };\n\n";
+    if let Some(count) = count {
+        let _ = write!(text, "        readonly double[] numbers = new double[{count}];\n\n");
+    }
+    text
 }
 
 /// The statements that set the material's numbers.
-fn set(request: &PackageRequest<'_>, function: &str) -> String {
+fn set(request: &PackageRequest<'_>, function: &str, count: Option<usize>) -> String {
     let settings = if request.work.is_keyed { "Keyed(settings, around)" } else { "settings" };
+    let call = match count {
+        Some(_) => format!("{function}({settings}, around, numbers);"),
+        None => format!("double[] numbers = {function}({settings}, around);"),
+    };
     format!(
         "            Surroundings around = Around(camera);\n            \
-         Settings settings = SettingsIn(around);\n            \
-         double[] numbers = {}({settings}, around);\n            \
+         Settings settings = SettingsIn(around);\n            {call}\n            \
          foreach (Property property in Properties)\n            {{\n                \
          property.Set(material, numbers);\n            }}\n",
-        CSHARP.function_name(function)
     )
 }
 

@@ -1,9 +1,10 @@
 //! The package `unity`: a look as a shader and a component for Unity's Universal Render Pipeline.
 //!
-//! - `STEM.shader` has the passes that the pipeline draws, and the numbers of the look as
+//! - `Runtime/STEM.shader` has the passes that the pipeline draws, and the numbers of the look as
 //!   properties of the material, all in one block, as the SRP Batcher wants them.
-//! - `STEM.hlsl` is the look, as `--to hlsl` writes it, without bindings ([`source`]).
-//! - `CLASSLook.cs` is the component, with parameters, lights and the host work ([`component`]).
+//! - `Runtime/STEM.hlsl` is the look, as `--to hlsl` writes it, without bindings ([`source`]).
+//! - `Runtime/CLASSLook.cs` is the component, with parameters, lights and the host work
+//!   ([`component`]).
 //! - `Samples~/Scene` has a scene that shows the look ([`sample`]).
 //!
 //! Unity's world is left-handed, Chiaro's right-handed: x is mirrored, as Unity's own importers of
@@ -15,6 +16,7 @@ mod images;
 pub(super) mod leaves;
 mod parameters;
 mod sample;
+mod scratch;
 pub(super) mod shader;
 pub(super) mod source;
 
@@ -22,6 +24,7 @@ use serde_json::json;
 
 use super::super::ExportFile;
 use super::super::pretty::pretty;
+use super::godot::defaults;
 use super::materials::class_name;
 use super::parameter_table::parameter_table_with;
 use super::stable_id::stable_id;
@@ -43,6 +46,9 @@ pub(super) const PACKAGE: Package = Package {
 /// The text of one screen for whoever gets the folder.
 const README: &str = include_str!("README.md");
 
+/// Folder of what runs in a game, as Unity's packages have it.
+const RUNTIME: &str = "Runtime";
+
 /// Text about images, where the look reads some.
 const IMAGES: &str = "\
 - **Images** are in the component's fields from the start. How they repeat and are filtered are
@@ -59,6 +65,7 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     let mut source = source::Source::of(request, &source::UNITY).map_err(one)?;
     source.text = images::from_below(&source.text).map_err(one)?;
     let leaves = leaves::leaves(request, &source).map_err(one)?;
+    let numbers = defaults::numbers(request).map_err(one)?;
     let (stem, class) = (request.stem, class_name(request.stem));
     let parts = parameters::fields(request);
     let images = images::images(request, &source.images, &parts);
@@ -67,7 +74,7 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
     let mut files = vec![
         ExportFile::text(
             format!("{stem}.shader"),
-            shader::write(request, &source, &leaves, &images),
+            shader::write(request, &source, &leaves, &numbers, &images),
         ),
         ExportFile::text(format!("{stem}.hlsl"), source.text.clone()),
         ExportFile::text(format!("{class}Look.cs"), component),
@@ -87,7 +94,20 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
             files.push(meta(name, stem));
         }
     }
+    // Ids come of names without the folder, where packages of earlier exports have the files.
+    for file in files.iter_mut().filter(|file| !is_of_package(&file.name)) {
+        file.name = format!("{RUNTIME}/{}", file.name);
+    }
+    files.push(folder_meta(RUNTIME, stem));
     Ok(files)
+}
+
+/// True for files that stand beside the folder of what runs: those that packages have there, and
+/// the sample.
+fn is_of_package(name: &str) -> bool {
+    let beside = ["package.json", "README.md", super::EXPECTED, "chiaro.json"];
+    let own = name.strip_suffix(".meta").unwrap_or(name);
+    beside.contains(&own) || own.starts_with(sample::FOLDER)
 }
 
 /// A title without what would end a text of ShaderLab, C#, XML or a menu's entry.
@@ -124,6 +144,16 @@ fn manifest(class: &str, title: &str) -> String {
 /// that scenes that use it stay whole.
 fn meta(name: &str, stem: &str) -> ExportFile {
     let text = format!("fileFormatVersion: 2\nguid: {}\n", stable_id(stem, name));
+    ExportFile::text(format!("{name}.meta"), text)
+}
+
+/// The file by which Unity knows a folder.
+fn folder_meta(name: &str, stem: &str) -> ExportFile {
+    let text = format!(
+        "fileFormatVersion: 2\nguid: {}\nfolderAsset: yes\nDefaultImporter:\n  \
+         externalObjects: {{}}\n",
+        stable_id(stem, name)
+    );
     ExportFile::text(format!("{name}.meta"), text)
 }
 

@@ -12,11 +12,12 @@ use crate::export::package::PackageRequest;
 /// The text around the look's own.
 const TEMPLATE: &str = include_str!("look.shader");
 
-/// Writes the shader.
+/// Writes the shader. `numbers` are those of the uniform's words while nothing is set.
 pub(super) fn write(
     request: &PackageRequest<'_>,
     source: &Source,
     leaves: &[Leaf],
+    numbers: &[f64],
     images: &[UnityImage<'_>],
 ) -> String {
     let description = request.description;
@@ -54,7 +55,7 @@ pub(super) fn write(
         .replace("{{queue}}", queue)
         .replace("{{blend}}\n", blend)
         .replace("{{cull}}", if draws_both_sides(request) { "0" } else { "2" })
-        .replace("{{properties}}\n", &(images::properties(images) + &properties(leaves)))
+        .replace("{{properties}}\n", &(images::properties(images) + &properties(leaves, numbers)))
         .replace("{{numbers}}\n", &declarations(leaves))
         .replace("{{attributes}}\n", &attributes(source))
         .replace("{{varyings}}\n", &varyings(source))
@@ -135,16 +136,31 @@ fn indented(text: &str) -> String {
     text.lines().map(line).collect()
 }
 
-fn properties(leaves: &[Leaf]) -> String {
+/// The properties, with the look's own numbers: a material shows the look before its component
+/// runs.
+fn properties(leaves: &[Leaf], numbers: &[f64]) -> String {
     let line = |leaf: &Leaf| {
-        let (kind, zero) = match leaf.count {
-            1 if leaf.is_integer() => ("Integer", "0"),
-            1 => ("Float", "0"),
-            _ => ("Vector", "(0, 0, 0, 0)"),
+        let word = |part: u32| numbers.get((leaf.word + part) as usize).copied();
+        let number = |part: u32| match word(part) {
+            // ShaderLab reads no numbers beyond those of 32 bits.
+            Some(x) if part < leaf.count && x.is_finite() => (x as f32).clamp(f32::MIN, f32::MAX),
+            _ => 0.0,
         };
-        format!("        [HideInInspector] {} (\"\", {kind}) = {zero}\n", leaf.property)
+        let (kind, value) = match leaf.count {
+            1 if leaf.is_integer() => ("Integer", (number(0) as i32).to_string()),
+            1 => ("Float", written(number(0))),
+            _ => ("Vector", format!("({})", [0, 1, 2, 3].map(|at| written(number(at))).join(", "))),
+        };
+        format!("        [HideInInspector] {} (\"\", {kind}) = {value}\n", leaf.property)
     };
     leaves.iter().map(line).collect()
+}
+
+/// A number of ShaderLab: the shortest that is the same in 32 bits.
+fn written(x: f32) -> String {
+    // Zeros without a sign.
+    let plain = format!("{}", x + 0.0);
+    if plain.len() > 14 { format!("{x:e}") } else { plain }
 }
 
 fn declarations(leaves: &[Leaf]) -> String {

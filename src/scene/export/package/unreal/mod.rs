@@ -69,14 +69,21 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Diagnostic> {
 fn readme(request: &PackageRequest<'_>, shader: &shader::UnrealShader<'_>) -> String {
     let is_opaque = request.description.opaque;
     let (blend, links) = match (shader.cuts, is_opaque) {
-        (true, _) => ("*Masked*", "*return* into *Emissive Color*, *Opacity* into *Opacity Mask*"),
+        (true, _) => (
+            "*Masked*: the look cuts parts away",
+            "*return* into *Emissive Color*, *Opacity* into *Opacity Mask*",
+        ),
         (_, false) => (
-            "*Translucent* (*Opaque* while colors are opaque)",
+            "*Translucent*; *Opaque* is the same while the alpha of every color is 1",
             "*return* into *Emissive Color*, *Opacity* into *Opacity*",
         ),
         _ => ("*Opaque*", "*return* into *Emissive Color*"),
     };
-    let sides = if draws_both_sides(request) { ", and *Two Sided* on" } else { "" };
+    let sides = if draws_both_sides(request) {
+        "on: through what is cut away the inside shows"
+    } else {
+        "off; on for open meshes"
+    };
     README
         .replace("{{name}}", &plain(request.title))
         .replace("{{stem}}", request.stem)
