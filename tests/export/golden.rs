@@ -6,9 +6,8 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use crate::support::files;
-use crate::support::validators::{
-    ShaderStage, glslang, glslang_reflection, hlsl, slang, spirv_val, tint,
-};
+use crate::support::validators::{glslang_reflection, tint};
+use crate::verdicts::verdict;
 use chiaro::compile::{
     CompileOptions, HostInputs, LightValues, Live, Stage as CompileStage, compile,
 };
@@ -227,22 +226,12 @@ fn judged(files: &[ExportFile]) -> (Vec<String>, usize) {
     let mut wgsl = Vec::new();
     let mut complaints = Vec::new();
     for file in files {
-        let extension =
-            Path::new(&file.name).extension().expect("an extension").to_string_lossy().into_owned();
-        let verdict = match extension.as_str() {
-            "vert" => glslang(&text(file), ShaderStage::Vertex, &[]),
-            "frag" => glslang(&text(file), ShaderStage::Fragment, &[]),
-            "spv" => spirv_val(&file.bytes, "vulkan1.1"),
-            "hlsl" => hlsl(&text(file)),
-            "slang" => slang(&text(file)),
-            "wgsl" => {
-                wgsl.push(folder.path().join(&file.name));
-                fs::write(folder.path().join(&file.name), &file.bytes)
-                    .map_err(|error| error.to_string())
-            }
-            _ => Ok(()),
-        };
-        complaints.extend(verdict.err().map(|error| format!("{}: {error}", file.name)));
+        if file.name.ends_with(".wgsl") {
+            wgsl.push(folder.path().join(&file.name));
+            fs::write(folder.path().join(&file.name), &file.bytes).expect("a temporary file");
+        }
+        let refused = verdict(&file.name, &file.bytes).and_then(Result::err);
+        complaints.extend(refused.map(|error| format!("{}: {error}", file.name)));
     }
     complaints.extend(tint(&wgsl).err());
     (complaints, wgsl.len())

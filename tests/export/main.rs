@@ -11,3 +11,4 @@ mod live;
 mod readable;
 mod shadow_maps;
 mod validators;
+mod verdicts;

@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use crate::support::validators::{ShaderStage, glslang, hlsl, slang, spirv_val, tint};
+use crate::support::validators::tint;
+use crate::verdicts::verdict;
 use chiaro::document::{Look, Tier};
 use chiaro::export::{LANGUAGES, export};
 use chiaro::frame::Assets;
@@ -27,22 +28,12 @@ fn looks_with_shadow_maps_pass_their_validators() {
         let mut judged = 0;
         for file in &files {
             let name = &file.name;
-            let text = String::from_utf8_lossy(&file.bytes);
-            let extension = Path::new(name).extension().unwrap_or_default().to_string_lossy();
-            let verdict = match &*extension {
-                "vert" => glslang(&text, ShaderStage::Vertex, &[]),
-                "frag" => glslang(&text, ShaderStage::Fragment, &[]),
-                "spv" => spirv_val(&file.bytes, "vulkan1.1"),
-                "hlsl" => hlsl(&text),
-                "slang" => slang(&text),
-                "wgsl" => {
-                    let path = out.path().join(name);
-                    fs::write(&path, &file.bytes).expect("a file");
-                    of_tint.push(path);
-                    continue;
-                }
-                _ => continue,
-            };
+            if name.ends_with(".wgsl") {
+                let path = out.path().join(name);
+                fs::write(&path, &file.bytes).expect("a file");
+                of_tint.push(path);
+            }
+            let Some(verdict) = verdict(name, &file.bytes) else { continue };
             judged += 1;
             verdict.unwrap_or_else(|refused| panic!("{stem}, {name}: {refused}"));
         }

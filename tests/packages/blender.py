@@ -73,8 +73,8 @@ def shown(look, width, height):
     return np.array(read, np.uint8).reshape(height, width, 4)[::-1]
 
 
-def cycles(look, thing, size, parameters, lights):
-    """The picture by Cycles on the CPU: one sample in the middle of each pixel."""
+def cycles(look, thing, size, parameters, lights, samples):
+    """The picture by Cycles on the CPU: a sample in the middle of each pixel, or some all over."""
     blender_oslquery.install()
     scene = bpy.context.scene
     settings = getattr(scene, look.STORED)
@@ -89,9 +89,9 @@ def cycles(look, thing, size, parameters, lights):
     render.film_transparent = True
     render.dither_intensity = 0.0
     engine.device = "CPU"
-    engine.samples = 1
+    engine.samples = samples
     engine.use_adaptive_sampling = engine.use_denoising = False
-    engine.pixel_filter_type, engine.filter_width = "BOX", 0.01
+    engine.pixel_filter_type, engine.filter_width = "BOX", 0.01 if samples == 1 else 1.0
     saved = render.image_settings
     saved.file_format, saved.color_mode, saved.color_depth = "PNG", "RGBA", "8"
     bpy.ops.render.render()
@@ -129,8 +129,8 @@ def main():
         bpy.context.view_layer.update()
         settings = getattr(bpy.context.scene, look.STORED)
         if picture.get("cycles"):
-            size = (width, height)
-            pixels = cycles(look, thing, size, picture.get("parameters"), lights)
+            size, samples = (width, height), picture.get("samples", 1)
+            pixels = cycles(look, thing, size, picture.get("parameters"), lights, samples)
             with open(picture["file"], "wb") as file:
                 file.write(pixels.tobytes())
             continue

@@ -1,12 +1,14 @@
 # Uses an add-on as people do, without a window: `blender_scenes.py ADDON PARAMETER LIGHT FOLDER`.
 #
-# Faces of many corners, shape keys over frames, values of the panel, names that are not there. The
+# The panel, faces of many corners, shape keys over frames, values, names that are not there. The
 # parameter is a number that changes the picture, and the light one of the look's.
 import importlib.util
 import math
 import os
 import sys
 
+import blender_oslquery
+import blender_panel
 import bpy
 import numpy as np
 from mathutils import Matrix
@@ -73,7 +75,9 @@ def main():
     across = (tangents[:, :3] * look.Body.turned(normals.reshape(-1, 3))).sum(axis=1)
     assert np.abs(across).max() < 1e-3
 
+    blender_oslquery.install()
     look.register()
+    blender_panel.check(look)
     settings = getattr(scene, look.STORED)
     settings.fit = False
 

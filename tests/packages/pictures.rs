@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
+use crate::support::color::{to_linear, to_srgb};
 use crate::support::{files, root};
 use crate::table::{self, Row};
 use image::RgbaImage;
@@ -125,13 +126,38 @@ impl Trial {
     /// Our own picture of the look: one sample a pixel, without a backdrop, every value a uniform
     /// as in a package.
     pub(crate) fn ours(&self) -> RgbaImage {
-        self.drawn(&self.document, &[])
+        self.drawn(&self.document, SIZE, &[])
     }
 
     /// Our own picture of the look on another mesh or by another camera: arguments of `chiaro
     /// render`.
     pub(crate) fn ours_with_arguments(&self, arguments: &[&str]) -> RgbaImage {
-        self.drawn(&self.document, arguments)
+        self.drawn(&self.document, SIZE, arguments)
+    }
+
+    /// Our own picture, each of its pixels the average of `side` by `side`, by their light and
+    /// alpha.
+    pub(crate) fn ours_averaged(&self, side: u32, arguments: &[&str]) -> RgbaImage {
+        let fine = self.drawn(&self.document, SIZE.map(|length| length * side), arguments);
+        RgbaImage::from_fn(SIZE[0], SIZE[1], |x, y| {
+            let mut sum = [0.0; 4];
+            for (down, across) in (0..side).flat_map(|y| (0..side).map(move |x| (y, x))) {
+                let pixel = fine.get_pixel(x * side + across, y * side + down).0.map(f64::from);
+                let alpha = pixel[3] / 255.0;
+                for channel in 0..3 {
+                    sum[channel] += alpha * to_linear(pixel[channel] / 255.0);
+                }
+                sum[3] += alpha;
+            }
+            let [red, green, blue] = [0, 1, 2].map(|channel| match sum[3] > 0.0 {
+                true => to_srgb(sum[channel] / sum[3]),
+                false => 0.0,
+            });
+            let alpha = sum[3] / f64::from(side * side);
+            #[expect(clippy::cast_possible_truncation, reason = "rounded, within 0 and 255")]
+            #[expect(clippy::cast_sign_loss, reason = "rounded, within 0 and 255")]
+            image::Rgba([red, green, blue, alpha].map(|share| (255.0 * share).round() as u8))
+        })
     }
 
     /// Our own picture with exposed parameters set, by a scene as people write it.
@@ -143,12 +169,12 @@ impl Trial {
         });
         let text = serde_json::json!({"chiaro": "scene", "version": 1, "objects": [object]});
         std::fs::write(&scene, text.to_string()).expect("a file");
-        self.drawn(&scene, &[])
+        self.drawn(&scene, SIZE, &[])
     }
 
-    fn drawn(&self, document: &Path, arguments: &[&str]) -> RgbaImage {
+    fn drawn(&self, document: &Path, size: [u32; 2], arguments: &[&str]) -> RgbaImage {
         let picture = self.folder.path().join("ours.png");
-        let size = format!("{}x{}", SIZE[0], SIZE[1]);
+        let size = format!("{}x{}", size[0], size[1]);
         let mut command = if self.is_here { chiaro_here() } else { chiaro() };
         command
             .arg("render")
@@ -281,4 +307,15 @@ impl Difference {
         }
         found
     }
+}
+
+/// The colors of a picture times their alpha, as over black.
+pub(crate) fn over_black(pixels: &[u8]) -> Vec<u8> {
+    let times = |color: u8, alpha: u8| (u16::from(color) * u16::from(alpha) + 127) / 255;
+    let of_pixel = |pixel: &[u8]| {
+        let [red, green, blue] = [0, 1, 2].map(|channel| times(pixel[channel], pixel[3]));
+        #[expect(clippy::cast_possible_truncation, reason = "no product is above 255")]
+        [red as u8, green as u8, blue as u8, pixel[3]]
+    };
+    pixels.chunks_exact(4).flat_map(of_pixel).collect()
 }

@@ -20,6 +20,7 @@ use super::language::{
 use super::modules::ShaderModule;
 use super::readable::{SourceComments, WrittenText};
 use super::reflect::{self, BindingType, BoundVariable};
+use super::remainders::DefinedRemainders;
 use crate::wgsl::{ValidModule, identifiers, rename_identifiers, validate};
 
 /// A stage, as naga writes it.
@@ -50,8 +51,13 @@ pub(super) fn write(
         binding_map,
         ..glsl::Options::default()
     };
+    let defined = DefinedRemainders::of(module.wgsl())?;
+    let (wgsl, valid) = match &defined {
+        Some(defined) => (defined.wgsl.as_str(), &defined.valid),
+        None => (module.wgsl(), module.valid()),
+    };
     let stages =
-        module.valid().module.entry_points.iter().map(|point| stage_text(module, point, &options));
+        valid.module.entry_points.iter().map(|point| stage_text(&valid.module, point, &options));
     let stages: Vec<StageText> = stages.collect::<Result<_, _>>()?;
     let names = Names::choose(module, &stages);
     let mut described =
@@ -59,7 +65,7 @@ pub(super) fn write(
     described.bindings =
         bindings(module, &names, &stages, &slots, version.supports_explicit_locations());
     described.attributes = names.attributes.clone();
-    let source = SourceComments::of(module.wgsl());
+    let source = SourceComments::of(wgsl);
     let mut files = Vec::new();
     for stage in &stages {
         let has_varyings = identifiers(&stage.text).iter().any(|word| word == "varyings");
@@ -90,7 +96,7 @@ pub(super) fn write(
 }
 
 fn stage_text(
-    module: &ShaderModule,
+    module: &naga::Module,
     point: &naga::EntryPoint,
     options: &glsl::Options,
 ) -> Result<StageText, String> {
@@ -133,8 +139,8 @@ pub(super) fn written_text(
 
 /// The module reduced to one entry point and everything that it needs; naga would write every
 /// function into both files.
-fn one_stage(module: &ShaderModule, point: &naga::EntryPoint) -> Result<ValidModule, String> {
-    let mut naga_module = module.valid().module.clone();
+fn one_stage(module: &naga::Module, point: &naga::EntryPoint) -> Result<ValidModule, String> {
+    let mut naga_module = module.clone();
     naga_module.entry_points.retain(|other| other.name == point.name);
     naga::compact::compact(&mut naga_module, naga::compact::KeepUnused::No);
     validate(naga_module).map_err(|error| error.to_string())

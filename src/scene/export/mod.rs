@@ -31,6 +31,7 @@ mod pretty;
 mod program;
 mod readable;
 mod reflect;
+mod remainders;
 mod slang;
 mod spirv;
 mod textures;

@@ -462,6 +462,11 @@ float area_square(vec3 stretch) {
     return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
+/// a % b with the sign of a, where GLSL defines none for numbers below 0.
+ivec2 signed_remainder_vec2(ivec2 a, ivec2 b) {
+    return a - a / b * b;
+}
+
 /// A step on the canvas as a step in a stroke's picture.
 vec2 brush_turned(vec2 step_, Brushstroke stroke, Brush style) {
     vec2 turned = vec2(stroke.turn.y * step_.x + stroke.turn.x * step_.y, stroke.turn.y * step_.y
@@ -534,7 +539,7 @@ vec2 bristles_laid(SpacedPlace at, float ink, Brush style) {
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
-        ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
+        ivec2 phase = (signed_remainder_vec2(corner, ivec2(3)) + ivec2(3)) % ivec2(3);
         for (int i = 0; i < 9; i++) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(1, 7 * (int(zoom) + octave));
@@ -605,7 +610,7 @@ vec2 bristles_laid_2(SpacedPlace at, float ink, Brush style) {
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
-        ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
+        ivec2 phase = (signed_remainder_vec2(corner, ivec2(3)) + ivec2(3)) % ivec2(3);
         for (int i = 0; i < 9; i++) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(6, 7 * (int(zoom) + octave));
@@ -669,7 +674,7 @@ vec2 bristles_laid_3(SpacedPlace at, float ink, Brush style) {
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
-        ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
+        ivec2 phase = (signed_remainder_vec2(corner, ivec2(3)) + ivec2(3)) % ivec2(3);
         for (int i = 0; i < 9; i++) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(2, 7 * (int(zoom) + octave));
@@ -739,7 +744,7 @@ vec2 bristles_laid_4(SpacedPlace at, float ink, Brush style) {
         float scale = uintBitsToFloat(uint(int(zoom) + octave + 127) << 23u);
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0)) / vec2(3.0, 1.0);
         ivec2 corner = ivec2(floor(p));
-        ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
+        ivec2 phase = (signed_remainder_vec2(corner, ivec2(3)) + ivec2(3)) % ivec2(3);
         for (int i = 0; i < 9; i++) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(3, 7 * (int(zoom) + octave));
@@ -803,7 +808,7 @@ vec2 bristles_laid_5(SpacedPlace at, float ink, Brush style) {
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
-        ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
+        ivec2 phase = (signed_remainder_vec2(corner, ivec2(3)) + ivec2(3)) % ivec2(3);
         for (int i = 0; i < 9; i++) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(4, 7 * (int(zoom) + octave));
@@ -867,7 +872,7 @@ vec2 bristles_laid_6(SpacedPlace at, float ink, Brush style) {
         vec2 p = clamp(at.place * scale, vec2(-4194304.0), vec2(4194304.0))
             / vec2(style.aspect, 1.0);
         ivec2 corner = ivec2(floor(p));
-        ivec2 phase = (corner % ivec2(3) + ivec2(3)) % ivec2(3);
+        ivec2 phase = (signed_remainder_vec2(corner, ivec2(3)) + ivec2(3)) % ivec2(3);
         for (int i = 0; i < 9; i++) {
             ivec2 cell = corner + (ivec2(i % 3, i / 3) - phase + ivec2(4)) % ivec2(3) - ivec2(1);
             ivec2 turning = cell + ivec2(8, 7 * (int(zoom) + octave));

@@ -170,8 +170,31 @@ pub(super) trait Dialect {
         None
     }
 
+    /// Lines before and after the members of a struct's declaration; `None` for languages that need
+    /// no declaration.
+    fn around_members(&self, _name: &str) -> Option<(String, &'static str)> {
+        None
+    }
+
+    /// The line of a member within a struct's declaration.
+    fn declare_member(&self, member: &MemberSource) -> String {
+        format!("{} {};", self.ty(&member.ty), member.name)
+    }
+
     /// A struct's declaration; empty where the language needs none.
-    fn declare_structure(&self, name: &str, doc: &[String], members: &[MemberSource]) -> String;
+    fn declare_structure(&self, name: &str, doc: &[String], members: &[MemberSource]) -> String {
+        let Some((opening, closing)) = self.around_members(name) else { return String::new() };
+        let lines = |lines: Vec<String>, indent: &str| -> String {
+            lines.iter().map(|line| format!("{indent}{line}\n")).collect()
+        };
+        let mut text = lines(self.doc(doc), "");
+        text += &format!("{opening}\n");
+        for member in members {
+            text += &lines(self.doc(&member.doc), self.indent());
+            text += &format!("{}{}\n", self.indent(), self.declare_member(member));
+        }
+        text + &format!("{closing}\n\n")
+    }
 
     /// A constant of the module.
     fn constant(&self, name: &str, ty: &ValueType, value: &Term) -> String;
@@ -209,6 +232,16 @@ pub(super) enum Head<'a> {
     Forever,
     /// A function with its parameters.
     Function { name: &'a str, parameters: &'a [(String, ValueType)], result: &'a ValueType },
+}
+
+/// The head of a function: `start(a, b)`, with a line for each parameter where the line would be
+/// longer than `width`.
+pub(super) fn function_head(start: &str, parameters: &[String], width: usize) -> String {
+    let short = format!("{start}({})", parameters.join(", "));
+    if short.len() <= width {
+        return short;
+    }
+    format!("{start}(\n    {})", parameters.join(",\n    "))
 }
 
 /// A member of a struct: name, type and comment.

@@ -4,9 +4,7 @@
 //! language's own vectors have 32 bits a component, its floats and arrays of them 64. Structs are
 //! dictionaries, whose members read as those of objects do.
 
-use super::dialect::{
-    Dialect, Head, HelperSource, Helpers, Kind, Level, MemberSource, Term, ValueType,
-};
+use super::dialect::{Dialect, Head, HelperSource, Helpers, Kind, Level, Term, ValueType};
 use super::pythonic;
 
 /// GDScript: vectors, matrices and arrays are arrays, structs are dictionaries.
@@ -256,10 +254,6 @@ impl Dialect for GdScript {
 
     fn nothing(&self) -> Option<&'static str> {
         Some("pass")
-    }
-
-    fn declare_structure(&self, _: &str, _: &[String], _: &[MemberSource]) -> String {
-        String::new()
     }
 
     fn constant(&self, name: &str, ty: &ValueType, value: &Term) -> String {

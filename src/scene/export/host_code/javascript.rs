@@ -1,8 +1,6 @@
 //! JavaScript, as ES2022 has it.
 
-use super::dialect::{
-    Dialect, Head, HelperSource, Helpers, Kind, Level, MemberSource, Term, ValueType,
-};
+use super::dialect::{Dialect, Head, HelperSource, Helpers, Kind, Level, Term, ValueType};
 
 /// JavaScript: vectors, matrices and arrays are arrays, structs are objects.
 pub(super) struct JavaScript;
@@ -154,10 +152,6 @@ impl Dialect for JavaScript {
 
     fn indent(&self) -> &'static str {
         "  "
-    }
-
-    fn declare_structure(&self, _: &str, _: &[String], _: &[MemberSource]) -> String {
-        String::new()
     }
 
     fn constant(&self, name: &str, _: &ValueType, value: &Term) -> String {

@@ -4,9 +4,7 @@
 //! and most functions of `math` are called by helpers that do not. Its integers have no ends: sums
 //! and products are brought back to 32 bits.
 
-use super::dialect::{
-    Dialect, Head, HelperSource, Helpers, Kind, Level, MemberSource, Term, ValueType,
-};
+use super::dialect::{Dialect, Head, HelperSource, Helpers, Kind, Level, Term, ValueType};
 use super::pythonic;
 
 /// Python: vectors, matrices and arrays are lists, structs are dicts.
@@ -180,10 +178,6 @@ impl Dialect for Python {
 
     fn nothing(&self) -> Option<&'static str> {
         Some("pass")
-    }
-
-    fn declare_structure(&self, _: &str, _: &[String], _: &[MemberSource]) -> String {
-        String::new()
     }
 
     fn constant(&self, name: &str, _: &ValueType, value: &Term) -> String {

@@ -124,19 +124,12 @@ impl Dialect for Rust {
         }
     }
 
-    fn declare_structure(&self, name: &str, doc: &[String], members: &[MemberSource]) -> String {
-        let mut text = String::new();
-        for line in self.doc(doc) {
-            text += &format!("{line}\n");
-        }
-        text += &format!("#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {name} {{\n");
-        for member in members {
-            for line in self.doc(&member.doc) {
-                text += &format!("    {line}\n");
-            }
-            text += &format!("    pub {}: {},\n", member_name(&member.name), self.ty(&member.ty));
-        }
-        text + "}\n\n"
+    fn around_members(&self, name: &str) -> Option<(String, &'static str)> {
+        Some((format!("#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {name} {{"), "}"))
+    }
+
+    fn declare_member(&self, member: &MemberSource) -> String {
+        format!("pub {}: {},", member_name(&member.name), self.ty(&member.ty))
     }
 
     fn constant(&self, name: &str, ty: &ValueType, value: &Term) -> String {

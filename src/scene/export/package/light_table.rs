@@ -60,6 +60,16 @@ fn driven_nodes(graph: &TypedGraph) -> IndexMap<LightId, IndexSet<String>> {
     driven
 }
 
+/// Names of the nodes behind a picture that take values of these types, each once.
+pub(super) fn nodes_that_take(graph: &TypedGraph, types: &[Type]) -> IndexSet<String> {
+    let behind = nodes_behind_picture(graph);
+    let nodes = graph.order.iter().filter(|index| behind.contains(*index));
+    let nodes = nodes.map(|&index| &graph.nodes[index]);
+    let takers =
+        nodes.filter(|node| node.inputs.iter().flatten().any(|input| types.contains(&input.ty)));
+    takers.map(name_of_node).collect()
+}
+
 /// Indices of the nodes that the picture is computed from.
 fn nodes_behind_picture(graph: &TypedGraph) -> BTreeSet<usize> {
     let mut behind = BTreeSet::from([graph.root.0]);

@@ -28,6 +28,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use glam::DMat4;
+use indexmap::IndexSet;
 use serde_json::json;
 
 use super::description::{self, Description};
@@ -38,7 +39,7 @@ use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Camera, Look};
 use crate::frame::{Assets, Executor, PlanOptions, PlanStyle, Setup, SetupObject};
 use crate::geometry::Mesh;
-use crate::library::Library;
+use crate::library::{Library, Type};
 use crate::progress::Progress;
 
 /// A package that looks are exported to.
@@ -150,6 +151,12 @@ impl PackageRequest<'_> {
         let message =
             format!("the look reads images, which the package {package} does not carry yet");
         Err(refusal(message, help))
+    }
+
+    /// Names of the nodes of the picture that take values of these types, each once, in the order
+    /// in which they are computed.
+    fn nodes_that_take(&self, types: &[Type]) -> IndexSet<String> {
+        light_table::nodes_that_take(self.graph, types)
     }
 
     /// The exposed parameters and the lights as tables of Markdown, for the end of a README.

@@ -9,6 +9,7 @@ mod whole;
 
 use super::dialect::{
     Dialect, Head, HelperSource, Helpers, Kind, Level, MemberSource, NameOf, Term, ValueType,
+    function_head,
 };
 use super::expressions::result_kind;
 
@@ -152,27 +153,18 @@ impl Dialect for CSharp {
             Head::Function { name, parameters, result } => {
                 let parameters: Vec<String> =
                     parameters.iter().map(|(name, ty)| format!("{} {name}", self.ty(ty))).collect();
-                let result = self.ty(result);
-                let short = format!("public static {result} {name}({})", parameters.join(", "));
-                if short.len() <= 96 {
-                    return format!("{short}\n{{");
-                }
-                format!("public static {result} {name}(\n    {})\n{{", parameters.join(",\n    "))
+                let start = format!("public static {} {name}", self.ty(result));
+                function_head(&start, &parameters, 96) + "\n{"
             }
         }
     }
 
-    fn declare_structure(&self, name: &str, doc: &[String], members: &[MemberSource]) -> String {
-        let lines = |lines: Vec<String>, indent: &str| -> String {
-            lines.iter().map(|line| format!("{indent}{line}\n")).collect()
-        };
-        let mut text = lines(self.doc(doc), "");
-        text += &format!("public struct {name}\n{{\n");
-        for member in members {
-            text += &lines(self.doc(&member.doc), "    ");
-            text += &format!("    public {} {};\n", self.ty(&member.ty), member.name);
-        }
-        text + "}\n\n"
+    fn around_members(&self, name: &str) -> Option<(String, &'static str)> {
+        Some((format!("public struct {name}\n{{"), "}"))
+    }
+
+    fn declare_member(&self, member: &MemberSource) -> String {
+        format!("public {} {};", self.ty(&member.ty), member.name)
     }
 
     fn constant(&self, name: &str, ty: &ValueType, value: &Term) -> String {

@@ -11,6 +11,7 @@ mod operations;
 
 use super::dialect::{
     Dialect, Head, HelperSource, Helpers, Kind, Level, MemberSource, NameOf, Term, ValueType,
+    function_head,
 };
 
 pub(in super::super) use helpers::with_preamble;
@@ -214,27 +215,17 @@ impl Dialect for Osl {
             Head::Function { name, parameters, result } => {
                 let parameters: Vec<String> =
                     parameters.iter().map(|(name, ty)| declared(name, ty)).collect();
-                let result = self.ty(result);
-                let short = format!("{result} {name}({})", parameters.join(", "));
-                if short.len() <= 100 {
-                    return format!("{short}\n{{");
-                }
-                format!("{result} {name}(\n    {})\n{{", parameters.join(",\n    "))
+                function_head(&format!("{} {name}", self.ty(result)), &parameters, 100) + "\n{"
             }
         }
     }
 
-    fn declare_structure(&self, name: &str, doc: &[String], members: &[MemberSource]) -> String {
-        let lines = |lines: Vec<String>, indent: &str| -> String {
-            lines.iter().map(|line| format!("{indent}{line}\n")).collect()
-        };
-        let mut text = lines(self.doc(doc), "");
-        text += &format!("struct {name} {{\n");
-        for member in members {
-            text += &lines(self.doc(&member.doc), "    ");
-            text += &format!("    {};\n", declared(&member.name, &member.ty));
-        }
-        text + "};\n\n"
+    fn around_members(&self, name: &str) -> Option<(String, &'static str)> {
+        Some((format!("struct {name} {{"), "};"))
+    }
+
+    fn declare_member(&self, member: &MemberSource) -> String {
+        format!("{};", declared(&member.name, &member.ty))
     }
 
     fn constant(&self, name: &str, _: &ValueType, value: &Term) -> String {

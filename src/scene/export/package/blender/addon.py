@@ -127,12 +127,18 @@ def options_of(scene):
 
 
 class CHIARO_OT_wear(bpy.types.Operator):
-    """Puts the look on the selected objects with faces, or takes it off"""
+    """Puts the look on the selected objects with faces, and shows it in the viewport"""
 
     bl_idname = f"object.{STORED}_wear"
     bl_label = "Put on selected"
     bl_options = {"REGISTER", "UNDO"}
     takes_off: bpy.props.BoolProperty(name="Take off", options={"SKIP_SAVE"})
+
+    @classmethod
+    def description(cls, _context, properties):
+        if properties.takes_off:
+            return "Takes the look off the selected objects, with its material for Cycles"
+        return cls.__doc__
 
     def execute(self, context):
         things = [thing for thing in context.selected_objects if thing.type in WEARERS]
@@ -141,6 +147,8 @@ class CHIARO_OT_wear(bpy.types.Operator):
             return {"CANCELLED"}
         for thing in things:
             wear(thing, not self.takes_off)
+            if self.takes_off:
+                take_off_in_cycles(thing)
         if not self.takes_off:
             getattr(context.scene, STORED).is_shown = True
         try_again()
@@ -148,7 +156,7 @@ class CHIARO_OT_wear(bpy.types.Operator):
 
 
 class CHIARO_OT_cycles(bpy.types.Operator):
-    """Gives the selected objects a material that shows the look in Cycles, in place of theirs"""
+    """Gives the selected objects a material that shows the look in Cycles, over those they have"""
 
     bl_idname = f"object.{STORED}_cycles"
     bl_label = "Material for Cycles"
@@ -165,15 +173,17 @@ class CHIARO_OT_cycles(bpy.types.Operator):
         if not things:
             self.report({"WARNING"}, "Select a mesh first")
             return {"CANCELLED"}
-        before = context.scene.view_settings.view_transform
+        scene = context.scene
+        before = (scene.render.engine, scene.view_settings.view_transform)
         try:
             for thing in things:
-                wear_in_cycles(thing, context.scene)
+                wear_in_cycles(thing, scene)
         except (OSError, RuntimeError, ValueError) as problem:
             self.report({"ERROR"}, str(problem))
             return {"CANCELLED"}
-        if before != "Standard":
-            self.report({"INFO"}, "The view transform is Standard now, to show colors as they are")
+        if before != (scene.render.engine, scene.view_settings.view_transform):
+            message = "Cycles renders now, with Open Shading Language; the view transform is "
+            self.report({"INFO"}, message + "Standard, which shows colors as they are")
         return {"FINISHED"}
 
 

@@ -24,19 +24,30 @@ def cycles_material(scene=None):
     # Colors are shown as the look has them.
     scene.view_settings.view_transform = "Standard"
     found = [one for one in bpy.data.materials if script_of(one) is not None]
+    # The look may have been exported again since.
+    for material in found:
+        script_of(material).script = shader_text()
     material = found[0] if found else new_cycles_material()
     update_cycles(scene)
     return material
 
 
-def new_cycles_material():
+def shader_text():
+    """The shader as a text of the file, brought to what lies beside the add-on."""
     path = os.path.join(FOLDER, CYCLES["file"])
     text = bpy.data.texts.get(CYCLES["file"]) or bpy.data.texts.new(CYCLES["file"])
     if os.path.isfile(path):
         with open(path, encoding="utf-8") as file:
-            text.from_string(file.read())
+            source = file.read()
+        if text.as_string() != source:
+            text.from_string(source)
     elif not text.as_string():
         raise FileNotFoundError(f"{CYCLES['file']} is to lie beside {os.path.basename(__file__)}")
+    return text
+
+
+def new_cycles_material():
+    text = shader_text()
     material = bpy.data.materials.new(LOOK["name"])
     material.use_nodes = True
     tree = material.node_tree
@@ -68,13 +79,27 @@ def script_of(material):
 
 
 def wear_in_cycles(thing, scene=None):
-    """Puts the look on an object, in the viewport and in Cycles."""
+    """Puts the look on an object, in the viewport and in Cycles.
+
+    The material is the object's own, over those of its mesh, which other objects may share.
+    """
     wear(thing)
     material = cycles_material(scene)
-    thing.data.materials.clear()
-    thing.data.materials.append(material)
+    if not thing.material_slots:
+        thing.data.materials.append(None)
+    for slot in thing.material_slots:
+        slot.link = "OBJECT"
+        slot.material = material
     update_cycles(scene or bpy.context.scene)
     return material
+
+
+def take_off_in_cycles(thing):
+    """Gives an object the materials of its mesh back."""
+    for slot in thing.material_slots:
+        if slot.link == "OBJECT" and slot.material and script_of(slot.material) is not None:
+            slot.material = None
+            slot.link = "DATA"
 
 
 def light_of_shown(color):
@@ -107,8 +132,7 @@ def cycles_values(scene):
             values[names[1]] = numbers[3] if len(numbers) > 3 else 1.0
         triple = (numbers + [0.0, 0.0])[:3]
         values[names[0]] = light_of_shown(triple) if is_color else triple
-    depsgraph = bpy.context.evaluated_depsgraph_get()
-    bodies = measured_bodies(wearers_of(bpy.context.view_layer), depsgraph)
+    bodies = measured_bodies(wearers_of(bpy.context.view_layer))
     models = [Y_UP @ thing.matrix_world @ Y_UP.inverted() for thing, _ in bodies]
     scale, middle = Player.fit(bodies, models) if options["fit"] else (1.0, Vector())
     values["middle"] = list(Y_UP.inverted() @ middle)
@@ -134,11 +158,13 @@ def cycles_values(scene):
     return values
 
 
-def measured_bodies(things, depsgraph):
+def measured_bodies(things):
     """Objects with their meshes; without those that have no faces now."""
     found = []
     for thing in things:
         if thing.session_uid not in MEASURED:
+            # Asked for only here: it evaluates keyframes, over a value that was just set.
+            depsgraph = bpy.context.evaluated_depsgraph_get()
             try:
                 MEASURED[thing.session_uid] = Body(thing, depsgraph)
             except ValueError:

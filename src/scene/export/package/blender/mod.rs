@@ -51,7 +51,7 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
         Ok(shader) => python::literal(&shader.about, 0),
         Err(_) => "None".to_owned(),
     };
-    let reason = shader.as_ref().err().map_or("", |problem| problem.message.as_str());
+    let reason = shader.as_ref().err().map_or_else(String::new, reason_of);
     let (title, version) = (request.title, env!("CARGO_PKG_VERSION"));
     let name = serde_json::Value::from(title);
     let numbers = concat!(
@@ -139,12 +139,17 @@ fn extension_id(stem: &str) -> String {
 fn readme(request: &PackageRequest<'_>, shader: &Result<osl::OslShader, Diagnostic>) -> String {
     let cycles = match shader {
         Ok(_) => CYCLES.to_owned(),
-        Err(problem) => format!(
-            "**Cycles.** There is no shader for Cycles here: {}.\n",
-            problem.message.trim_end_matches('.')
-        ),
+        Err(problem) => {
+            format!("**Cycles.** There is no shader for Cycles here: {}.\n", reason_of(problem))
+        }
     };
     filled(&README.replace("{{cycles}}\n", &cycles), request)
+}
+
+/// The reason of a problem, and what helps.
+fn reason_of(problem: &Diagnostic) -> String {
+    let parts = [problem.message.as_str()].into_iter().chain(problem.hints.iter().map(|it| &**it));
+    parts.collect::<Vec<_>>().join("; ")
 }
 
 /// A template with its places filled.

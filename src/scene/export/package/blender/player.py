@@ -22,14 +22,15 @@ ivec2 look_texel(ivec2 at, ivec2 size) {
 #if WRAP == 0
     return clamp(at, ivec2(0), size - 1);
 #elif WRAP == 1
-    return (at % size + size) % size;
+    return (at + size) % size;
 #else
     ivec2 twice = 2 * size;
-    ivec2 turned = (at % twice + twice) % twice;
+    ivec2 turned = (at + twice) % twice;
     return min(turned, twice - 1 - turned);
 #endif
 }
 
+// Texels lie between -1 and twice the size, for remainders of what is less have no meaning.
 vec4 look_texture(sampler2D image, vec2 uv) {
     ivec2 size = textureSize(image, 0);
 #if WRAP == 0
@@ -878,7 +879,8 @@ def is_in_renders(thing):
 
 def wearers_of(view_layer):
     """Objects that wear the look; all with faces where none does. Not those hidden in renders."""
-    things = [thing for thing in view_layer.objects if thing.type in WEARERS]
+    # Objects that were just removed are None.
+    things = [thing for thing in view_layer.objects if thing and thing.type in WEARERS]
     things = [thing for thing in things if is_in_renders(thing)]
     return [thing for thing in things if thing.get(STORED)] or things
 

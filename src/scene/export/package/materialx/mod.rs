@@ -97,28 +97,32 @@ fn readme(
 ) -> String {
     let targets = match standard {
         Ok(graph) => format!(
-            "Generators for OpenGL and Vulkan (`genglsl`, `genessl`, `genvk`) take the GLSL. All \
-             others, such as OSL, MDL and\nMSL, and programs that import graphs take \
-             `NG_{name}_standard`: the same look as {} of\nMaterialX's own nodes. They are not \
-             told of pixels, so edges are as sharp as pixels are, nor of sides,\nso all is lit as \
-             from the front.",
+            "The node has two forms, and generators choose by themselves.\n\n\
+             - GLSL, `{{{{stem}}}}.glsl`: the look as Chiaro draws it. OpenGL, WebGL and Vulkan \
+             (`genglsl`, `genessl`,\n  `genvk`) take it, and with them MaterialXView.\n\
+             - A graph, `NG_{name}_standard`: the look as {} of MaterialX's own nodes. OSL, MDL, \
+             MSL and all\n  others take it, and so do programs that import graphs. Its nodes are \
+             not told of pixels, so edges\n  are as sharp as pixels are, nor of sides, so all is \
+             lit as from the front.\n\n\
+             Where both can be had, take the GLSL; take the graph to go on in nodes.",
             graph.nodes
         ),
         Err(reason) => format!(
-            "GLSL alone: `genglsl`, `genessl` and `genvk`, none of OSL, MDL or MSL. There is no \
-             graph\nof MaterialX's own nodes, for {reason}."
+            "GLSL alone, `{{{{stem}}}}.glsl`, for OpenGL, WebGL and Vulkan: `genglsl`, `genessl` \
+             and `genvk`, and\nwith them MaterialXView. None of OSL, MDL or MSL. There is no \
+             graph of MaterialX's\nown nodes, for {reason}."
         ),
     };
     let lights = request.description.lights.iter();
     let lights: Vec<String> = lights.map(|light| format!("`{}`", light.id)).collect();
     let lights = if lights.is_empty() { "none here".to_owned() } else { lights.join(", ") };
     README
+        .replace("{{targets}}", &targets)
         .replace("{{title}}", request.title)
         .replace("{{stem}}", request.stem)
         .replace("{{node}}", name)
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{lights}}", &lights)
-        .replace("{{targets}}", &targets)
         .replace("{{table}}", &request.tables())
 }
 

@@ -18,6 +18,7 @@ use crate::diag::Diagnostic;
 use crate::document::ColorSpace;
 use crate::export::header;
 use crate::export::readable::{SourceComments, WrittenText};
+use crate::export::remainders::DefinedRemainders;
 use crate::export::{glsl, modules::ShaderModule};
 use crate::wgsl::{self, Declaration, identifiers, rename_identifiers, scan, validate};
 
@@ -283,6 +284,7 @@ fn written(parts: &Parts) -> Result<String, String> {
          return {PICTURE}(Varyings(){told});\n}}\n",
         parts.wgsl
     );
+    let source = DefinedRemainders::of(&source)?.map_or(source, |defined| defined.wgsl);
     let mut module = wgsl::parse(&source).map_err(|error| error.to_string())?.module;
     naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
     let valid = validate(module).map_err(|error| error.to_string())?;

@@ -68,6 +68,8 @@ impl Source {
                     is_told_side = own.contains("@builtin(front_facing)");
                     let text = without_attributes(own, |_| true);
                     let text = text.replacen("fs_main", PICTURE, 1);
+                    // What the look leaves out lets through what is behind.
+                    let text = text.replace("discard;", "return vec4f(0.0);");
                     format!("/// The look at a point of a surface: straight RGBA.\n{text}")
                 }
                 _ if declaration.kind == DeclarationKind::Variable => continue,
