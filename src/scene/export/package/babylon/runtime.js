@@ -12,7 +12,7 @@ import { LookValues } from "./values.js";
 
 /** A look as a material for Babylon.js. Use the class of the look, which is made from this. */
 export class LookMaterial extends ShaderMaterial {
-  constructor(name, scene, look, base, { parameters, encoding = "display" } = {}) {
+  constructor(name, scene, look, files, { parameters, encoding = "display" } = {}) {
     const pass = look.passes.at(-1);
     const module = new LookModule(scene, look, pass, recodingOf(look, encoding));
     super(name, scene, module.sources, {
@@ -37,7 +37,7 @@ export class LookMaterial extends ShaderMaterial {
     const images = module.textures.filter(({ feed }) => feed.from === "image");
     /** Resolves when the look's images are there. */
     this.ready = Promise.all(images.map(async ({ feed, shaderName }) => {
-      const { texture, loaded } = loadImage(scene, look, look.images[feed.image], base);
+      const { texture, loaded } = loadImage(scene, look, look.images[feed.image], files);
       this.setTexture(shaderName, texture);
       this.setTexture(shaderName, await loaded);
     })).then(() => this);
