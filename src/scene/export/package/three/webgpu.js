@@ -401,11 +401,11 @@ class EachRenderNode extends THREE.Node {
   }
 }
 
-/** Tells what a renderer that cannot draw nodes would not. */
+/** Says what to do, which a renderer that cannot draw nodes would not. */
 function refuseRenderer(look, renderer) {
   if (!renderer?.isWebGLRenderer) return;
-  throw new TypeError(`Chiaro: ${look.name}: this material is for WebGPURenderer; WebGLRenderer ` +
-    "takes the class of the look's .material.js");
+  throw new TypeError(`Chiaro: ${look.name}: this material is for WebGPURenderer: for ` +
+    "WebGLRenderer, take the class of the look's .material.js");
 }
 
 /** A look as a material for WebGPURenderer. Use the class of the look, which is made from this. */
