@@ -109,7 +109,8 @@ function checkKind(look, object) {
   if (!isNew(look, object)) return;
   for (const [has, help] of UNFOLLOWED) {
     if (!has(object)) continue;
-    console.error(`Chiaro: ${look.name} on "${object.name || object.type}" does not follow ${help}`);
+    const name = object.name || object.type;
+    console.error(`Chiaro: ${look.name} on "${name}" does not follow ${help}`);
   }
 }
 
