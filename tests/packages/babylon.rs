@@ -76,5 +76,8 @@ fn parameters_and_lights_are_those_of_the_look() {
         page.evaluate("test.mesh.material.lights.key.direction = undefined");
         page.evaluate("test.mesh.material.parameters.falloff = undefined");
         assert_eq!(before, page.pixels(), "{api}: the look's own values are back");
+        let wrong = page.browser.evaluate("test.mesh.material.parameters.fallof = 1");
+        let told = "there is no parameters.fallof, but";
+        assert!(wrong.as_ref().is_err_and(|it| it.contains(told)), "{api}: {wrong:?}");
     }
 }

@@ -18,6 +18,8 @@ pub(super) struct Materials<'a> {
     pub(super) lights: Vec<&'a str>,
     /// The parameters and lights as tables of Markdown, in the place `{{table}}` of templates.
     pub(super) table: String,
+    /// Names of the files with the look's images.
+    pub(super) images: Vec<&'a str>,
 }
 
 /// An exposed parameter.
@@ -52,6 +54,7 @@ impl<'a> Materials<'a> {
             parameters: parameters.collect(),
             lights: lights.collect(),
             table: request.tables(),
+            images: request.textures.iter().map(|file| file.name.as_str()).collect(),
         }
     }
 
@@ -97,6 +100,7 @@ fn filled(template: &str, materials: &Materials<'_>, version: &str) -> String {
         .replace("{{library}}", version)
         .replace("{{parameters}}", &members(materials))
         .replace("{{table}}", &materials.table)
+        .replace("{{files}}", &addresses(&materials.images))
         .replace("{{light}}", &joined(ids, " | ", "never", |id| format!("\"{id}\"")))
         .replace("{{lights}}", &joined(ids, ", ", "none here", |id| format!("`{id}`")))
         .replace(
@@ -131,6 +135,26 @@ fn package_name(stem: &str) -> String {
     let stem = stem.to_ascii_lowercase();
     let words = stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
     words.fold("look".to_owned(), |name, word| name + "-" + word)
+}
+
+/// The addresses of files beside a module, by their names, as a constant of JavaScript. Bundlers
+/// find a file only where its name is written out in a `new URL`.
+fn addresses(names: &[&str]) -> String {
+    if names.is_empty() {
+        return "const files = {};\n".to_owned();
+    }
+    let mut text =
+        "/** The look's images, each written out so that bundlers find them. */\n".to_owned();
+    text += "const files = {\n";
+    for name in names {
+        // These four have meanings of their own in an address.
+        let address = name.replace('%', "%25").replace('#', "%23");
+        let address = address.replace('?', "%3F").replace('\\', "%5C");
+        let key = serde_json::Value::from(*name);
+        let address = serde_json::Value::from(format!("./{address}"));
+        let _infallible = writeln!(text, "  {key}: new URL({address}, import.meta.url),");
+    }
+    text + "};\n"
 }
 
 /// The parameters as members of an interface of TypeScript, a line each.
@@ -186,6 +210,7 @@ pub(super) mod tests {
             parameters: vec![parameter("warmth", "float"), parameter("tint", "color")],
             lights: vec!["key"],
             table: String::new(),
+            images: vec!["2-rim.50% #1.png"],
         }
     }
 

@@ -5,9 +5,10 @@ import { look } from "./{{stem}}.js";
 
 export { look };
 
+{{files}}
 /** The look as a material: `new {{class}}Material("name", scene, { parameters: { ... } })`. */
 export class {{class}}Material extends Base {
   constructor(name, scene, options) {
-    super(name, scene, look, new URL("./", import.meta.url), options);
+    super(name, scene, look, files, options);
   }
 }

@@ -2,8 +2,7 @@
 
 import { Constants, ShaderMaterial } from "@babylonjs/core";
 import { LookModule } from "./module.js";
-import { arePassesShared } from "./passes.js";
-import { objectValues, placeOf, viewValues } from "./scene.js";
+import { checkMesh, objectValues, placeOf, viewValues } from "./scene.js";
 import { recodingOf } from "./shaders.js";
 import { passesFor } from "./targets.js";
 import { loadImage } from "./textures.js";
@@ -12,7 +11,7 @@ import { LookValues } from "./values.js";
 
 /** A look as a material for Babylon.js. Use the class of the look, which is made from this. */
 export class LookMaterial extends ShaderMaterial {
-  constructor(name, scene, look, base, { parameters, encoding = "display" } = {}) {
+  constructor(name, scene, look, files, { parameters, encoding = "display" } = {}) {
     const pass = look.passes.at(-1);
     const module = new LookModule(scene, look, pass, recodingOf(look, encoding));
     super(name, scene, module.sources, {
@@ -31,18 +30,31 @@ export class LookMaterial extends ShaderMaterial {
     // usual mode of Babylon.js adds up alpha.
     this.forceDepthWrite = true;
     this.alphaMode = Constants.ALPHA_LAYER_ACCUMULATE;
-    this.passes = passesFor(scene, look);
+    this.passes = passesFor(scene, look, this);
     this.getRenderTargetTextures = this.passes && (() => this.passes.begin());
     this.passes?.connect(pass, module, (binding, target) => this.setTexture(binding, target));
+    /** The look's images by their names in the shader. */
+    this.images = new Map();
     const images = module.textures.filter(({ feed }) => feed.from === "image");
     /** Resolves when the look's images are there. */
     this.ready = Promise.all(images.map(async ({ feed, shaderName }) => {
-      const { texture, loaded } = loadImage(scene, look, look.images[feed.image], base);
-      this.setTexture(shaderName, texture);
-      this.setTexture(shaderName, await loaded);
+      const { texture, loaded } = loadImage(scene, look, look.images[feed.image], files);
+      this.take(shaderName, texture);
+      this.take(shaderName, await loaded);
     })).then(() => this);
     this.ready.catch((error) => console.error(`Chiaro: ${look.name}: ${error.message}`));
     Object.assign(this.parameters, parameters);
+  }
+
+  /** Takes a texture of this material's own in the place of the one before. */
+  take(shaderName, texture) {
+    const before = this.images?.get(shaderName);
+    if (before !== texture) before?.dispose();
+    if (!this.images) texture.dispose();
+    else {
+      this.images.set(shaderName, texture);
+      this.setTexture(shaderName, texture);
+    }
   }
 
   get hasRenderTargetTextures() {
@@ -71,6 +83,7 @@ export class LookMaterial extends ShaderMaterial {
   bind(world, mesh, effectOverride, subMesh) {
     const effect = effectOverride ?? subMesh?.effect ?? this.getEffect();
     if (!effect) return;
+    checkMesh(this.look, this.module, mesh);
     super.bind(world, mesh, effectOverride, subMesh);
     this.module.bind(effect, (block) => this.fill(block, mesh, world));
   }
@@ -94,8 +107,10 @@ export class LookMaterial extends ShaderMaterial {
 
   dispose(...options) {
     this.module.dispose();
-    // Passes that other materials have, too, stay with the scene.
-    if (!arePassesShared(this.look)) this.passes?.dispose();
+    this.passes?.release(this);
+    for (const texture of this.images?.values() ?? []) texture.dispose();
+    // Images that come later are not kept.
+    this.images = null;
     super.dispose(...options);
   }
 }

@@ -131,3 +131,27 @@ export const isDrawn = (mesh) =>
   mesh.isVisible && mesh.isEnabled() && mesh.geometry && mesh.isVerticesDataPresent("normal")
   && !(mesh.skeleton || mesh.morphTargetManager || mesh.hasInstances || mesh.hasThinInstances
     || mesh.isAnInstance || mesh.infiniteDistance);
+
+/** What a look does not follow of meshes, and what to do. */
+const UNFOLLOWED = [
+  [(mesh) => mesh.skeleton, "skeletons: take a mesh in its pose"],
+  [(mesh) => mesh.morphTargetManager, "morph targets: bake them into the mesh"],
+  [(mesh) => mesh.hasInstances || mesh.hasThinInstances, "instances: take a clone for each"],
+];
+
+const toldOf = new WeakMap();
+
+/** Says once for each mesh what of it the look does not draw, and what the look needs of it. */
+export function checkMesh(look, { attributes }, mesh) {
+  if (!toldOf.has(mesh)) toldOf.set(mesh, new Set());
+  const told = toldOf.get(mesh);
+  const tell = (text) => {
+    if (told.has(text)) return;
+    told.add(text);
+    console.error(`Chiaro: ${look.name} on "${mesh.name}" ${text}`);
+  };
+  for (const [has, help] of UNFOLLOWED) if (has(mesh)) tell(`does not follow ${help}`);
+  for (const name of attributes) {
+    if (!mesh.isVerticesDataPresent(name)) tell(`needs the vertex data "${name}"`);
+  }
+}

@@ -186,6 +186,8 @@ export class Passes {
     /** Targets by the names of pass and output, in the order in which they are drawn. */
     this.targets = new Map();
     this.list = new SmartArray(4);
+    /** Materials that have these passes, which are freed with the last of them. */
+    this.users = new Set();
     for (const pass of passesBefore(look)) {
       if (!FORMATS[pass.outputs[0].format] || pass.outputs.length > 1) {
         throw new Error(`Chiaro: ${look.name}: the pass ${pass.name} has a target unknown here`);
@@ -257,7 +259,11 @@ export class Passes {
     return this.list;
   }
 
-  dispose() {
+  /** Frees what is drawn for a material, unless other materials have it, too. */
+  release(material) {
+    if (!this.users.delete(material) || this.users.size > 0) return;
+    const shared = sharedOf.get(this.scene);
+    if (shared?.get(this.look) === this) shared.delete(this.look);
     for (const target of this.targets.values()) target.dispose();
   }
 }
@@ -266,11 +272,12 @@ export class Passes {
 const sharedOf = new WeakMap();
 
 /** The passes of a look for a new material; `null` for a look without any. */
-export function passesFor(scene, look) {
+export function passesFor(scene, look, material) {
   if (passesBefore(look).length === 0) return null;
-  if (!arePassesShared(look)) return new Passes(scene, look);
   if (!sharedOf.has(scene)) sharedOf.set(scene, new Map());
-  const known = sharedOf.get(scene);
+  const known = arePassesShared(look) ? sharedOf.get(scene) : new Map();
   if (!known.has(look)) known.set(look, new Passes(scene, look));
-  return known.get(look);
+  const passes = known.get(look);
+  passes.users.add(material);
+  return passes;
 }

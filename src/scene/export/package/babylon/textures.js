@@ -5,11 +5,14 @@ import { readLayers } from "./ktx2.js";
 
 const WHITE = new Uint8Array([255, 255, 255, 255]);
 
-/** An image of the look: `texture`, and `loaded`, a promise of the texture that stays. */
-export function loadImage(scene, look, image, base) {
+/**
+ * An image of the look: `texture`, and `loaded`, a promise of the texture that stays. `files` has
+ * the addresses of files by their names.
+ */
+export function loadImage(scene, look, image, files) {
   const filter = image.filter === "nearest"
     ? Texture.NEAREST_SAMPLINGMODE : Texture.BILINEAR_SAMPLINGMODE;
-  const url = image.file && new URL(encodeURIComponent(image.file), base).href;
+  const url = image.file && files[image.file].href;
   if (image.kind === "hcbtf") {
     const texture = arrayOf(scene, { bytes: WHITE, width: 1, height: 1, layers: 1 }, filter);
     return { texture, loaded: url ? readArray(scene, url, filter) : Promise.resolve(texture) };

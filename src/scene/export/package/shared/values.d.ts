@@ -1,5 +1,5 @@
-/** A color: its numbers in the look's own space, or hex, such as `"#40c070"`. */
-type ColorValue = LibraryColor | Vector3 | Vector4 | readonly number[] | string;
+/** A color: its numbers in the look's own space, or hex, such as `"#40c070"` or `0x40c070`. */
+type ColorValue = LibraryColor | Vector3 | Vector4 | readonly number[] | string | number;
 
 type VectorValue = Vector3 | readonly number[];
 

@@ -4,8 +4,10 @@ const isPlain = (value) => ["number", "boolean", "string"].includes(typeof value
 
 const linearOf = (x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
 
-/** Numbers of a color such as `#40c070`, in the look's space. */
-function numbersOfHex(text, colorSpace) {
+/** Numbers of a color such as `#40c070` or `0x40c070`, in the look's space. */
+function numbersOfHex(hex, colorSpace) {
+  const isNumber = Number.isInteger(hex) && hex >= 0 && hex <= 0xffffff;
+  const text = isNumber ? `#${hex.toString(16).padStart(6, "0")}` : hex;
   if (!/^#[0-9a-f]{6}$/i.test(text)) return undefined;
   const shown = [1, 3, 5].map((at) => parseInt(text.slice(at, at + 2), 16) / 255);
   return colorSpace === "display" ? shown : shown.map(linearOf);
@@ -16,7 +18,7 @@ function numbersOfHex(text, colorSpace) {
  * `colorSpace` is that of colors, and nothing for other values.
  */
 function numbersOf(value, colorSpace) {
-  if (typeof value === "string") return colorSpace && numbersOfHex(value, colorSpace);
+  if (isPlain(value)) return colorSpace && numbersOfHex(value, colorSpace);
   if (value?.isColor && colorSpace === "display") {
     // Colors of three.js are linear; looks in display colors want what is shown.
     const shown = value.getRGB({}, "srgb");
@@ -34,16 +36,19 @@ function checked(name, value, example, colorSpace) {
     if (typeof value === typeof example && !Number.isNaN(value)) return value;
     throw new TypeError(`${name} is a ${typeof example}, such as ${JSON.stringify(example)}`);
   }
-  const isNumber = typeof value === "number";
+  const isNumber = typeof value === "number" && !colorSpace;
   const numbers = isNumber ? example.map(() => value) : numbersOf(value, colorSpace);
   if (numbers && !numbers.some(Number.isNaN)) {
     if (numbers.length === example.length) return Object.freeze(numbers);
     // Colors without alpha are opaque.
     if (numbers.length === 3 && example.length === 4) return Object.freeze([...numbers, 1]);
   }
-  const hex = colorSpace ? ", or a color such as \"#40c070\"" : "";
+  const hex = colorSpace ? ", or a color such as \"#40c070\" or 0x40c070" : "";
   throw new TypeError(`${name} takes ${example.length} numbers, such as [${example}]${hex}`);
 }
+
+/** The names in an object, for errors about another one. */
+const namesOf = (object) => Object.keys(object).join(", ") || "none";
 
 /**
  * An object whose properties are values with defaults; other names cannot be set. `spaceOf` tells
@@ -64,7 +69,16 @@ function settable(owner, fields, spaceOf, notify) {
       },
     });
   }
-  return { object: Object.preventExtensions(object), values };
+  const guarded = new Proxy(Object.preventExtensions(object), {
+    set(target, key, value) {
+      if (!Object.hasOwn(target, key)) {
+        throw new TypeError(`there is no ${owner}${String(key)}, but ${namesOf(target)}`);
+      }
+      target[key] = value;
+      return true;
+    },
+  });
+  return { object: guarded, values };
 }
 
 /** Fields of lights that a program may set, in the light's own frame. */

@@ -1,16 +1,16 @@
 // What both materials of a look have: its parameters, lights, images and sides.
 
-import { followLights, sideOf } from "./scene.js";
+import { followLights, hasPlace, sideOf } from "./scene.js";
 import { loadImages } from "./textures.js";
 import { LookValues } from "./values.js";
 
 /** The images of looks, loaded once for each build of three.js. */
 const imagesOf = new WeakMap();
 
-function imagesFor(THREE, look, base) {
+function imagesFor(THREE, look, files) {
   if (!imagesOf.has(THREE)) imagesOf.set(THREE, new Map());
   const known = imagesOf.get(THREE);
-  if (!known.has(look)) known.set(look, loadImages(THREE, look, base));
+  if (!known.has(look)) known.set(look, loadImages(THREE, look, files));
   return known.get(look);
 }
 
@@ -27,11 +27,33 @@ export function optionsOf(THREE, look, pass, options) {
   };
 }
 
+/** Materials that use something, which is freed with the last one that is disposed of. */
+export class Users {
+  constructor(free) {
+    this.free = free;
+    this.known = new WeakSet();
+    this.count = 0;
+  }
+
+  add(material) {
+    if (this.known.has(material)) return;
+    this.known.add(material);
+    this.count++;
+    const end = () => {
+      material.removeEventListener("dispose", end);
+      this.known.delete(material);
+      this.count--;
+      if (this.count === 0) this.free();
+    };
+    material.addEventListener("dispose", end);
+  }
+}
+
 /** A class of materials with the values of a look. */
 export const withLook = (Base, THREE) =>
   class extends Base {
-    /** Takes the look; `base` is the address of the folder with its images. */
-    begin(look, base, parameters) {
+    /** Takes the look; `files` has the addresses of its images by their names. */
+    begin(look, files, parameters) {
       this.look = look;
       this.ownSide = this.side;
       this.values = new LookValues(look);
@@ -39,7 +61,7 @@ export const withLook = (Base, THREE) =>
       this.lights = this.values.lights;
       /** What is written: `auto` fits the renderer, `none` leaves the look's own numbers. */
       this.encoding = "auto";
-      this.images = imagesFor(THREE, look, base);
+      this.images = imagesFor(THREE, look, files);
       this.followed = new Map();
       this.size = new THREE.Vector2();
       Object.assign(this.parameters, parameters);
@@ -61,6 +83,7 @@ export const withLook = (Base, THREE) =>
 
     /** Rotation that turns the look's lights together: a Matrix3. */
     set illumination(matrix) {
+      if (matrix?.elements?.length !== 9) throw new TypeError("illumination is a Matrix3");
       this.values.illumination = Array.from(matrix.elements);
     }
 
@@ -73,6 +96,10 @@ export const withLook = (Base, THREE) =>
       if (!own) {
         const known = Object.keys(this.lights).join(", ");
         throw new TypeError(`${this.look.name} has no light "${id}", but ${known || "none"}`);
+      }
+      if (light && !hasPlace(light)) {
+        throw new TypeError(`a light that "${id}" can follow has a place, such as a ` +
+          "DirectionalLight, PointLight or SpotLight");
       }
       if (light) this.followed.set(id, { light, color, intensity });
       else if (this.followed.delete(id)) for (const field in own) own[field] = undefined;

@@ -1,6 +1,8 @@
 // {{name}}: a look made with Chiaro {{version}}. Types of its material for {{renderer}}.
 
-import type { BufferGeometry, Color, Light, Matrix3, Vector2, Vector3, Vector4 } from "three";
+import type {
+  BufferGeometry, Color, Light, Matrix3, Object3D, Vector2, Vector3, Vector4,
+} from "three";
 import { {{base}} } from "{{module}}";
 
 /** A color of three.js. */
@@ -39,3 +41,6 @@ export class {{type}} extends {{base}} {
 
 /** Centers a geometry and scales it to a sphere of radius 1, the size that looks are made for. */
 export function fit<G extends BufferGeometry>(geometry: G): G;
+
+/** Does so for all meshes of a model together, by its common radius; nothing moves or grows. */
+export function fitAll<O extends Object3D>(root: O): O;

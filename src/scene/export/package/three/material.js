@@ -3,12 +3,13 @@
 import { LookMaterial as Base } from "./webgl.js";
 import { look } from "./{{stem}}.js";
 
-export { fit } from "./scene.js";
+export { fit, fitAll } from "./scene.js";
 export { look };
 
+{{files}}
 /** The look as a material: `new {{class}}Material({ parameters: { ... } })`. */
 export class {{class}}Material extends Base {
   constructor(options) {
-    super(look, new URL("./", import.meta.url), options);
+    super(look, files, options);
   }
 }

@@ -113,6 +113,9 @@ mod tests {
         is_complete(&files);
         assert!(text(&files, "2-rim.material.js").contains("class Look2RimMaterial extends"));
         assert!(text(&files, "2-rim.material.js").starts_with("// Rim and light: a look"));
+        let image =
+            "  \"2-rim.50% #1.png\": new URL(\"./2-rim.50%25 %231.png\", import.meta.url),\n";
+        assert!(text(&files, "2-rim.node-material.js").contains(image));
         let types = text(&files, "2-rim.node-material.d.ts");
         assert!(types.contains("class Look2RimNodeMaterial extends NodeMaterial"), "{types}");
         assert!(types.contains("  get \"warmth\"(): number;\n"), "{types}");

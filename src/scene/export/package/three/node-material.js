@@ -3,12 +3,13 @@
 import { LookNodeMaterial as Base } from "./webgpu.js";
 import { look } from "./{{stem}}.js";
 
-export { fit } from "./scene.js";
+export { fit, fitAll } from "./scene.js";
 export { look };
 
+{{files}}
 /** The look as a material: `new {{class}}NodeMaterial({ parameters: { ... } })`. */
 export class {{class}}NodeMaterial extends Base {
   constructor(options) {
-    super(look, new URL("./", import.meta.url), options);
+    super(look, files, options);
   }
 }

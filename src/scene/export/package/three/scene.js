@@ -86,13 +86,39 @@ const HELP = {
   color: "a geometry with vertex colors of four numbers",
 };
 
-const told = new WeakSet();
+/** What the materials of a look do not follow, and what to do. */
+const UNFOLLOWED = [
+  [({ isInstancedMesh }) => isInstancedMesh, "instances: take a Mesh for each"],
+  [({ isBatchedMesh }) => isBatchedMesh, "batches: take a Mesh for each geometry"],
+  [({ isSkinnedMesh }) => isSkinnedMesh, "skins: take a Mesh of the posed geometry"],
+  [({ geometry }) => Object.keys(geometry.morphAttributes).length > 0,
+    "morph targets: bake them into the geometry"],
+];
+
+const toldOf = new WeakMap();
+
+/** True once for each look and object or geometry. */
+function isNew(look, drawn) {
+  if (!toldOf.has(look)) toldOf.set(look, new WeakSet());
+  const told = toldOf.get(look);
+  return !told.has(drawn) && Boolean(told.add(drawn));
+}
+
+/** Says once for each object what of it the look does not draw. */
+function checkKind(look, object) {
+  if (!isNew(look, object)) return;
+  for (const [has, help] of UNFOLLOWED) {
+    if (!has(object)) continue;
+    const name = object.name || object.type;
+    console.error(`Chiaro: ${look.name} on "${name}" does not follow ${help}`);
+  }
+}
 
 /** Says once for each geometry what the look needs and the geometry lacks. */
 export function checkAttributes(look, object) {
+  checkKind(look, object);
   const { geometry } = object;
-  if (told.has(geometry)) return;
-  told.add(geometry);
+  if (!isNew(look, geometry)) return;
   for (const { name } of look.modules.draw.attributes) {
     if (geometry.attributes[name]) continue;
     const help = HELP[name] ? `: ${HELP[name]}` : "";
@@ -100,6 +126,10 @@ export function checkAttributes(look, object) {
       `"${geometry.name || object.name || geometry.type}" lacks${help}`);
   }
 }
+
+/** Whether a light of the look can follow an object: lights from all around shine from no place. */
+export const hasPlace = (light) => light.isObject3D === true &&
+  !(light.isAmbientLight || light.isHemisphereLight || light.isLightProbe);
 
 /** Lets lights of three.js drive lights of the look; see `follow` of the materials. */
 export function followLights(followed, values, state, look) {
@@ -150,7 +180,7 @@ function sphereOf({ geometry, matrixWorld }) {
   return { center: place, radius: radius * matrixWorld.getMaxScaleOnAxis() };
 }
 
-/** The shadow maps of a look for a picture of this height, in pixels; */
+/** The shadow maps of a look for a picture of this height, in pixels. */
 export function shadowMapsOf(look, state, scene, height, { isReversed, isWebGL }) {
   const spheres = [];
   scene.traverseVisible((object) => {
@@ -206,17 +236,66 @@ export function withMaterials(scene, choose, draw) {
   }
 }
 
+/** Calls `use` with each vertex of a geometry, as three numbers. */
+function eachVertex({ attributes: { position } }, use) {
+  for (let i = 0; i < position.count; i++) {
+    use([position.getX(i), position.getY(i), position.getZ(i)]);
+  }
+}
+
 /**
  * Centers a geometry and scales it to a bounding sphere of radius 1, the size that looks are made
  * for: curvature, widths of lines and noise are measured in these units.
  */
 export function fit(geometry) {
   geometry.center();
-  const { position } = geometry.attributes;
   let most = 0;
-  for (let i = 0; i < position.count; i++) {
-    most = Math.max(most, Math.hypot(position.getX(i), position.getY(i), position.getZ(i)));
-  }
+  eachVertex(geometry, (vertex) => (most = Math.max(most, Math.hypot(...vertex))));
   if (most > 0) geometry.scale(1 / most, 1 / most, 1 / most);
   return geometry;
+}
+
+/** Radius of the meshes about the middle of their common box, in the world. */
+function radiusOf(meshes) {
+  const each = (use) => {
+    for (const { geometry, matrixWorld } of meshes) {
+      eachVertex(geometry, (vertex) => use(transformPoint(matrixWorld.elements, vertex)));
+    }
+  };
+  const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
+  each((place) => place.forEach((x, k) => {
+    low[k] = Math.min(low[k], x);
+    high[k] = Math.max(high[k], x);
+  }));
+  const middle = low.map((x, k) => (x + high[k]) / 2);
+  let most = 0;
+  each((place) => (most = Math.max(most, Math.hypot(...subtract(place, middle)))));
+  return most;
+}
+
+/**
+ * Brings the meshes of a model to the size that looks are made for: in units of their geometries
+ * the whole model has radius 1. Nothing moves or grows; meshes have geometries of their own
+ * afterwards.
+ */
+export function fitAll(root) {
+  root.updateWorldMatrix(true, true);
+  const meshes = [];
+  root.traverse((object) => {
+    if (object.isMesh) meshes.push(object);
+  });
+  const radius = radiusOf(meshes);
+  const scales = meshes.map(({ matrixWorld }) => matrixWorld.getMaxScaleOnAxis() / radius);
+  meshes.forEach((mesh, i) => {
+    const scale = scales[i];
+    if (!(scale > 0 && Number.isFinite(scale))) return;
+    mesh.geometry = mesh.geometry.clone().scale(scale, scale, scale);
+    mesh.scale.divideScalar(scale);
+    for (const child of mesh.children) {
+      child.position.multiplyScalar(scale);
+      child.scale.multiplyScalar(scale);
+    }
+  });
+  root.updateWorldMatrix(false, true);
+  return root;
 }

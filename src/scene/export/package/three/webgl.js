@@ -1,7 +1,7 @@
 // Looks in three.js by WebGLRenderer: the module's GLSL ES 3.00 in a RawShaderMaterial.
 
 import * as THREE from "three";
-import { optionsOf, withLook } from "./look.js";
+import { Users, optionsOf, withLook } from "./look.js";
 import { arePassesShared, passesBefore, sourceOf } from "./passes.js";
 import {
   casterValues, castsShadow, checkAttributes, curvatureValues, objectValues, placeOf, shadowMapsOf,
@@ -163,6 +163,7 @@ class Passes {
     this.viewport = new THREE.Vector4();
     this.size = new THREE.Vector2();
     this.color = new THREE.Color();
+    this.users = new Users(() => this.dispose());
   }
 
   /** Draws the passes for a picture of the scene, once for each call of `render`. */
@@ -245,6 +246,7 @@ class Passes {
     for (const { target, front, both, triangle } of this.steps) {
       target.dispose();
       for (const material of [front, both, triangle?.material]) material?.dispose();
+      triangle?.geometry.dispose();
     }
   }
 }
@@ -258,22 +260,22 @@ function passesFor(material, renderer) {
   if (!passesOf.has(renderer)) passesOf.set(renderer, new WeakMap());
   const known = passesOf.get(renderer);
   const owner = arePassesShared(look) ? look : material;
-  if (!known.has(owner)) {
-    const passes = new Passes(look, renderer);
-    known.set(owner, passes);
-    if (owner === material) material.addEventListener("dispose", () => passes.dispose());
-  }
-  return known.get(owner);
+  if (!known.has(owner)) known.set(owner, new Passes(look, renderer));
+  const passes = known.get(owner);
+  passes.users.add(material);
+  return passes;
 }
 
 /** A look as a material for WebGLRenderer. Use the class of the look, which is made from this. */
 export class LookMaterial extends withLook(ModuleMaterial, THREE) {
-  constructor(look, base, { parameters, flipV = false, ...options } = {}) {
+  constructor(look, files, { parameters, flipV = false, ...options } = {}) {
     const pass = look.passes.find(({ name }) => name === "draw");
     super(look, pass, optionsOf(THREE, look, pass, options));
+    // WebGPURenderer names the type of what it cannot draw.
+    this.type = `${this.name} for WebGLRenderer`;
     /** Whether texture coordinates have v down, as those of GLTFLoader. */
     this.flipV = flipV;
-    this.begin(look, base, parameters);
+    this.begin(look, files, parameters);
   }
 
   onBeforeRender(renderer, scene, camera, _geometry, object) {

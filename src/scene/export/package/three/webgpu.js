@@ -4,13 +4,14 @@ import * as THREE from "three/webgpu";
 import {
   attribute, code, frontFacing, screenCoordinate, texture, uint, varying, vertexIndex, wgslFn,
 } from "three/tsl";
-import { optionsOf, withLook } from "./look.js";
+import { Users, optionsOf, withLook } from "./look.js";
 import { arePassesShared, passesBefore, sourceOf } from "./passes.js";
 import {
   casterValues, castsShadow, checkAttributes, curvatureValues, objectValues, placeOf, shadowMapsOf,
   viewValues, withMaterials, withShadows,
 } from "./scene.js";
 import { layersOf } from "./shadows.js";
+import { blank } from "./textures.js";
 import { write } from "./uniforms.js";
 
 /** What a look's colors are turned into: `chiaro_target` of the shader. */
@@ -39,6 +40,14 @@ const structOf = (text, name) => {
   const found = new RegExp(`struct ${name} \\{([^}]*)\\}`).exec(text);
   return found && entriesOf(found[1]);
 };
+
+/** Name of a uniform's variable: `object` is three's own where it has morph targets or skins. */
+const variableOf = (name) => (name === "object" ? "look_object" : name);
+
+/** The text with these names for variables; members of structs and comments stay. */
+const withVariables = (text) => text.replace(
+  /\/\/.*|struct \w+ \{[^}]*\}|(?<![\w.])object\b/g,
+  (found) => (found === "object" ? variableOf(found) : found));
 
 /**
  * The module as three.js takes it. three.js binds what a module reads, so that uniforms are private
@@ -70,6 +79,7 @@ function moduleCode(module) {
     const struct = new RegExp(String.raw`struct ${type} \{(?!\s*@align)`);
     if (isUniform) text = text.replace(struct, "$& @align(16)");
   }
+  text = withVariables(text);
   // Names that three.js has for itself, where functions of the look have them too.
   text = text.replace(/(?<![\w.])(output|varyings|main|render|frame)(?=\s*\()/g, "look_$1");
   for (const sampler of samplers) {
@@ -122,7 +132,7 @@ class ModuleMaterial extends THREE.NodeMaterial {
     }
     for (const binding of pictures) inputs[`${binding.name}_`] = this.picture(binding);
     const bound = [...uniforms, ...pictures].map(({ name, type }) => `${name}_: ${type}`);
-    const fill = uniforms.map(({ name }) => `  ${name} = ${name}_;\n`).join("");
+    const fill = uniforms.map(({ name }) => `  ${variableOf(name)} = ${name}_;\n`).join("");
     const call = (name, type, arguments_, result) => {
       const list = [...bound, ...arguments_.map(({ name: own, type: its }) => `${own}: ${its}`)];
       const body = `fn ${name}(${list.join(", ")}) -> ${type} {\n${fill}  return ${result};\n}`;
@@ -197,11 +207,7 @@ class ModuleMaterial extends THREE.NodeMaterial {
 
   picture(binding) {
     const isArray = binding.type.startsWith("texture_2d_array");
-    const white = new Uint8Array([255, 255, 255, 255]);
-    const blank = isArray
-      ? new THREE.DataArrayTexture(white, 1, 1, 1) : new THREE.DataTexture(white, 1, 1);
-    blank.needsUpdate = true;
-    const node = texture(blank).setName(binding.name);
+    const node = texture(blank(THREE, isArray)).setName(binding.name);
     // A binding of its own for each name, also where two names have one texture.
     node.getUniformHash = () => `${node.uuid}`;
     this.textures.push({ binding, node });
@@ -209,6 +215,9 @@ class ModuleMaterial extends THREE.NodeMaterial {
   }
 
   fillBlock({ feed, members }, floats, { object, camera }) {
+    // `compileAsync` asks for the uniforms of a picture that is not drawn yet.
+    if (!this.frame) return;
+    if (this.pass.name === "draw") checkAttributes(this.look, object);
     const { size, samples, state, shadows, layer } = this.frame;
     if (feed.from === "look") {
       const lit = withShadows(state(object, camera), shadows);
@@ -276,6 +285,7 @@ class Passes {
       return step;
     });
     this.twins = new WeakMap();
+    this.users = new Users(() => this.dispose());
   }
 
   /** A camera like another: WebGPURenderer keeps one list of objects for a scene and a camera. */
@@ -350,6 +360,7 @@ class Passes {
     for (const { target, front, both, triangle } of this.steps) {
       target.dispose();
       for (const material of [front, both, triangle?.material]) material?.dispose();
+      triangle?.geometry.dispose();
     }
   }
 }
@@ -390,12 +401,19 @@ class EachRenderNode extends THREE.Node {
   }
 }
 
+/** Says what to do, which a renderer that cannot draw nodes would not. */
+function refuseRenderer(look, renderer) {
+  if (!renderer?.isWebGLRenderer) return;
+  throw new TypeError(`Chiaro: ${look.name}: this material is for WebGPURenderer: for ` +
+    "WebGLRenderer, take the class of the look's .material.js");
+}
+
 /** A look as a material for WebGPURenderer. Use the class of the look, which is made from this. */
 export class LookNodeMaterial extends withLook(ModuleMaterial, THREE) {
-  constructor(look, base, { parameters, flipV = false, ...options } = {}) {
+  constructor(look, files, { parameters, flipV = false, ...options } = {}) {
     const pass = look.passes.find(({ name }) => name === "draw");
     super(look, pass, optionsOf(THREE, look, pass, options), flipV);
-    this.begin(look, base, parameters);
+    this.begin(look, files, parameters);
     for (const { binding, node } of this.textures) {
       const image = binding.feed.from === "image" && this.images[binding.feed.image];
       if (!image) continue;
@@ -405,16 +423,26 @@ export class LookNodeMaterial extends withLook(ModuleMaterial, THREE) {
     }
     this.passes = passesFor(look);
     if (this.passes) connectTargets(this, this.passes.targets);
-    if (this.passes && !arePassesShared(look)) {
-      this.addEventListener("dispose", () => this.passes.dispose());
-    }
     this.fragmentNode = new EachRenderNode(this.fragmentNode, (frame) => this.beginRender(frame));
+  }
+
+  /** WebGLRenderer calls this before it draws or compiles a material. */
+  onBeforeCompile(_shader, renderer) {
+    refuseRenderer(this.look, renderer);
+  }
+
+  onBeforeRender(renderer) {
+    refuseRenderer(this.look, renderer);
+  }
+
+  clone() {
+    // The nodes of the texture coordinates are made by the constructor.
+    return new this.constructor({ flipV: this.flipV }).copy(this);
   }
 
   /** Numbers of the picture, and the passes before it. */
   beginRender(nodeFrame) {
-    const { renderer, camera, object } = nodeFrame;
-    checkAttributes(this.look, object);
+    const { renderer, camera } = nodeFrame;
     this.updateSide();
     const target = renderer.getRenderTarget();
     const size = this.pictureSize(renderer);
@@ -422,6 +450,7 @@ export class LookNodeMaterial extends withLook(ModuleMaterial, THREE) {
     const state = (drawn, seen) => this.stateOf(placeOf(seen, drawn, size));
     this.frame = { size, samples, camera, state };
     this.target[0] = ENCODINGS[this.encodingFor(renderer, target)];
+    this.passes?.users.add(this);
     this.passes?.update(nodeFrame, this.frame);
     this.frame.shadows = this.passes?.shadows;
   }
