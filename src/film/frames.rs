@@ -100,7 +100,8 @@ impl FromStr for FrameRate {
             return Ok(Self { frames: whole * 1000, seconds: 1001 });
         }
         let (frames, seconds) = text.split_once('/').unwrap_or((text, "1"));
-        let number = |text: &str| text.parse().ok().filter(|number| (1..=1_000_000).contains(number));
+        let number =
+            |text: &str| text.parse().ok().filter(|number| (1..=1_000_000).contains(number));
         let rate = number(frames).zip(number(seconds));
         rate.map(|(frames, seconds)| Self { frames, seconds }).ok_or_else(|| {
             "write frames per second as 24, as 23.976, or as a fraction such as 24000/1001"

@@ -30,7 +30,7 @@ struct Package {
 }
 
 impl Package {
-    fn of(package: PathBuf) -> Self {
+    fn of(package: &Path) -> Self {
         let folder = package.join("Runtime");
         let ending = |ending: &str| -> PathBuf {
             let files = std::fs::read_dir(&folder).expect("a package");
@@ -139,7 +139,7 @@ fn rows_of_unity_may_begin_at_the_bottom() {
         return;
     }
     let trial = in_one_tier(Trial::of("looks/halftone-comic"));
-    let package = Package::of(trial.package("unity"));
+    let package = Package::of(&trial.package("unity"));
     let (ours, found) = drawn_from_below(&trial, &package);
     keep("halftone-comic-from-below", &found, &ours);
     let key = "unity stand-in halftone-comic-from-below".to_owned();
@@ -162,7 +162,7 @@ fn soak_unity_packages_draw_all_examples() {
 fn compare(trials: &[(String, Trial)]) {
     let mut measured = BTreeMap::new();
     for (name, trial) in trials {
-        let package = Package::of(trial.package("unity"));
+        let package = Package::of(&trial.package("unity"));
         let (ours, found) = drawn(trial, &package, "");
         keep(name, &found, &ours);
         let seen = ours.pixels().filter(|pixel| pixel.0[3] > 0).count();
@@ -179,7 +179,7 @@ fn fields_and_lights_of_unity_change_what_they_change_with_us() {
         return;
     }
     let trial = in_one_tier(Trial::of("looks/highlight-moves"));
-    let package = Package::of(trial.package("unity"));
+    let package = Package::of(&trial.package("unity"));
     let changed = in_one_tier(Trial::changed("looks/highlight-moves", |look| {
         for node in look["nodes"].as_array_mut().into_iter().flatten() {
             if node["id"] == "move" {
@@ -313,7 +313,7 @@ fn both_compilers_take_the_shaders() {
     }
     for name in ["figure2-specular", "stipple"] {
         let trial = Trial::of(&format!("looks/{name}"));
-        let package = Package::of(trial.package("unity"));
+        let package = Package::of(&trial.package("unity"));
         for (text, functions) in package.passes() {
             for (function, stage) in functions.iter().zip(["vertex", "fragment"]) {
                 glslang(&package.folder, &text, function, stage);

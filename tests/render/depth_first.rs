@@ -173,11 +173,7 @@ fn ramps_of_opaque_stops_are_opaque() {
         ]}))
     };
     let (mesh, matrix) = shape("sphere");
-    let cases = [
-        ("ramp", json!({})),
-        ("ramp", json!({"space": "oklab"})),
-        ("palette", json!({})),
-    ];
+    let cases = [("ramp", json!({})), ("ramp", json!({"space": "oklab"})), ("palette", json!({}))];
     for (kind, values) in cases {
         for (alpha, is_opaque) in [(1.0, true), (0.999, false)] {
             let look = looks(alpha, kind, &values);

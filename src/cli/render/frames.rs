@@ -154,7 +154,8 @@ fn plan_all(
             plan: key(&content, sequence),
             blended_in: blended_in.clone(),
         };
-        let is_whole = |bytes: Vec<u8>| sequence.format.plan_of(&bytes) == Some(header.plan.clone());
+        let is_whole =
+            |bytes: Vec<u8>| sequence.format.plan_of(&bytes) == Some(header.plan.clone());
         let state = if std::fs::read(&file).is_ok_and(is_whole) {
             FrameState::Kept
         } else if let Some((frame, file)) = seen.get(&content).cloned() {

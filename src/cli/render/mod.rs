@@ -392,8 +392,8 @@ fn check_target(path: &Path, encoding: ExrEncoding) -> Result<PictureFormat, Dia
     if path.is_dir() {
         return Err(problem("this is a folder".to_owned()));
     }
-    let format = PictureFormat::of(path, encoding)
-        .ok_or_else(|| other_ending(path, "PNG or EXR"))?;
+    let format =
+        PictureFormat::of(path, encoding).ok_or_else(|| other_ending(path, "PNG or EXR"))?;
     let folder =
         path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if !folder.is_dir() {

@@ -15,7 +15,6 @@ use ::exr::prelude::{
 use half::f16;
 use siphasher::sip::SipHasher13;
 
-
 pub use header::{ExrHeader, FrameStamp};
 
 use crate::diag::Diagnostic;
@@ -299,10 +298,8 @@ mod tests {
     #[test]
     fn what_others_changed_is_not_ours() {
         let layer = ExrLayer::of_picture(&picture());
-        let encoding = ExrEncoding {
-            samples: SampleType::Float,
-            compression: LosslessCompression::None,
-        };
+        let encoding =
+            ExrEncoding { samples: SampleType::Float, compression: LosslessCompression::None };
         let bytes = encode([5, 3], &[layer], &ExrHeader::default(), encoding).unwrap();
         for cut in [0, 3, 100, bytes.len() / 2, bytes.len() - 1] {
             assert!(!is_own(&bytes[..cut]), "{cut}");

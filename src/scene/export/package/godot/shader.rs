@@ -440,7 +440,8 @@ mod tests {
 
     #[test]
     fn no_parameter_of_a_function_is_called_as_a_texture_is() {
-        let text = "vec4 image(sampler2D image_1, vec2 uv) {\n    return texture(image_1, uv);\n}\n";
+        let text =
+            "vec4 image(sampler2D image_1, vec2 uv) {\n    return texture(image_1, uv);\n}\n";
         let image = ImageUniform {
             old: "u_image_1".to_owned(),
             name: "image_1".to_owned(),
