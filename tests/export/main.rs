@@ -3,6 +3,7 @@
 use chiaro_test_drawing as support;
 
 mod described;
+mod dxc;
 mod golden;
 mod host_code;
 mod host_work;

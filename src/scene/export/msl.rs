@@ -53,7 +53,8 @@ fn write(request: &Request<'_>) -> Result<ExportedModule, String> {
             .insert(naga::ResourceBinding { group: bound.group, binding: bound.binding }, target);
     }
     let write = |valid: &ValidModule| naga_text(valid, &resources);
-    let (text, points) = readable_text(module, write, |text, valid| {
+    let valid = module.valid();
+    let (text, points) = readable_text(module, valid, write, |text| {
         Ok(WrittenText { uniforms: uniforms(&text), renamed: BTreeMap::new(), valid, text })
     })?;
     let place = |(bound, kind, slot): &(&BoundVariable, &'static str, u8)| {

@@ -47,9 +47,7 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _pad2_0;
     float3 position_object;
     float kappa;
 };
@@ -68,9 +66,6 @@ struct LitLayer {
     float4 color;
     /// The tone under this light.
     float tone;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
 };
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those

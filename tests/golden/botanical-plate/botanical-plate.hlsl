@@ -48,16 +48,11 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _pad2_0;
     float3 position_object;
     float kappa;
     float2 pixel;
-    int _pad5_0;
-    int _pad5_1;
     float3 anchor;
-    int _end_pad_0;
 };
 
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
@@ -72,29 +67,21 @@ struct Ramp {
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.
     uint interpolation;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
     /// picture height.
     float3 stretch;
-    int _end_pad_0;
 };
 
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     float3 stretch;
-    int _end_pad_0;
 };
 
 /// Style of dots.
@@ -109,11 +96,8 @@ struct Dots {
 struct MarkPlace {
     /// Along the strokes, and across them.
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     float3 stretch;
-    int _end_pad_0;
 };
 
 struct VectorParts {
@@ -205,11 +189,25 @@ struct FragmentInput {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// `accept` where the condition holds, else `reject`, component by component.
+float4 choose(bool4 condition, float4 accept, float4 reject)
+{
+    return float4(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z, condition.w ? accept.w : reject.w);
+}
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float3 choose(bool3 condition, float3 accept, float3 reject)
+{
+    return float3(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z);
+}
+
 /// v with 0 for each component that is NaN or infinite.
 float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
-    return (asuint(v) & exponent) != exponent ? v : (0.0).xxxx;
+    return choose((asuint(v) & exponent) != exponent, v, (0.0).xxxx);
 }
 
 int to_int(float value) {
@@ -272,8 +270,8 @@ float3 bounded_vec3(float3 v)
     uint3 bits = asuint(v);
     uint3 magnitude = bits & (2147483647u).xxx;
     float3 largest = asfloat((bits & (2147483648u).xxx) | (2139095039u).xxx);
-    float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
-    return magnitude < (2139095040u).xxx ? v : numbers;
+    const float3 numbers = choose(magnitude == (2139095040u).xxx, largest, (0.0).xxx);
+    return choose(magnitude < (2139095040u).xxx, v, numbers);
 }
 
 /// [`bounded`], component by component.
@@ -282,8 +280,8 @@ float4 bounded_vec4(float4 v)
     uint4 bits = asuint(v);
     uint4 magnitude = bits & (2147483647u).xxxx;
     float4 largest = asfloat((bits & (2147483648u).xxxx) | (2139095039u).xxxx);
-    float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
-    return magnitude < (2139095040u).xxxx ? v : numbers;
+    const float4 numbers = choose(magnitude == (2139095040u).xxxx, largest, (0.0).xxxx);
+    return choose(magnitude < (2139095040u).xxxx, v, numbers);
 }
 
 /// a / b; 0 where b is 0.
@@ -387,11 +385,11 @@ float4 ramp_slope(float4 rise_before, float span_before, float4 rise_after, floa
 }
 
 uint naga_div(uint lhs, uint rhs) {
-    return lhs / (rhs == 0u ? 1u : rhs);
+    return lhs / max(rhs, 1u);
 }
 
 uint naga_mod(uint lhs, uint rhs) {
-    return lhs % (rhs == 0u ? 1u : rhs);
+    return lhs % max(rhs, 1u);
 }
 
 /// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
@@ -503,7 +501,7 @@ float perlin_noise(float3 p, uint seed)
     int3 cell = to_int(corner);
     for (int i = 0; i < 8; i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
-        float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+        const float3 weight = choose(at == (int(1)).xxx, f, (1.0).xxx - f);
         const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)),
             seed), d - float3(at));
         sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;

@@ -51,10 +51,7 @@ struct Surface {
     float3 normal;
     float kappa;
     float2 pixel;
-    int _pad3_0;
-    int _pad3_1;
     float3 anchor;
-    int _end_pad_0;
 };
 
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -89,31 +86,22 @@ struct ProfileShape {
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
     /// picture height.
     float3 stretch;
-    int _end_pad_0;
 };
 
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     float3 stretch;
-    int _end_pad_0;
 };
 
 struct MarkPlace {
     /// Along the strokes, and across them.
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     float3 stretch;
-    int _end_pad_0;
 };
 
 struct PaperGrain {
@@ -153,6 +141,13 @@ struct FragmentInput {
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float3 choose(bool3 condition, float3 accept, float3 reject)
+{
+    return float3(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z);
+}
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
 /// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
@@ -267,7 +262,7 @@ uint3 hash_pcg3d(uint3 seed)
 }
 
 uint naga_mod(uint lhs, uint rhs) {
-    return lhs % (rhs == 0u ? 1u : rhs);
+    return lhs % max(rhs, 1u);
 }
 
 /// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
@@ -295,7 +290,7 @@ float perlin_noise(float3 p, uint seed)
     int3 cell = to_int(corner);
     for (int i = 0; i < 8; i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
-        float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+        const float3 weight = choose(at == (int(1)).xxx, f, (1.0).xxx - f);
         const uint3 hash_pcg3d_value = hash_pcg3d(asuint(asint(asuint(cell) + asuint(at))) + seed
             * uint3(2654435769u, 2246822507u, 3266489909u));
         sum = sum + weight.x * weight.y * 0.5 * gradient_dot(hash_pcg3d_value, d - float3(at));

@@ -44,11 +44,9 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
     float kappa;
     float3 curvature_tensor;
-    int _end_pad_0;
 };
 
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
@@ -63,8 +61,6 @@ struct Ramp {
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.
     uint interpolation;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 /// Place on a ramp: the colors before and after it, and the way between them.
@@ -73,9 +69,6 @@ struct RampPlace {
     float4 after;
     /// Way from `before` to `after`, 0 to 1; smooth ramps are level at each stop.
     float t;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
 };
 
 struct Relief {
@@ -135,6 +128,12 @@ struct FragmentInput {
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float2 choose(bool2 condition, float2 accept, float2 reject)
+{
+    return float2(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y);
+}
 
 int to_int(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
@@ -211,8 +210,8 @@ float2 bounded_vec2(float2 v)
     uint2 bits = asuint(v);
     uint2 magnitude = bits & (2147483647u).xx;
     float2 largest = asfloat((bits & (2147483648u).xx) | (2139095039u).xx);
-    float2 numbers = magnitude == (2139095040u).xx ? largest : (0.0).xx;
-    return magnitude < (2139095040u).xx ? v : numbers;
+    const float2 numbers = choose(magnitude == (2139095040u).xx, largest, (0.0).xx);
+    return choose(magnitude < (2139095040u).xx, v, numbers);
 }
 
 /// a / b; 0 where b is 0.
@@ -301,11 +300,11 @@ float3 srgb_of_oklab(float3 lab)
 }
 
 uint naga_div(uint lhs, uint rhs) {
-    return lhs / (rhs == 0u ? 1u : rhs);
+    return lhs / max(rhs, 1u);
 }
 
 uint naga_mod(uint lhs, uint rhs) {
-    return lhs % (rhs == 0u ? 1u : rhs);
+    return lhs % max(rhs, 1u);
 }
 
 RampPlace ConstructRampPlace(float4 before, float4 after, float t) {

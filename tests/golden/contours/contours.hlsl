@@ -48,15 +48,10 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _pad2_0;
     float3 position_camera;
-    int _pad3_0;
     float3 curvature_tensor;
-    int _pad4_0;
     float3 smooth_normal_4_;
-    int _end_pad_0;
 };
 
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
@@ -71,8 +66,6 @@ struct Ramp {
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.
     uint interpolation;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 struct Vertex {
@@ -168,7 +161,7 @@ float step_filtered(float x, float edge, float w)
 }
 
 uint naga_mod(uint lhs, uint rhs) {
-    return lhs % (rhs == 0u ? 1u : rhs);
+    return lhs % max(rhs, 1u);
 }
 
 /// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.

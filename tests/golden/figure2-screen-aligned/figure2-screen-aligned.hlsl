@@ -45,7 +45,6 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _end_pad_0;
 };
 
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -69,8 +68,6 @@ struct Ramp {
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.
     uint interpolation;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 struct Vertex {
@@ -107,11 +104,18 @@ struct FragmentInput {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// `accept` where the condition holds, else `reject`, component by component.
+float4 choose(bool4 condition, float4 accept, float4 reject)
+{
+    return float4(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z, condition.w ? accept.w : reject.w);
+}
+
 /// v with 0 for each component that is NaN or infinite.
 float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
-    return (asuint(v) & exponent) != exponent ? v : (0.0).xxxx;
+    return choose((asuint(v) & exponent) != exponent, v, (0.0).xxxx);
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -164,8 +168,8 @@ float4 bounded_vec4(float4 v)
     uint4 bits = asuint(v);
     uint4 magnitude = bits & (2147483647u).xxxx;
     float4 largest = asfloat((bits & (2147483648u).xxxx) | (2139095039u).xxxx);
-    float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
-    return magnitude < (2139095040u).xxxx ? v : numbers;
+    const float4 numbers = choose(magnitude == (2139095040u).xxxx, largest, (0.0).xxxx);
+    return choose(magnitude < (2139095040u).xxxx, v, numbers);
 }
 
 /// a / b; 0 where b is 0.
@@ -222,11 +226,11 @@ float4 ramp_slope(float4 rise_before, float span_before, float4 rise_after, floa
 }
 
 uint naga_div(uint lhs, uint rhs) {
-    return lhs / (rhs == 0u ? 1u : rhs);
+    return lhs / max(rhs, 1u);
 }
 
 uint naga_mod(uint lhs, uint rhs) {
-    return lhs % (rhs == 0u ? 1u : rhs);
+    return lhs % max(rhs, 1u);
 }
 
 /// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.

@@ -67,7 +67,6 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _end_pad_0;
 };
 
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -84,9 +83,6 @@ struct LitLayer {
     float4 color;
     /// The tone under this light.
     float tone;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
 };
 
 struct Vertex {

@@ -21,8 +21,6 @@ struct Curvature {
 /// A pixel and its texel of the surface.
 struct SeenPixel {
     int2 at;
-    int _pad1_0;
-    int _pad1_1;
     float4 texel;
 };
 
@@ -35,7 +33,6 @@ struct Plane {
     float2 rise;
     /// Tolerated difference of a neighbor's depth, for each pixel that the neighbor is away.
     float tolerance;
-    int _end_pad_0;
 };
 
 /// A pixel whose curvature is measured.
@@ -61,6 +58,13 @@ cbuffer curvature : register(b0) { Curvature curvature; }
 struct FragmentInput {
     float4 position_1 : SV_Position;
 };
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float4 choose(bool4 condition, float4 accept, float4 reject)
+{
+    return float4(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z, condition.w ? accept.w : reject.w);
+}
 
 /// The slope n.xy / n.z of a normal in camera axes.
 float2 slope_of(float3 normal)
@@ -204,7 +208,7 @@ float4 neighbor_weights(Plane plane, float4 objects, float4 depths, float4 rises
     float scale = 1.0 / max(plane.tolerance * distance_, 1e-30);
     // The weight fades, so that the last bit of a depth does not decide between all and nothing.
     float4 weights = clamp((2.0).xxxx - error * scale, (0.0).xxxx, (1.0).xxxx);
-    return objects == (plane.object).xxxx ? weights : (0.0).xxxx;
+    return choose(objects == (plane.object).xxxx, weights, (0.0).xxxx);
 }
 
 Center ConstructCenter(int2 at, float2 slope, Plane plane) {
@@ -249,7 +253,7 @@ Ring ring_at(Center center_, int steps, float weight)
     // Beyond the image nothing is.
     bool4 is_inside = int4(asint(asuint(last.x) - asuint(at.x)), at.x,
         asint(asuint(last.y) - asuint(at.y)), at.y) >= (reach).xxxx;
-    float4 objects = is_inside ? abs(float4(a.w, b.w, c.w, d.w)) : (0.0).xxxx;
+    const float4 objects = choose(is_inside, abs(float4(a.w, b.w, c.w, d.w)), (0.0).xxxx);
     float2 rise = distance_ * center_.plane.rise;
     float4 rises = float4(rise.x, -rise.x, rise.y, -rise.y);
     const float4 neighbor_weights_value = neighbor_weights(center_.plane, objects,

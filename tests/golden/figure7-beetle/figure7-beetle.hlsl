@@ -69,7 +69,6 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
     float kappa;
 };
@@ -88,9 +87,6 @@ struct LitLayer {
     float4 color;
     /// The tone under this light.
     float tone;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
 };
 
 struct Vertex {

@@ -24,7 +24,6 @@ struct Object {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _end_pad_0;
 };
 
 struct Vertex {

@@ -44,9 +44,7 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _end_pad_0;
 };
 
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -68,8 +66,6 @@ struct Curve {
     /// 0 straight, 1 smooth (cubic, with the slopes), 2 stepped: each point's y holds until the
     /// next point.
     uint interpolation;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 struct LitLayer {
@@ -77,9 +73,6 @@ struct LitLayer {
     float4 color;
     /// The tone under this light.
     float tone;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
 };
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those

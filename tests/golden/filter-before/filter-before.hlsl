@@ -38,9 +38,7 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 position;
-    int _end_pad_0;
 };
 
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -56,10 +54,8 @@ struct Angle {
 struct Light {
     /// Unit, toward the light, in world space.
     float3 direction;
-    int _pad1_0;
     /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
-    int _pad2_0;
     /// Straight RGB.
     float3 color;
     /// The light's intensity with its distance and cone attenuation; 0 or more.
@@ -71,9 +67,6 @@ struct LitLayer {
     float4 color;
     /// The tone under this light.
     float tone;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
 };
 
 struct FilteredLight {
@@ -81,8 +74,6 @@ struct FilteredLight {
     Light light;
     /// The angle for the profile.
     Angle angle;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 struct PlaceInLight {
@@ -91,7 +82,6 @@ struct PlaceInLight {
     float2 uv;
     /// 1 within the picture, 0 outside of it.
     float inside;
-    int _end_pad_0;
 };
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -169,6 +159,13 @@ struct FragmentInput {
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float3 choose(bool3 condition, float3 accept, float3 reject)
+{
+    return float3(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z);
+}
 
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
@@ -286,8 +283,8 @@ float3 bounded_vec3(float3 v)
     uint3 bits = asuint(v);
     uint3 magnitude = bits & (2147483647u).xxx;
     float3 largest = asfloat((bits & (2147483648u).xxx) | (2139095039u).xxx);
-    float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
-    return magnitude < (2139095040u).xxx ? v : numbers;
+    const float3 numbers = choose(magnitude == (2139095040u).xxx, largest, (0.0).xxx);
+    return choose(magnitude < (2139095040u).xxx, v, numbers);
 }
 
 /// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,

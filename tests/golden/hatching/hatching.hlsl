@@ -46,36 +46,26 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _pad2_0;
     float3 position_object;
-    int _pad3_0;
     float3 curvature_tensor;
     float magnification;
     row_major float3x3 world_from_normal;
-    int _end_pad_0;
 };
 
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
     /// picture height.
     float3 stretch;
-    int _end_pad_0;
 };
 
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     float3 stretch;
-    int _end_pad_0;
 };
 
 /// Style of strokes.
@@ -106,11 +96,8 @@ struct Stroke {
 struct MarkPlace {
     /// Along the strokes, and across them.
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     float3 stretch;
-    int _end_pad_0;
 };
 
 struct Vertex {
@@ -148,6 +135,13 @@ struct FragmentInput {
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float3 choose(bool3 condition, float3 accept, float3 reject)
+{
+    return float3(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z);
+}
 
 int to_int(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
@@ -209,8 +203,8 @@ float3 bounded_vec3(float3 v)
     uint3 bits = asuint(v);
     uint3 magnitude = bits & (2147483647u).xxx;
     float3 largest = asfloat((bits & (2147483648u).xxx) | (2139095039u).xxx);
-    float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
-    return magnitude < (2139095040u).xxx ? v : numbers;
+    const float3 numbers = choose(magnitude == (2139095040u).xxx, largest, (0.0).xxx);
+    return choose(magnitude < (2139095040u).xxx, v, numbers);
 }
 
 /// a / b; 0 where b is 0.
@@ -294,7 +288,7 @@ float value_noise(float3 p, uint seed)
     int3 cell = to_int(corner);
     for (int i = 0; i < 8; i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
-        float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+        const float3 weight = choose(at == (int(1)).xxx, f, (1.0).xxx - f);
         const uint3 hash_pcg3d_value = hash_pcg3d(asuint(asint(asuint(cell) + asuint(at))) + seed
             * uint3(2654435769u, 2246822507u, 3266489909u));
         sum = sum + weight.x * weight.y * 0.5
@@ -417,7 +411,7 @@ Stroke stroke_between(int2 line_, float x, float level, Strokes style)
 }
 
 int naga_neg(int val) {
-    return asint(-asuint(val));
+    return asint(0u - asuint(val));
 }
 
 /// Distance that strokes stray at a place of an octave, in spacings of the place.

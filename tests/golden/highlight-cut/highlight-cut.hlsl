@@ -44,9 +44,7 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _end_pad_0;
 };
 
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -62,24 +60,17 @@ struct Angle {
 struct DirectionParts {
     /// Unit.
     float3 direction;
-    int _pad1_0;
     float3 x_axis;
-    int _pad2_0;
     float3 y_axis;
-    int _pad3_0;
     /// The direction's cosines with the two axes.
     float2 place;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 struct AxesAround {
     /// Unit, to the right as seen against the direction.
     float3 x_axis;
-    int _pad1_0;
     /// Unit, upright.
     float3 y_axis;
-    int _end_pad_0;
 };
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those

@@ -53,9 +53,7 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _end_pad_0;
 };
 
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -71,24 +69,17 @@ struct Angle {
 struct DirectionParts {
     /// Unit.
     float3 direction;
-    int _pad1_0;
     float3 x_axis;
-    int _pad2_0;
     float3 y_axis;
-    int _pad3_0;
     /// The direction's cosines with the two axes.
     float2 place;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 struct AxesAround {
     /// Unit, to the right as seen against the direction.
     float3 x_axis;
-    int _pad1_0;
     /// Unit, upright.
     float3 y_axis;
-    int _end_pad_0;
 };
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -145,6 +136,26 @@ struct FragmentInput {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// `accept` where the condition holds, else `reject`, component by component.
+float4 choose(bool4 condition, float4 accept, float4 reject)
+{
+    return float4(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z, condition.w ? accept.w : reject.w);
+}
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float3 choose(bool3 condition, float3 accept, float3 reject)
+{
+    return float3(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z);
+}
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float2 choose(bool2 condition, float2 accept, float2 reject)
+{
+    return float2(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y);
+}
+
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 bool is_finite(float x)
@@ -156,7 +167,7 @@ bool is_finite(float x)
 float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
-    return (asuint(v) & exponent) != exponent ? v : (0.0).xxxx;
+    return choose((asuint(v) & exponent) != exponent, v, (0.0).xxxx);
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -317,8 +328,8 @@ float3 bounded_vec3(float3 v)
     uint3 bits = asuint(v);
     uint3 magnitude = bits & (2147483647u).xxx;
     float3 largest = asfloat((bits & (2147483648u).xxx) | (2139095039u).xxx);
-    float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
-    return magnitude < (2139095040u).xxx ? v : numbers;
+    const float3 numbers = choose(magnitude == (2139095040u).xxx, largest, (0.0).xxx);
+    return choose(magnitude < (2139095040u).xxx, v, numbers);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
@@ -423,7 +434,7 @@ float3 half_vector(Light light, float3 view)
 float3 split_direction(float3 direction, float3 x_axis, float3 y_axis, float x, float y)
 {
     const DirectionParts bent = direction_within(direction, x_axis, y_axis);
-    float2 side = bent.place >= (0.0).xx ? (1.0).xx : (-1.0).xx;
+    const float2 side = choose(bent.place >= (0.0).xx, (1.0).xx, (-1.0).xx);
     return direction_moved(bent, -max(float2(x, y), (0.0).xx) * side);
 }
 

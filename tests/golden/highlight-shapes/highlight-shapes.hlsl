@@ -45,9 +45,7 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _end_pad_0;
 };
 
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -63,24 +61,17 @@ struct Angle {
 struct DirectionParts {
     /// Unit.
     float3 direction;
-    int _pad1_0;
     float3 x_axis;
-    int _pad2_0;
     float3 y_axis;
-    int _pad3_0;
     /// The direction's cosines with the two axes.
     float2 place;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 struct AxesAround {
     /// Unit, to the right as seen against the direction.
     float3 x_axis;
-    int _pad1_0;
     /// Unit, upright.
     float3 y_axis;
-    int _end_pad_0;
 };
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -137,6 +128,12 @@ struct FragmentInput {
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float2 choose(bool2 condition, float2 accept, float2 reject)
+{
+    return float2(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y);
+}
 
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
@@ -430,7 +427,7 @@ float3 half_vector(Light light, float3 view)
 float3 split_direction(float3 direction, float3 x_axis, float3 y_axis, float x, float y)
 {
     const DirectionParts bent = direction_within(direction, x_axis, y_axis);
-    float2 side = bent.place >= (0.0).xx ? (1.0).xx : (-1.0).xx;
+    const float2 side = choose(bent.place >= (0.0).xx, (1.0).xx, (-1.0).xx);
     return direction_moved(bent, -float2(x, y) * side);
 }
 

@@ -43,11 +43,8 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _pad2_0;
     float3 position_object;
-    int _end_pad_0;
 };
 
 /// Cosines between normal (n), light (l), view (v) and half-vector (h), of which all models are
@@ -97,6 +94,13 @@ struct FragmentInput {
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float3 choose(bool3 condition, float3 accept, float3 reject)
+{
+    return float3(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z);
+}
 
 int to_int(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
@@ -263,7 +267,7 @@ uint3 lattice_hash(int3 cell, uint seed)
 }
 
 uint naga_mod(uint lhs, uint rhs) {
-    return lhs % (rhs == 0u ? 1u : rhs);
+    return lhs % max(rhs, 1u);
 }
 
 /// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
@@ -297,7 +301,7 @@ float perlin_noise(float3 p, uint seed)
     int3 cell = to_int(corner);
     for (int i = 0; i < 8; i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
-        float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+        const float3 weight = choose(at == (int(1)).xxx, f, (1.0).xxx - f);
         const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)),
             seed), d - float3(at));
         sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;

@@ -43,9 +43,7 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _end_pad_0;
 };
 
 struct Vertex {

@@ -43,11 +43,8 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _pad2_0;
     float3 tangent;
-    int _end_pad_0;
 };
 
 struct Vertex {

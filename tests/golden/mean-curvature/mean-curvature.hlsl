@@ -58,8 +58,6 @@ struct Ramp {
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.
     uint interpolation;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 /// Place on a ramp: the colors before and after it, and the way between them.
@@ -68,9 +66,6 @@ struct RampPlace {
     float4 after;
     /// Way from `before` to `after`, 0 to 1; smooth ramps are level at each stop.
     float t;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
 };
 
 struct Vertex {
@@ -189,11 +184,11 @@ float3 srgb_of_oklab(float3 lab)
 }
 
 uint naga_div(uint lhs, uint rhs) {
-    return lhs / (rhs == 0u ? 1u : rhs);
+    return lhs / max(rhs, 1u);
 }
 
 uint naga_mod(uint lhs, uint rhs) {
-    return lhs % (rhs == 0u ? 1u : rhs);
+    return lhs % max(rhs, 1u);
 }
 
 RampPlace ConstructRampPlace(float4 before, float4 after, float t) {

@@ -70,9 +70,7 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _end_pad_0;
 };
 
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -89,9 +87,6 @@ struct LitLayer {
     float4 color;
     /// The tone under this light.
     float tone;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
 };
 
 struct Vertex {
@@ -126,11 +121,18 @@ struct FragmentInput {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// `accept` where the condition holds, else `reject`, component by component.
+float4 choose(bool4 condition, float4 accept, float4 reject)
+{
+    return float4(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z, condition.w ? accept.w : reject.w);
+}
+
 /// v with 0 for each component that is NaN or infinite.
 float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
-    return (asuint(v) & exponent) != exponent ? v : (0.0).xxxx;
+    return choose((asuint(v) & exponent) != exponent, v, (0.0).xxxx);
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays

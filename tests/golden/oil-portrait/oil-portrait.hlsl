@@ -56,43 +56,30 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _pad2_0;
     float3 position_object;
     float kappa;
     float3 smooth_normal_1_;
-    int _pad5_0;
     float3 smooth_normal_3_;
-    int _pad6_0;
     float2 pixel;
-    int _pad7_0;
-    int _pad7_1;
     float3 anchor;
     float magnification;
     row_major float3x3 world_from_normal;
-    int _end_pad_0;
 };
 
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
     /// picture height.
     float3 stretch;
-    int _end_pad_0;
 };
 
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     float3 stretch;
-    int _end_pad_0;
 };
 
 /// Style of brush strokes.
@@ -128,19 +115,13 @@ struct BrushStrokes {
     float4 color;
     /// How much of the canvas is covered, from 0 to 1.
     float ink;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
 };
 
 struct MarkPlace {
     /// Along the strokes, and across them.
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     float3 stretch;
-    int _end_pad_0;
 };
 
 struct Vertex {
@@ -218,11 +199,25 @@ struct FragmentInput {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// `accept` where the condition holds, else `reject`, component by component.
+float4 choose(bool4 condition, float4 accept, float4 reject)
+{
+    return float4(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z, condition.w ? accept.w : reject.w);
+}
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float3 choose(bool3 condition, float3 accept, float3 reject)
+{
+    return float3(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z);
+}
+
 /// v with 0 for each component that is NaN or infinite.
 float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
-    return (asuint(v) & exponent) != exponent ? v : (0.0).xxxx;
+    return choose((asuint(v) & exponent) != exponent, v, (0.0).xxxx);
 }
 
 int to_int(float value) {
@@ -292,8 +287,8 @@ float3 bounded_vec3(float3 v)
     uint3 bits = asuint(v);
     uint3 magnitude = bits & (2147483647u).xxx;
     float3 largest = asfloat((bits & (2147483648u).xxx) | (2139095039u).xxx);
-    float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
-    return magnitude < (2139095040u).xxx ? v : numbers;
+    const float3 numbers = choose(magnitude == (2139095040u).xxx, largest, (0.0).xxx);
+    return choose(magnitude < (2139095040u).xxx, v, numbers);
 }
 
 /// [`bounded`], component by component.
@@ -302,8 +297,8 @@ float4 bounded_vec4(float4 v)
     uint4 bits = asuint(v);
     uint4 magnitude = bits & (2147483647u).xxxx;
     float4 largest = asfloat((bits & (2147483648u).xxxx) | (2139095039u).xxxx);
-    float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
-    return magnitude < (2139095040u).xxxx ? v : numbers;
+    const float4 numbers = choose(magnitude == (2139095040u).xxxx, largest, (0.0).xxxx);
+    return choose(magnitude < (2139095040u).xxxx, v, numbers);
 }
 
 /// [`mixed`], component by component.
@@ -618,7 +613,7 @@ float2 bristles(float2 uv, float width, uint seed)
 }
 
 int2 naga_mod(int2 lhs, int2 rhs) {
-    int2 divisor = ((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs;
+    int2 divisor = rhs + (1 - rhs) * int2((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0));
     return lhs - lhs / divisor * divisor;
 }
 

@@ -48,12 +48,8 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float2 pixel;
-    int _pad2_0;
-    int _pad2_1;
     float3 anchor;
-    int _end_pad_0;
 };
 
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
@@ -68,39 +64,28 @@ struct Ramp {
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.
     uint interpolation;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
     /// picture height.
     float3 stretch;
-    int _end_pad_0;
 };
 
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     float3 stretch;
-    int _end_pad_0;
 };
 
 struct MarkPlace {
     /// Along the strokes, and across them.
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     float3 stretch;
-    int _end_pad_0;
 };
 
 struct PaperGrain {
@@ -144,11 +129,25 @@ struct FragmentInput {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// `accept` where the condition holds, else `reject`, component by component.
+float4 choose(bool4 condition, float4 accept, float4 reject)
+{
+    return float4(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z, condition.w ? accept.w : reject.w);
+}
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float3 choose(bool3 condition, float3 accept, float3 reject)
+{
+    return float3(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z);
+}
+
 /// v with 0 for each component that is NaN or infinite.
 float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
-    return (asuint(v) & exponent) != exponent ? v : (0.0).xxxx;
+    return choose((asuint(v) & exponent) != exponent, v, (0.0).xxxx);
 }
 
 /// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
@@ -195,8 +194,8 @@ float4 bounded_vec4(float4 v)
     uint4 bits = asuint(v);
     uint4 magnitude = bits & (2147483647u).xxxx;
     float4 largest = asfloat((bits & (2147483648u).xxxx) | (2139095039u).xxxx);
-    float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
-    return magnitude < (2139095040u).xxxx ? v : numbers;
+    const float4 numbers = choose(magnitude == (2139095040u).xxxx, largest, (0.0).xxxx);
+    return choose(magnitude < (2139095040u).xxxx, v, numbers);
 }
 
 /// a / b; 0 where b is 0.
@@ -290,11 +289,11 @@ float4 ramp_slope(float4 rise_before, float span_before, float4 rise_after, floa
 }
 
 uint naga_div(uint lhs, uint rhs) {
-    return lhs / (rhs == 0u ? 1u : rhs);
+    return lhs / max(rhs, 1u);
 }
 
 uint naga_mod(uint lhs, uint rhs) {
-    return lhs % (rhs == 0u ? 1u : rhs);
+    return lhs % max(rhs, 1u);
 }
 
 /// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
@@ -414,7 +413,7 @@ float perlin_noise(float3 p, uint seed)
     int3 cell = to_int(corner);
     for (int i = 0; i < 8; i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
-        float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+        const float3 weight = choose(at == (int(1)).xxx, f, (1.0).xxx - f);
         const uint3 hash_pcg3d_value = hash_pcg3d(asuint(asint(asuint(cell) + asuint(at))) + seed
             * uint3(2654435769u, 2246822507u, 3266489909u));
         sum = sum + weight.x * weight.y * 0.5 * gradient_dot(hash_pcg3d_value, d - float3(at));

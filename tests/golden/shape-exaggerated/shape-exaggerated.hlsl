@@ -46,17 +46,11 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _pad2_0;
     float3 smooth_normal_1_;
-    int _pad3_0;
     float3 smooth_normal_2_;
-    int _pad4_0;
     float3 smooth_normal_3_;
-    int _pad5_0;
     float3 smooth_normal_4_;
-    int _end_pad_0;
 };
 
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
@@ -71,8 +65,6 @@ struct Ramp {
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.
     uint interpolation;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 /// Place on a ramp: the colors before and after it, and the way between them.
@@ -81,9 +73,6 @@ struct RampPlace {
     float4 after;
     /// Way from `before` to `after`, 0 to 1; smooth ramps are level at each stop.
     float t;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
 };
 
 struct Vertex {
@@ -227,11 +216,11 @@ float3 srgb_of_oklab(float3 lab)
 }
 
 uint naga_div(uint lhs, uint rhs) {
-    return lhs / (rhs == 0u ? 1u : rhs);
+    return lhs / max(rhs, 1u);
 }
 
 uint naga_mod(uint lhs, uint rhs) {
-    return lhs % (rhs == 0u ? 1u : rhs);
+    return lhs % max(rhs, 1u);
 }
 
 RampPlace ConstructRampPlace(float4 before, float4 after, float t) {

@@ -44,11 +44,8 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _pad2_0;
     float3 position_object;
-    int _end_pad_0;
 };
 
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -64,24 +61,17 @@ struct Angle {
 struct DirectionParts {
     /// Unit.
     float3 direction;
-    int _pad1_0;
     float3 x_axis;
-    int _pad2_0;
     float3 y_axis;
-    int _pad3_0;
     /// The direction's cosines with the two axes.
     float2 place;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 struct AxesAround {
     /// Unit, to the right as seen against the direction.
     float3 x_axis;
-    int _pad1_0;
     /// Unit, upright.
     float3 y_axis;
-    int _end_pad_0;
 };
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -141,6 +131,13 @@ struct FragmentInput {
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float3 choose(bool3 condition, float3 accept, float3 reject)
+{
+    return float3(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z);
+}
 
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
@@ -450,7 +447,7 @@ uint3 lattice_hash(int3 cell, uint seed)
 }
 
 uint naga_mod(uint lhs, uint rhs) {
-    return lhs % (rhs == 0u ? 1u : rhs);
+    return lhs % max(rhs, 1u);
 }
 
 /// The dot product of d with one of the twelve directions to a cube's edges, by a hash (Perlin
@@ -484,7 +481,7 @@ float perlin_noise(float3 p, uint seed)
     int3 cell = to_int(corner);
     for (int i = 0; i < 8; i++) {
         int3 at = int3(i & int(1), (i >> 1u) & int(1), i >> 2u);
-        float3 weight = at == (int(1)).xxx ? f : (1.0).xxx - f;
+        const float3 weight = choose(at == (int(1)).xxx, f, (1.0).xxx - f);
         const float gradient_dot_value = gradient_dot(lattice_hash(asint(asuint(cell) + asuint(at)),
             seed), d - float3(at));
         sum = sum + weight.x * weight.y * weight.z * gradient_dot_value;

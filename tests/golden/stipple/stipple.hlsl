@@ -48,35 +48,24 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
-    int _pad2_0;
     float2 pixel;
-    int _pad3_0;
-    int _pad3_1;
     float3 anchor;
-    int _end_pad_0;
 };
 
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
     /// picture height.
     float3 stretch;
-    int _end_pad_0;
 };
 
 /// A place in spacings of marks, with its stretch.
 struct SpacedPlace {
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     float3 stretch;
-    int _end_pad_0;
 };
 
 /// Style of dots.
@@ -91,11 +80,8 @@ struct Dots {
 struct MarkPlace {
     /// Along the strokes, and across them.
     float2 place;
-    int _pad1_0;
-    int _pad1_1;
     /// How fast both change along the picture: products xx, xy and yy, per picture height.
     float3 stretch;
-    int _end_pad_0;
 };
 
 struct Vertex {

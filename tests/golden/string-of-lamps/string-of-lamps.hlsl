@@ -57,9 +57,7 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 position;
-    int _end_pad_0;
 };
 
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
@@ -74,14 +72,10 @@ struct Angle {
 struct LightParts {
     /// Unit, toward the light, world space.
     float3 direction;
-    int _pad1_0;
     /// The light's color, opaque.
     float4 color;
     /// With the light's distance and cone attenuation; 0 or more.
     float intensity;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
 };
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those

@@ -44,7 +44,6 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
     float kappa;
 };
@@ -70,8 +69,6 @@ struct Ramp {
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.
     uint interpolation;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 struct LitLayer {
@@ -79,9 +76,6 @@ struct LitLayer {
     float4 color;
     /// The tone under this light.
     float tone;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
 };
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those

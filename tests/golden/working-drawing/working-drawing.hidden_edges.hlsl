@@ -21,8 +21,6 @@ struct Curvature {
 /// A pixel and its texel of the surface.
 struct SeenPixel {
     int2 at;
-    int _pad1_0;
-    int _pad1_1;
     float4 texel;
 };
 
@@ -35,7 +33,6 @@ struct Plane {
     float2 rise;
     /// Tolerated difference of a neighbor's depth, for each pixel that the neighbor is away.
     float tolerance;
-    int _end_pad_0;
 };
 
 /// A pixel whose curvature is measured.
@@ -67,26 +64,21 @@ struct EdgeLines {
 struct Facet {
     /// Unit, in camera axes.
     float3 normal;
-    int _pad1_0;
     /// Toward the eye in camera axes, of a length of 1 and more.
     float3 toward;
     float depth;
     /// The texel's number: the object's, the material's and the id's.
     float number;
-    int _pad4_0;
     /// Change of depth from a pixel to the next, along columns and rows.
     float2 rise;
     /// The same where the surface is not seen as steeply: at least LEAST_NZ of it faces the eye.
     float2 gentle_rise;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 /// A piece of an edge: its kind, the unit normal of a straight line in pixels of the image, and how
 /// far along it from the pixel's middle the line lies.
 struct Edge {
     int kind;
-    int _pad1_0;
     float2 normal;
     float offset;
     /// How well the line is known, 0 to 1: little where it runs along the way to the neighbor.
@@ -121,6 +113,19 @@ Texture2D<float4> front : register(t1);
 struct FragmentInput {
     float4 position_1 : SV_Position;
 };
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float4 choose(bool4 condition, float4 accept, float4 reject)
+{
+    return float4(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z, condition.w ? accept.w : reject.w);
+}
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float2 choose(bool2 condition, float2 accept, float2 reject)
+{
+    return float2(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y);
+}
 
 /// The slope n.xy / n.z of a normal in camera axes.
 float2 slope_of(float3 normal)
@@ -264,7 +269,7 @@ float4 neighbor_weights(Plane plane, float4 objects, float4 depths, float4 rises
     float scale = 1.0 / max(plane.tolerance * distance_, 1e-30);
     // The weight fades, so that the last bit of a depth does not decide between all and nothing.
     float4 weights = clamp((2.0).xxxx - error * scale, (0.0).xxxx, (1.0).xxxx);
-    return objects == (plane.object).xxxx ? weights : (0.0).xxxx;
+    return choose(objects == (plane.object).xxxx, weights, (0.0).xxxx);
 }
 
 Center ConstructCenter(int2 at, float2 slope, Plane plane) {
@@ -309,7 +314,7 @@ Ring ring_at(Center center_, int steps, float weight)
     // Beyond the image nothing is.
     bool4 is_inside = int4(asint(asuint(last.x) - asuint(at.x)), at.x,
         asint(asuint(last.y) - asuint(at.y)), at.y) >= (reach).xxxx;
-    float4 objects = is_inside ? abs(float4(a.w, b.w, c.w, d.w)) : (0.0).xxxx;
+    const float4 objects = choose(is_inside, abs(float4(a.w, b.w, c.w, d.w)), (0.0).xxxx);
     float2 rise = distance_ * center_.plane.rise;
     float4 rises = float4(rise.x, -rise.x, rise.y, -rise.y);
     const float4 neighbor_weights_value = neighbor_weights(center_.plane, objects,
@@ -394,9 +399,9 @@ EdgeLines edges_of(float4 codes, float levels)
     float4 place = floor(codes / (levels).xxxx);
     float4 turn = (codes - levels * place + (0.5).xxxx) * (4.0 / levels);
     bool4 is_back = turn >= (2.0).xxxx;
-    float4 x = is_back ? turn - (3.0).xxxx : (1.0).xxxx - turn;
+    const float4 x = choose(is_back, turn - (3.0).xxxx, (1.0).xxxx - turn);
     float4 rest = (1.0).xxxx - abs(x);
-    float4 y = is_back ? -rest : rest;
+    const float4 y = choose(is_back, -rest, rest);
     float4 size = sqrt(x * x + y * y);
     return ConstructEdgeLines(x / size, y / size, (place + (0.5).xxxx) * (4.0 / levels)
         - (2.0).xxxx);
@@ -530,7 +535,7 @@ Course fitted_course(CourseSums sums, bool is_arc)
 }
 
 int2 naga_abs(int2 val) {
-    return val >= 0 ? val : asint(-asuint(val));
+    return max(val, asint(0u - asuint(val)));
 }
 
 typedef float2 ret_Constructarray2_float2_[2];
@@ -769,7 +774,7 @@ float round_bend(Facet own, Facet other, int2 pixel, int2 step_)
     float2 bends = float2(length(normal_of(before) - own.normal),
         length(normal_of(after) - other.normal));
     float2 numbers = float2(abs(before.w), abs(after.w));
-    float2 shares = numbers == (own.number).xx ? (1.0).xx : (0.0).xx;
+    const float2 shares = choose(numbers == (own.number).xx, (1.0).xx, (0.0).xx);
     return dot(bends, shares) / max(shares.x + shares.y, 1.0);
 }
 
@@ -910,9 +915,9 @@ float4 edges_at(int2 pixel)
         int place = min(edge.kind, int(3));
         bool4 is_kind = (place).xxxx == int4(int(0), int(1), int(2), int(3));
         bool4 is_better = is_kind & ((edge.trust).xxxx > trust);
-        trust = is_better ? (edge.trust).xxxx : trust;
+        trust = choose(is_better, (edge.trust).xxxx, trust);
         const float code = edge_code(edge.normal, edge.offset);
-        codes = is_better ? (edge.kind == int(4) ? -code : code).xxxx : codes;
+        codes = choose(is_better, (edge.kind == int(4) ? -code : code).xxxx, codes);
     }
     return codes;
 }

@@ -21,8 +21,6 @@ struct Curvature {
 /// A pixel and its texel of the surface.
 struct SeenPixel {
     int2 at;
-    int _pad1_0;
-    int _pad1_1;
     float4 texel;
 };
 
@@ -35,7 +33,6 @@ struct Plane {
     float2 rise;
     /// Tolerated difference of a neighbor's depth, for each pixel that the neighbor is away.
     float tolerance;
-    int _end_pad_0;
 };
 
 /// A pixel whose curvature is measured.
@@ -76,10 +73,8 @@ struct Angle {
 struct Light {
     /// Unit, toward the light, in world space.
     float3 direction;
-    int _pad1_0;
     /// Unit, toward the light, in the light's own frame.
     float3 own_direction;
-    int _pad2_0;
     /// Straight RGB.
     float3 color;
     /// The light's intensity with its distance and cone attenuation; 0 or more.
@@ -96,8 +91,6 @@ struct Curve {
     /// 0 straight, 1 smooth (cubic, with the slopes), 2 stepped: each point's y holds until the
     /// next point.
     uint interpolation;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
@@ -112,8 +105,6 @@ struct Ramp {
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.
     uint interpolation;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 /// Widths of lines of each kind, in pixels.
@@ -122,9 +113,6 @@ struct LineWidths {
     float4 kinds;
     /// Of borders of ids.
     float ids;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
 };
 
 static const float PI = 3.1415927;
@@ -143,6 +131,26 @@ Texture2D<float4> columns : register(t2);
 struct FragmentInput {
     float4 position_1 : SV_Position;
 };
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float4 choose(bool4 condition, float4 accept, float4 reject)
+{
+    return float4(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z, condition.w ? accept.w : reject.w);
+}
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float3 choose(bool3 condition, float3 accept, float3 reject)
+{
+    return float3(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z);
+}
+
+/// `accept` where the condition holds, else `reject`, component by component.
+float2 choose(bool2 condition, float2 accept, float2 reject)
+{
+    return float2(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y);
+}
 
 /// The slope n.xy / n.z of a normal in camera axes.
 float2 slope_of(float3 normal)
@@ -286,7 +294,7 @@ float4 neighbor_weights(Plane plane, float4 objects, float4 depths, float4 rises
     float scale = 1.0 / max(plane.tolerance * distance_, 1e-30);
     // The weight fades, so that the last bit of a depth does not decide between all and nothing.
     float4 weights = clamp((2.0).xxxx - error * scale, (0.0).xxxx, (1.0).xxxx);
-    return objects == (plane.object).xxxx ? weights : (0.0).xxxx;
+    return choose(objects == (plane.object).xxxx, weights, (0.0).xxxx);
 }
 
 Center ConstructCenter(int2 at, float2 slope, Plane plane) {
@@ -331,7 +339,7 @@ Ring ring_at(Center center_, int steps, float weight)
     // Beyond the image nothing is.
     bool4 is_inside = int4(asint(asuint(last.x) - asuint(at.x)), at.x,
         asint(asuint(last.y) - asuint(at.y)), at.y) >= (reach).xxxx;
-    float4 objects = is_inside ? abs(float4(a.w, b.w, c.w, d.w)) : (0.0).xxxx;
+    const float4 objects = choose(is_inside, abs(float4(a.w, b.w, c.w, d.w)), (0.0).xxxx);
     float2 rise = distance_ * center_.plane.rise;
     float4 rises = float4(rise.x, -rise.x, rise.y, -rise.y);
     const float4 neighbor_weights_value = neighbor_weights(center_.plane, objects,
@@ -416,9 +424,9 @@ EdgeLines edges_of(float4 codes, float levels)
     float4 place = floor(codes / (levels).xxxx);
     float4 turn = (codes - levels * place + (0.5).xxxx) * (4.0 / levels);
     bool4 is_back = turn >= (2.0).xxxx;
-    float4 x = is_back ? turn - (3.0).xxxx : (1.0).xxxx - turn;
+    const float4 x = choose(is_back, turn - (3.0).xxxx, (1.0).xxxx - turn);
     float4 rest = (1.0).xxxx - abs(x);
-    float4 y = is_back ? -rest : rest;
+    const float4 y = choose(is_back, -rest, rest);
     float4 size = sqrt(x * x + y * y);
     return ConstructEdgeLines(x / size, y / size, (place + (0.5).xxxx) * (4.0 / levels)
         - (2.0).xxxx);
@@ -478,7 +486,7 @@ float finite_or(float x, float otherwise)
 float3 finite_vec3(float3 v)
 {
     uint3 exponent = (2139095040u).xxx;
-    return (asuint(v) & exponent) != exponent ? v : (0.0).xxx;
+    return choose((asuint(v) & exponent) != exponent, v, (0.0).xxx);
 }
 
 /// v with 0 for each component that is NaN or infinite.
@@ -486,7 +494,7 @@ float3 finite_vec3(float3 v)
 float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
-    return (asuint(v) & exponent) != exponent ? v : (0.0).xxxx;
+    return choose((asuint(v) & exponent) != exponent, v, (0.0).xxxx);
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -809,8 +817,8 @@ float2 bounded_vec2(float2 v)
     uint2 bits = asuint(v);
     uint2 magnitude = bits & (2147483647u).xx;
     float2 largest = asfloat((bits & (2147483648u).xx) | (2139095039u).xx);
-    float2 numbers = magnitude == (2139095040u).xx ? largest : (0.0).xx;
-    return magnitude < (2139095040u).xx ? v : numbers;
+    const float2 numbers = choose(magnitude == (2139095040u).xx, largest, (0.0).xx);
+    return choose(magnitude < (2139095040u).xx, v, numbers);
 }
 
 /// [`bounded`], component by component.
@@ -820,8 +828,8 @@ float3 bounded_vec3(float3 v)
     uint3 bits = asuint(v);
     uint3 magnitude = bits & (2147483647u).xxx;
     float3 largest = asfloat((bits & (2147483648u).xxx) | (2139095039u).xxx);
-    float3 numbers = magnitude == (2139095040u).xxx ? largest : (0.0).xxx;
-    return magnitude < (2139095040u).xxx ? v : numbers;
+    const float3 numbers = choose(magnitude == (2139095040u).xxx, largest, (0.0).xxx);
+    return choose(magnitude < (2139095040u).xxx, v, numbers);
 }
 
 /// [`bounded`], component by component.
@@ -831,8 +839,8 @@ float4 bounded_vec4(float4 v)
     uint4 bits = asuint(v);
     uint4 magnitude = bits & (2147483647u).xxxx;
     float4 largest = asfloat((bits & (2147483648u).xxxx) | (2139095039u).xxxx);
-    float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
-    return magnitude < (2139095040u).xxxx ? v : numbers;
+    const float4 numbers = choose(magnitude == (2139095040u).xxxx, largest, (0.0).xxxx);
+    return choose(magnitude < (2139095040u).xxxx, v, numbers);
 }
 
 /// a / b; 0 where b is 0.
@@ -1150,8 +1158,9 @@ LineWidths line_widths(float width, float4 shares, float ids)
 {
     float4 widths = min(width, 10000.0) * clamp(bounded_vec4(shares), (0.0).xxxx, (100.0).xxxx);
     float id_width = min(width, 10000.0) * clamp(bounded(ids), 0.0, 100.0);
-    const LineWidths linewidths = ConstructLineWidths(widths > (1e-6).xxxx ? widths : (0.0).xxxx,
-        id_width > 1e-6 ? id_width : 0.0);
+    const float4 choose_value = choose(widths > (1e-6).xxxx, widths, (0.0).xxxx);
+    const LineWidths linewidths = ConstructLineWidths(choose_value, id_width
+        > 1e-6 ? id_width : 0.0);
     // What no pixel can show is no line.
     return linewidths;
 }
@@ -1183,8 +1192,7 @@ float4 middle_line_covers(float4 distance_, float4 width)
 float any_line_covers(float4 nearness, LineWidths widths, float reach)
 {
     float4 near = clamp(bounded_vec4(nearness), (-reach).xxxx, (reach).xxxx);
-    const float4 widths_near_value = widths_near(near, widths);
-    float4 own = abs(near) > (1e-6).xxxx ? widths_near_value : (0.0).xxxx;
+    const float4 own = choose(abs(near) > (1e-6).xxxx, widths_near(near, widths), (0.0).xxxx);
     const float4 covers = middle_line_covers((reach).xxxx - abs(near), own);
     return max(max(covers.x, covers.y), max(covers.z, covers.w));
 }
@@ -1197,7 +1205,7 @@ float4 lines_cover(float4 nearness, float4 widths, float reach)
     float4 distance_ = (reach).xxxx - nearness;
     float4 covers = float4(inner_line_covers(distance_.x, widths.x),
         middle_line_covers(distance_, widths).yzw);
-    return nearness > (1e-6).xxxx ? covers : (0.0).xxxx;
+    return choose(nearness > (1e-6).xxxx, covers, (0.0).xxxx);
 }
 
 /// True if a texel belongs to the surface of a plane, so many pixels away.
@@ -1215,7 +1223,7 @@ bool is_same_surface(Plane own, float4 texel, float2 offset)
 }
 
 int naga_neg(int val) {
-    return asint(-asuint(val));
+    return asint(0u - asuint(val));
 }
 
 /// The nearest edge of each kind in a pixel's own column: the coarse code of each, with its row
@@ -1247,11 +1255,12 @@ float4 nearest_in_column(int2 pixel, Plane own, int reach, bool of_all)
         float4 fine = abs(found);
         const float4 middle_distances_value = middle_distances(edges_of(fine, 4096.0), (0.0).xxxx,
             (float(row)).xxxx, of_all);
-        float4 distances = fine > (0.0).xxxx ? middle_distances_value : (1000000000.0).xxxx;
+        const float4 distances = choose(fine > (0.0).xxxx, middle_distances_value,
+            (1000000000.0).xxxx);
         bool4 is_nearer = distances < nearest;
-        nearest = is_nearer ? distances : nearest;
+        nearest = choose(is_nearer, distances, nearest);
         float4 coarse = coarse_codes(fine) + (262144.0 * (float(row) + 31.0)).xxxx;
-        codes = is_nearer ? (found < (0.0).xxxx ? -coarse : coarse) : codes;
+        codes = choose(is_nearer, choose(found < (0.0).xxxx, -coarse, coarse), codes);
     }
     return codes;
 }
@@ -1298,11 +1307,12 @@ float4 nearness_at(int2 pixel, Plane own)
         float4 places = rows - (31.0).xxxx;
         const float4 middle_distances_value = middle_distances(lines, (float(column)).xxxx, places,
             true);
-        float4 distances = coarse > (0.0).xxxx ? middle_distances_value : (1000000000.0).xxxx;
+        const float4 distances = choose(coarse > (0.0).xxxx, middle_distances_value,
+            (1000000000.0).xxxx);
         bool4 is_nearer = distances < nearest;
-        nearest = is_nearer ? distances : nearest;
-        across = is_nearer ? (float(column)).xxxx : across;
-        down = is_nearer ? places : down;
+        nearest = choose(is_nearer, distances, nearest);
+        across = choose(is_nearer, (float(column)).xxxx, across);
+        down = choose(is_nearer, places, down);
     }
     if (all(nearest >= (1000000000.0).xxxx)) {
         return (0.0).xxxx;
@@ -1317,8 +1327,8 @@ float4 nearness_at(int2 pixel, Plane own)
         texel_2.w);
     const float4 distances_1 = edge_distances(edges_of(abs(codes), 4096.0), across, down, true);
     float4 nearness = clamp((float(reach)).xxxx - distances_1, (0.0).xxxx, (float(reach)).xxxx);
-    float4 near = nearest < (1000000000.0).xxxx ? nearness : (0.0).xxxx;
-    return codes < (0.0).xxxx ? -near : near;
+    const float4 near = choose(nearest < (1000000000.0).xxxx, nearness, (0.0).xxxx);
+    return choose(codes < (0.0).xxxx, -near, near);
 }
 
 float4 vs_main(uint index : SV_VertexID) : SV_Position

@@ -33,17 +33,13 @@ struct Look {
 /// The surface under the fragment, in world space.
 struct Surface {
     float3 normal;
-    int _pad1_0;
     float3 view;
     float depth;
     float4 line_nearness;
     float2 middle_surface;
-    int _pad5_0;
-    int _pad5_1;
     float4 hidden_nearness;
     float2 pixel;
     float magnification;
-    int _end_pad_0;
 };
 
 /// A color along one number, the same outside of its stops as at the nearest one. The layout is one
@@ -58,8 +54,6 @@ struct Ramp {
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.
     uint interpolation;
-    int _end_pad_0;
-    int _end_pad_1;
 };
 
 struct ScreenPlace {
@@ -79,9 +73,6 @@ struct LineWidths {
     float4 kinds;
     /// Of borders of ids.
     float ids;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
 };
 
 struct Outline {
@@ -147,11 +138,18 @@ struct FragmentInput {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+/// `accept` where the condition holds, else `reject`, component by component.
+float4 choose(bool4 condition, float4 accept, float4 reject)
+{
+    return float4(condition.x ? accept.x : reject.x, condition.y ? accept.y : reject.y,
+        condition.z ? accept.z : reject.z, condition.w ? accept.w : reject.w);
+}
+
 /// v with 0 for each component that is NaN or infinite.
 float4 finite_vec4(float4 v)
 {
     uint4 exponent = (2139095040u).xxxx;
-    return (asuint(v) & exponent) != exponent ? v : (0.0).xxxx;
+    return choose((asuint(v) & exponent) != exponent, v, (0.0).xxxx);
 }
 
 /// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
@@ -177,8 +175,8 @@ float4 bounded_vec4(float4 v)
     uint4 bits = asuint(v);
     uint4 magnitude = bits & (2147483647u).xxxx;
     float4 largest = asfloat((bits & (2147483648u).xxxx) | (2139095039u).xxxx);
-    float4 numbers = magnitude == (2139095040u).xxxx ? largest : (0.0).xxxx;
-    return magnitude < (2139095040u).xxxx ? v : numbers;
+    const float4 numbers = choose(magnitude == (2139095040u).xxxx, largest, (0.0).xxxx);
+    return choose(magnitude < (2139095040u).xxxx, v, numbers);
 }
 
 /// a / b; 0 where b is 0.
@@ -261,11 +259,11 @@ float4 ramp_slope(float4 rise_before, float span_before, float4 rise_after, floa
 }
 
 uint naga_div(uint lhs, uint rhs) {
-    return lhs / (rhs == 0u ? 1u : rhs);
+    return lhs / max(rhs, 1u);
 }
 
 uint naga_mod(uint lhs, uint rhs) {
-    return lhs % (rhs == 0u ? 1u : rhs);
+    return lhs % max(rhs, 1u);
 }
 
 /// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
@@ -447,15 +445,15 @@ LineWidths line_widths(float width, float4 shares, float ids)
 {
     float4 widths = min(width, 10000.0) * shares;
     float id_width = min(width, 10000.0);
-    return ConstructLineWidths(widths > (1e-6).xxxx ? widths : (0.0).xxxx, id_width
-        > 1e-6 ? id_width : 0.0);
+    const float4 choose_value = choose(widths > (1e-6).xxxx, widths, (0.0).xxxx);
+    return ConstructLineWidths(choose_value, id_width > 1e-6 ? id_width : 0.0);
 }
 
 /// Widths of lines of each kind: shares of one width, `ids` that of borders of ids.
 LineWidths line_widths_2(float width, float4 shares, float ids)
 {
     float4 widths = min(width, 10000.0) * shares;
-    return ConstructLineWidths(widths > (1e-6).xxxx ? widths : (0.0).xxxx, 0.0);
+    return ConstructLineWidths(choose(widths > (1e-6).xxxx, widths, (0.0).xxxx), 0.0);
 }
 
 /// Share of a pixel that lines cover which lie on one side of their edges: from the edge, which is
@@ -478,8 +476,8 @@ float4 middle_line_covers(float4 distance_, float4 width)
 float any_line_covers(float4 nearness, LineWidths widths, float reach)
 {
     float4 near = clamp(nearness, (-reach).xxxx, (reach).xxxx);
-    float4 own = abs(near) > (1e-6).xxxx ? float4(widths.kinds.xyz, near.w
-        < 0.0 ? widths.ids : widths.kinds.w) : (0.0).xxxx;
+    const float4 own = choose(abs(near) > (1e-6).xxxx,
+        float4(widths.kinds.xyz, near.w < 0.0 ? widths.ids : widths.kinds.w), (0.0).xxxx);
     const float4 covers = middle_line_covers((reach).xxxx - abs(near), own);
     return max(max(covers.x, covers.y), max(covers.z, covers.w));
 }
@@ -492,7 +490,7 @@ float4 lines_cover(float4 nearness, float4 widths, float reach)
     float4 distance_ = (reach).xxxx - nearness;
     float4 covers = float4(inner_line_covers(distance_.x, widths.x),
         middle_line_covers(distance_, widths).yzw);
-    return nearness > (1e-6).xxxx ? covers : (0.0).xxxx;
+    return choose(nearness > (1e-6).xxxx, covers, (0.0).xxxx);
 }
 
 /// Hidden lines
@@ -531,7 +529,7 @@ Outline drawn_outline(LineWidths line_widths, float4 of_edges, float reach)
     kind = covers.z >= least ? 3.0 : kind;
     kind = covers.y >= least ? 2.0 : kind;
     kind = covers.x >= least ? 1.0 : kind;
-    float4 near = widths > (0.0).xxxx ? nearness : (0.0).xxxx;
+    const float4 near = choose(widths > (0.0).xxxx, nearness, (0.0).xxxx);
     float nearest = max(max(near.x, near.y), near.z);
     return ConstructOutline(line_, line_ > 0.0009765625 ? kind : 0.0, reach - nearest);
 }

@@ -3,12 +3,13 @@
 //! naga makes a struct by a function, `ConstructPair(1.0, 2.0)`, and zeros of an array by a cast,
 //! `(float[4])0`. Compilers of HLSL want constants of a module without calls ("initializer must be
 //! a compile-time constant"), and some know no cast to an array. A list in braces is the same value
-//! to all of them.
+//! to all of them, where it has a number for every member: those that fill up space, too.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use super::super::readable::{replace_words, words};
+use super::fillings::{self, Structs};
 
 /// Beginning of the names of naga's functions that make structs and arrays.
 const CONSTRUCT: &str = "Construct";
@@ -16,8 +17,9 @@ const CONSTRUCT: &str = "Construct";
 /// The text with lists in the place of constructing functions where a constant is given, and of
 /// zeros of arrays; constructing functions that nothing calls any more are left out.
 pub(super) fn with_lists(text: &str) -> String {
-    let lines: String = text.lines().map(|line| line_with_lists(line) + "\n").collect();
-    with_named_arguments(&without_uncalled(&lines))
+    let structs = fillings::structs(text);
+    let lines = text.lines().map(|line| line_with_lists(line, &structs) + "\n");
+    with_named_arguments(&without_uncalled(&lines.collect::<String>()))
 }
 
 /// The text with the members' names for the numbered arguments of constructing functions.
@@ -45,8 +47,9 @@ fn with_named_arguments(text: &str) -> String {
     lines.concat()
 }
 
-fn line_with_lists(line: &str) -> String {
-    let line = if line.starts_with("static const ") { in_braces(line) } else { line.to_owned() };
+fn line_with_lists(line: &str, structs: &Structs<'_>) -> String {
+    let is_constant = line.starts_with("static const ");
+    let line = if is_constant { in_braces(line, structs) } else { line.to_owned() };
     zeros_in_braces(&line).unwrap_or(line)
 }
 
@@ -63,27 +66,62 @@ fn zeros_in_braces(line: &str) -> Option<String> {
     Some(format!("{variable} = {{ {list} }};"))
 }
 
+/// A list of values that is being read.
+struct OpenList<'a> {
+    /// Character that ends the list.
+    end: char,
+    /// Members of the list's struct that are still to come; none of a list without a struct.
+    members: &'a [fillings::Member<'a>],
+}
+
+impl OpenList<'_> {
+    /// Zeros of the members that come next and fill up space, each made by `zero`.
+    fn fill(&mut self, text: &mut String, zero: &str) {
+        while let [member, rest @ ..] = self.members
+            && member.is_filling
+        {
+            text.push_str(zero);
+            self.members = rest;
+        }
+    }
+}
+
 /// A line with `ConstructX(a, b)` as `{a, b}`, at any depth.
-fn in_braces(line: &str) -> String {
+fn in_braces(line: &str, structs: &Structs<'_>) -> String {
     let mut text = String::with_capacity(line.len());
-    let mut closing = Vec::new();
+    let mut open: Vec<OpenList<'_>> = Vec::new();
     let mut rest = line;
     while let Some(next) = rest.chars().next() {
         let word = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
         let word = &rest[..word.unwrap_or(rest.len())];
-        if word.starts_with(CONSTRUCT) && rest[word.len()..].starts_with('(') {
+        if let Some(ty) = word.strip_prefix(CONSTRUCT)
+            && rest[word.len()..].starts_with('(')
+        {
             text.push('{');
-            closing.push('}');
+            let members = structs.get(ty).map_or(&[][..], Vec::as_slice);
+            let mut list = OpenList { end: '}', members };
+            list.fill(&mut text, "0, ");
+            open.push(list);
             rest = &rest[word.len() + 1..];
             continue;
         }
         let taken = word.len().max(next.len_utf8());
-        match next {
-            '(' => {
-                closing.push(')');
+        match (next, open.last_mut()) {
+            ('(', _) => {
+                open.push(OpenList { end: ')', members: &[] });
                 text.push('(');
             }
-            ')' => text.push(closing.pop().unwrap_or(')')),
+            (',', Some(list)) => {
+                list.members = list.members.get(1..).unwrap_or_default();
+                list.fill(&mut text, ", 0");
+                text.push(',');
+            }
+            (')', Some(list)) => {
+                list.members = list.members.get(1..).unwrap_or_default();
+                list.fill(&mut text, ", 0");
+                text.push(list.end);
+                open.pop();
+            }
             _ => text.push_str(&rest[..taken]),
         }
         rest = &rest[taken..];
@@ -173,6 +211,25 @@ float4 fs_main() {
 }
 ";
         assert_eq!(with_lists(text), wanted);
+    }
+
+    #[test]
+    fn lists_have_zeros_for_what_fills_up_space() {
+        let text = "\
+struct Pair {
+    float2 a;
+    int _pad1_0;
+    int _pad1_1;
+    float4 b[2];
+    float c;
+    int _end_pad_0;
+};
+
+static const Pair PAIR = ConstructPair(float2(1.0, 2.0), Constructarray2_float4_(A, f(B, C)), 3.0);
+";
+        let wanted = "static const Pair PAIR = {float2(1.0, 2.0), 0, 0, {A, f(B, C)}, 3.0, 0};\n";
+        let lists = with_lists(text);
+        assert!(lists.ends_with(wanted), "{lists}");
     }
 
     #[test]

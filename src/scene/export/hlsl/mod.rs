@@ -1,9 +1,12 @@
 //! HLSL, shader model 5.1, for Direct3D 12: one file with both entry points.
 //!
 //! naga reaches samplers through a heap of 2048, as wgpu binds them. The writer gives each sampler
-//! a register of its own instead, so that the file fits any engine; and writes constants in a form
-//! that every compiler takes ([`lists`]).
+//! a register of its own instead, so that the file fits any engine; writes constants in a form that
+//! every compiler takes ([`lists`]) and choices in one that HLSL 2018 and 2021 share ([`choices`]).
 
+mod choices;
+mod fillings;
+mod helpers;
 mod lists;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -30,9 +33,9 @@ pub(super) const LANGUAGE: Language = Language {
     short_label: "HLSL",
     api: "Direct3D 12",
     texts: &[TextFile { ending: ".hlsl", content: "shader" }],
-    verified_by: Some("glslangValidator and slangc"),
+    verified_by: Some("glslangValidator, slangc and dxc"),
     clip_space: ClipSpace::WEBGPU,
-    note: "HLSL 2018: dxc takes it with -HV 2018. Direct3D's own compilers have not seen it. \
+    note: "By the rules of HLSL 2018 and of 2021. fxc has not seen it. \
            Attributes have the semantic LOC followed by their location. Matrices are declared \
            row_major, each row holding a column of the uniform's bytes.",
     write,
@@ -69,8 +72,10 @@ pub(super) fn write_as(
             .insert(hlsl::SamplerIndexBufferKey { group: bound.group }, index);
     }
     let write = |valid: &ValidModule| naga_text(valid, &options);
-    let (text, points) = readable_text(module, write, |text, valid| {
-        let text = lists::with_lists(&own_samplers(&text)?);
+    let changed = choices::with_calls(module.valid())?;
+    let valid = changed.as_ref().unwrap_or_else(|| module.valid());
+    let (text, points) = readable_text(module, valid, write, |text| {
+        let text = plain_text(&own_samplers(&text)?);
         let uniforms = registers.iter().filter(|(bound, ..)| bound.kind == BindingType::Uniform);
         let uniforms =
             uniforms.map(|(_, letter, register)| register_name(&text, *letter, *register));
@@ -93,7 +98,7 @@ pub(super) fn write_as(
         .collect();
     let header = request.header("", &[list("Registers of space 0", &names)]);
     let file = format!("{}.{ending}", request.stem);
-    let text = finish(&text, &points);
+    let text = finish(&choices::with_comments(&text), &points);
     let described = LanguageModule {
         module: module.name.to_owned(),
         files: vec![LanguageFile { file: file.clone(), entry_points: points }],
@@ -116,15 +121,19 @@ pub(super) fn functions(source: &str) -> Result<String, Diagnostic> {
             .hint("please report the look; `--to hlsl` may still carry it")
     };
     let valid = wgsl::parse(source).map_err(|error| lost(error.message))?;
+    let valid = choices::with_calls(&valid).map_err(lost)?.unwrap_or(valid);
     let options = hlsl::Options { force_loop_bounding: false, ..hlsl::Options::default() };
     let write = |valid: &ValidModule| naga_text(valid, &options).map(|(text, _)| text);
-    let written = WrittenText {
-        text: lists::with_lists(&write(&valid).map_err(lost)?),
-        valid: &valid,
-        uniforms: BTreeSet::new(),
-        renamed: BTreeMap::new(),
-    };
-    written.readable(&SourceComments::of(source), write).map_err(lost)
+    let text = plain_text(&write(&valid).map_err(lost)?);
+    let renamed = choices::plain_names(&text);
+    let written = WrittenText { text, valid: &valid, uniforms: BTreeSet::new(), renamed };
+    let text = written.readable(&SourceComments::of(source), write).map_err(lost)?;
+    Ok(choices::with_comments(&text))
+}
+
+/// A text of naga's in the form that every compiler takes, without what no one needs.
+fn plain_text(text: &str) -> String {
+    lists::with_lists(&helpers::with_plain_helpers(&fillings::without_fillings(text)))
 }
 
 /// The register of each binding: `b` buffers, `t` textures and `s` samplers are counted separately.
@@ -167,7 +176,7 @@ fn own_names(text: &str, registers: &[(&BoundVariable, char, u32)]) -> BTreeMap<
         };
         text.lines().any(is_declared)
     };
-    let mut names = BTreeMap::new();
+    let mut names = choices::plain_names(text);
     for (bound, letter, register) in registers {
         let own = register_name(text, *letter, *register);
         if own.strip_prefix(bound.name.as_str()).is_some_and(is_number) && !outer(&bound.name) {
