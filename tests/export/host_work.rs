@@ -465,8 +465,8 @@ static class Comparison
         object settings = settingsIn.Invoke(look, new[] { around });
         MethodInfo keyed = work.GetMethod("Keyed", Any);
         if (keyed != null) settings = keyed.Invoke(null, new[] { settings, around });
-        var numbers =
-            (double[])work.GetMethod("DrawNumbers", Any).Invoke(null, new[] { settings, around });
+        var numbers = (double[])type.GetField("numbers", Any).GetValue(look);
+        work.GetMethod("DrawNumbers", Any).Invoke(null, new[] { settings, around, numbers });
         Console.WriteLine("[" + string.Join(",", numbers.Select(x => x.ToString("R"))) + "]");
     }
 

@@ -7,6 +7,8 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
+use image::RgbaImage;
+
 use crate::pictures::{Difference, Trial, examples, soak_trials};
 use crate::support::validators::Tool;
 use crate::table;
@@ -81,6 +83,10 @@ struct Material {
     file: String,
     /// Textures of the parameters.
     textures: Textures,
+    /// True if the text of one screen asks for a material of two sides.
+    is_two_sided: bool,
+    /// True if it asks for one that is cut away where its opacity is low.
+    is_masked: bool,
 }
 
 impl Material {
@@ -99,11 +105,22 @@ impl Material {
         let inputs = text.lines().filter(|line| line.trim().starts_with("Inputs("));
         let inputs = inputs.map(|line| input(&text, line)).collect();
         let file = file.rsplit('/').next().unwrap_or_default().to_owned();
-        Self { code, inputs, file, textures: textures(folder, &text) }
+        let readme = fs::read_to_string(folder.join("README.md")).expect("a text");
+        let is_two_sided = readme.contains("| *Two Sided* | on");
+        let is_masked = readme.contains("| *Masked*");
+        let textures = textures(folder, &text);
+        Self { code, inputs, file, textures, is_two_sided, is_masked }
+    }
+
+    /// Our own picture of a trial, and that of the material in the trial's package.
+    fn drawn(&self, trial: &Trial, folder: &Path) -> (RgbaImage, Vec<u8>) {
+        drawn_shader(trial, folder, self.shader(), &self.textures, self.is_two_sided)
     }
 
     /// A text of ShaderLab with one pass, which draws the material.
     fn shader(&self) -> String {
+        // The clip value that materials have from the start.
+        let mask = if self.is_masked { "clip(Opacity - 0.3333);\n" } else { "" };
         let mut heads = String::new();
         let mut values = String::new();
         let mut declared = String::new();
@@ -140,7 +157,7 @@ impl Material {
              float3x3(passed.tangent, passed.bitangent, passed.normal);\n\
              Parameters.SvPosition = float4(pixel + ResolvedView.ViewRectMin.xy, 0.5, 1.0);\n\
              float Opacity = 0.0;\n\
-             float3 color = CustomExpression0(Parameters, {values}Opacity);\n\
+             float3 color = CustomExpression0(Parameters, {values}Opacity);\n{mask}\
              return float4(color, Opacity);\n}}\nENDHLSL\nHLSLPROGRAM\n\
              #pragma vertex vertex_of\n#pragma fragment fragment_of\nENDHLSL\n",
             self.file, self.code,
@@ -305,7 +322,7 @@ fn compare(trials: &[(String, Trial)]) {
     for (name, trial) in trials {
         let folder = trial.package("unreal");
         let material = Material::of(&folder);
-        let (ours, found) = drawn_shader(trial, &folder, material.shader(), &material.textures);
+        let (ours, found) = material.drawn(trial, &folder);
         keep(name, &found, &ours);
         let seen = ours.pixels().filter(|pixel| pixel.0[3] > 0).count();
         assert!(seen > 1000, "{name}: {seen} pixels are covered");
@@ -330,10 +347,10 @@ fn parameters_of_unreal_change_what_they_change_with_us() {
         }
     }));
     let mut material = Material::of(&folder);
-    let (before, _) = drawn_shader(&trial, &folder, material.shader(), &Textures::new());
+    let (before, _) = material.drawn(&trial, &folder);
     let moved = material.inputs.iter_mut().find(|(name, ..)| name == "MoveX");
     moved.expect("an input").2 = "0.3".to_owned();
-    let (ours, found) = drawn_shader(&changed, &folder, material.shader(), &Textures::new());
+    let (ours, found) = material.drawn(&changed, &folder);
     assert!(Difference::of(&found, &before).beyond > 100, "the value is seen");
     let key = "unreal stand-in highlight-moves-set".to_owned();
     table::check(&BTreeMap::from([(key, Difference::of(&found, &ours))]));

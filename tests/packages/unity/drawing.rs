@@ -90,19 +90,19 @@ fn drawn_with(
 }
 
 /// Our own picture of a trial, and that of a text of ShaderLab in a folder, which has textures but
-/// no component.
+/// no component. It leaves out the backs of triangles unless it `is_two_sided`.
 pub(crate) fn drawn_shader(
     trial: &Trial,
     folder: &Path,
     shader: String,
     textures: &Textures,
+    is_two_sided: bool,
 ) -> (RgbaImage, Vec<u8>) {
+    let numbers = is_two_sided.then(|| ("_Cull".to_owned(), vec![0.0])).into_iter().collect();
+    let worn = WornLook { numbers, textures: textures.clone() };
     let component = PathBuf::new();
     let package = Package { folder: folder.to_owned(), shader, component, class: String::new() };
-    drawn_with(trial, &package, FirstRow::Top, |_| WornLook {
-        textures: textures.clone(),
-        ..WornLook::default()
-    })
+    drawn_with(trial, &package, FirstRow::Top, |_| worn.clone())
 }
 
 /// True if the look's picture depends on the object's own space, which is then to be the mesh's.
@@ -387,7 +387,7 @@ impl UnityScene {
                     FirstRow::Top => wgpu::FrontFace::Ccw,
                     FirstRow::Bottom => wgpu::FrontFace::Cw,
                 },
-                cull_mode: Some(wgpu::Face::Back),
+                cull_mode: worn.left_out(),
                 ..wgpu::PrimitiveState::default()
             },
             depth_stencil: Some(wgpu::DepthStencilState {

@@ -17,6 +17,17 @@ pub(super) struct WornLook {
     pub(super) textures: Textures,
 }
 
+impl WornLook {
+    /// Side of triangles that is not drawn: what the property `_Cull` says, or the back.
+    pub(super) fn left_out(&self) -> Option<wgpu::Face> {
+        match self.numbers.get("_Cull").and_then(|numbers| numbers.first()) {
+            Some(&number) if number == 0.0 => None,
+            Some(&number) if number == 1.0 => Some(wgpu::Face::Front),
+            _ => Some(wgpu::Face::Back),
+        }
+    }
+}
+
 /// Mono, with stand-ins for Unity's classes.
 pub(super) struct Engine;
 

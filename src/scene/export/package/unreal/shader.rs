@@ -226,15 +226,17 @@ fn refuse(look: &[HlslDeclaration]) -> Result<(), Diagnostic> {
         let message = format!("the look reads {what}, which the package unreal does not carry yet");
         refusal(message, "export the look `--to hlsl` for a material of your own, or `--to web`")
     };
-    let object = look.iter().find_map(|it| {
-        let (_, rest) = it.text.split_once("object.")?;
-        Some(rest.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').next()?.to_owned())
-    });
-    match object.as_deref() {
-        Some("world_from_object" | "world_from_normal") => Err(refusal("the object's own axes")),
-        Some("id") => Err(refusal("a number of each object")),
-        _ => Ok(()),
+    // Comments speak of objects, too.
+    let lines = look.iter().flat_map(|it| it.text.lines());
+    let code: Vec<&str> = lines.filter(|line| !line.trim_start().starts_with("//")).collect();
+    let reads = |part: &str| code.iter().any(|line| line.contains(part));
+    if reads("object.world_from_") {
+        return Err(refusal("the object's own axes"));
     }
+    if reads("object.id") {
+        return Err(refusal("a number of each object"));
+    }
+    Ok(())
 }
 
 /// Refuses surroundings that a Custom node does not know.
