@@ -247,20 +247,39 @@ fn border_end(
 ) -> vec2f {
     for (var step = 1; step <= LONGEST_RUN; step++) {
         let next = texel + step * along;
-        let inner = is_dark_texel(maps, behind, surface, next, by_itself) == is_dark;
-        let outer = is_dark_texel(maps, behind, surface, next + outward, by_itself) == is_dark;
+        // The texels within the border and beyond it, then two aside: beyond it where both are
+        // alike, else within. One call in a loop: compilers copy functions to where they are
+        // called, and some take minutes over six.
+        var inner = false;
+        var outer = false;
+        var goes_on = false;
+        for (var i = 0; i < 4; i++) {
+            let aside = next + select(-1, 2, inner) * outward - select(0, 1, i == 3) * along;
+            let place = select(next + i * outward, aside, i >= 2);
+            let is_alike = is_dark_texel(maps, behind, surface, place, by_itself) == is_dark;
+            if i == 0 {
+                inner = is_alike;
+            } else if i == 1 {
+                outer = is_alike;
+                // Straight on, or texels that touch at their corners alone.
+                if inner != outer {
+                    break;
+                }
+            } else if i == 2 {
+                if is_alike != inner {
+                    break;
+                }
+            } else {
+                goes_on = is_alike != inner;
+            }
+        }
         if inner && !outer {
             continue;
         }
-        if inner != outer {
-            // Texels touch at their corners alone.
+        if outer && !inner {
             return vec2f(f32(step), 0.0);
         }
-        // It turns outward, where both are alike, or inward.
-        let turned = next + select(-1, 2, inner) * outward;
-        let wanted = inner == is_dark;
-        let goes_on = is_dark_texel(maps, behind, surface, turned, by_itself) == wanted
-            && is_dark_texel(maps, behind, surface, turned - along, by_itself) != wanted;
+        // It turns outward or inward.
         return vec2f(f32(step), select(select(-0.5, 0.5, inner), 0.0, goes_on));
     }
     return vec2f(f32(LONGEST_RUN), 0.0);
@@ -299,15 +318,8 @@ fn shadow_of_edges(
             continue;
         }
         let along = select(vec2i(0, 1), vec2i(1, 0), is_row);
-        var before = vec2f(0.0);
-        var after = vec2f(0.0);
-        // Compilers copy functions to where they are called.
-        for (var end = 0; end < 2; end++) {
-            let way = select(-along, along, end == 1);
-            let found = border_end(maps, behind, surface, texel, way, outward, by_itself, is_dark);
-            before = select(before, found, end == 0);
-            after = found;
-        }
+        let before = border_end(maps, behind, surface, texel, -along, outward, by_itself, is_dark);
+        let after = border_end(maps, behind, surface, texel, along, outward, by_itself, is_dark);
         let place = select(within, within.yx, is_row);
         let course = edge_course(before, after, place.y);
         let extent = select(pixel, pixel.yx, is_row);
