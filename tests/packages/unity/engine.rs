@@ -21,8 +21,8 @@ impl WornLook {
     /// Side of triangles that is not drawn: what the property `_Cull` says, or the back.
     pub(super) fn left_out(&self) -> Option<wgpu::Face> {
         match self.numbers.get("_Cull").and_then(|numbers| numbers.first()) {
-            Some(&number) if number == 0.0 => None,
-            Some(&number) if number == 1.0 => Some(wgpu::Face::Front),
+            Some(0.0) => None,
+            Some(1.0) => Some(wgpu::Face::Front),
             _ => Some(wgpu::Face::Back),
         }
     }
