@@ -219,8 +219,6 @@ fn fill_words(template: &mut Template, class: &str) {
     template.place("settings_call", call);
     let has_illumination = template.has("illumination");
     template.place("show_systems", if has_illumination { "(walk, turn_lights)" } else { "walk" });
-    let lights = if has_illumination { " with the right button to turn its lights," } else { "" };
-    template.place("turn_lights", lights);
     let what = ", and computes its numbers";
     let more = ", computes its numbers, and draws its passes";
     template.place("and_what", if has_passes { more } else { what });
