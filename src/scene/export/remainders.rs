@@ -103,7 +103,8 @@ impl Edits {
             let right = source[sign + 1..].trim_start();
             // A number for all components is written out as a vector.
             let is_splat = matches!(function.expressions[right_handle], Expression::Splat { .. });
-            let is_vector = right.trim_start_matches(['=', ' ']).starts_with("vec");
+            let told = right.trim_start_matches(['=', ' ']).strip_prefix(&format!("vec{size}"));
+            let is_vector = told.is_some_and(|rest| rest.starts_with(['i', '<', '(']));
             let (open, close) = match is_splat && size > 1 && !is_vector {
                 true => (format!("vec{size}i("), "))"),
                 false => (String::new(), ")"),
