@@ -78,7 +78,9 @@ impl Edits {
         let module = &valid.module;
         let ranges = Ranges::of(module, function);
         for (handle, expression) in function.expressions.iter() {
-            let Expression::Binary { op: BinaryOperator::Modulo, left, right } = *expression else {
+            let Expression::Binary { op: BinaryOperator::Modulo, left, right: right_handle } =
+                *expression
+            else {
                 continue;
             };
             let size = match *info[handle].ty.inner_with(&module.types) {
@@ -86,7 +88,7 @@ impl Edits {
                 TypeInner::Vector { size, scalar } if scalar.kind == ScalarKind::Sint => size as u8,
                 _ => continue,
             };
-            if ranges.is_never_negative(left) && ranges.is_never_negative(right) {
+            if ranges.is_never_negative(left) && ranges.is_never_negative(right_handle) {
                 continue;
             }
             let span = function.expressions.get_span(handle).to_range();
@@ -98,12 +100,15 @@ impl Edits {
             self.sizes.insert(size);
             let name = function_name(&self.name, size);
             let sign = span.start + sign;
-            let is_splat = matches!(function.expressions[right], Expression::Splat { .. });
-            let (open, close) = match is_splat && size > 1 {
+            let right = source[sign + 1..].trim_start();
+            // A number for all components is written out as a vector.
+            let is_splat = matches!(function.expressions[right_handle], Expression::Splat { .. });
+            let told = right.trim_start_matches(['=', ' ']).strip_prefix(&format!("vec{size}"));
+            let is_vector = told.is_some_and(|rest| rest.starts_with(['i', '<', '(']));
+            let (open, close) = match is_splat && size > 1 && !is_vector {
                 true => (format!("vec{size}i("), "))"),
                 false => (String::new(), ")"),
             };
-            let right = source[sign + 1..].trim_start();
             if let Some(right) = right.strip_prefix('=') {
                 // `a %= b`, in which a is a place without calls.
                 let place = source[span.start..sign].trim();

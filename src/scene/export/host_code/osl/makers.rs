@@ -3,6 +3,7 @@
 
 use std::fmt::Write as _;
 
+use super::super::dialect::function_head;
 use crate::wgsl::rename_identifiers;
 
 /// Types that constructors copy.
@@ -111,11 +112,7 @@ fn parsed(text: &str) -> Option<(&str, Vec<(&str, &str)>)> {
 /// The function that makes a struct of its members.
 fn maker(name: &str, members: &[(&str, &str)]) -> String {
     let parameters: Vec<String> = members.iter().map(|(ty, it)| format!("{ty} {it}")).collect();
-    let short = format!("{name} {}({})", maker_name(name), parameters.join(", "));
-    let head = match short.len() <= 100 {
-        true => short,
-        false => format!("{name} {}(\n    {})", maker_name(name), parameters.join(",\n    ")),
-    };
+    let head = function_head(&format!("{name} {}", maker_name(name)), &parameters, 100);
     let mut text = format!("\n{head}\n{{\n    {name} made;\n");
     for (_, member) in members {
         let member = member.split('[').next().unwrap_or_default();

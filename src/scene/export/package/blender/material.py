@@ -39,6 +39,10 @@ def shader_text():
     if os.path.isfile(path):
         with open(path, encoding="utf-8") as file:
             source = file.read()
+        # A text in a file of Blender's knows nothing of the folder.
+        for image in LOOK["images"]:
+            beside = os.path.join(FOLDER, image["file"] or "").replace("\\", "/")
+            source = source.replace(f'"{image["file"]}"', f'"{beside}"')
         if text.as_string() != source:
             text.from_string(source)
     elif not text.as_string():

@@ -5,6 +5,7 @@
 //! the settings, and emits the color that the look has at the point. Renderers fold what their
 //! parameters decide, so the host work costs nothing there.
 
+mod images;
 mod parameters;
 mod source;
 
@@ -18,7 +19,7 @@ use crate::diag::Diagnostic;
 use crate::document::ColorSpace;
 use crate::export::header;
 use crate::export::host_code::{OSL, translate, with_osl_preamble};
-use crate::library::Type;
+use images::ShaderImage;
 use parameters::Parameters;
 use source::{PICTURE, Source, VIEWER};
 
@@ -99,13 +100,14 @@ impl OslShader {
     /// `not-in-package`: what a shader of OSL cannot do, with the reason.
     pub(super) fn of(request: &PackageRequest<'_>) -> Result<Self, Diagnostic> {
         request.refuse_passes("a shader of OSL has no place for")?;
-        refuse_images(request)?;
         let module = request.modules.modules.iter().find(|module| module.is_draw());
         let module = module.ok_or_else(|| refusal("the look has no picture", "add an output"))?;
-        let source = Source::of(request, module)?;
+        let images = ShaderImage::all(request, module)?;
+        let source = Source::of(request, module, &images)?;
         let roots: Vec<&str> = source.roots.iter().map(String::as_str).collect();
         let functions = translate(&source.wgsl, &roots, &OSL)
             .map_err(|problem| refusal(problem.message, "render with the add-on's own `render`"))?;
+        let functions = images.iter().fold(functions, |text, image| image.written_in(&text));
         let parameters = Parameters::of(request, OWN_NAMES);
         let shader = shader(request, &source, &parameters);
         let lines = [
@@ -126,27 +128,6 @@ impl OslShader {
         about["reads_time"] = json!(reads_time(&source));
         Ok(Self { text: broken(&text), about })
     }
-}
-
-/// Refuses images and painted surfaces, with the nodes that read them.
-fn refuse_images(request: &PackageRequest<'_>) -> Result<(), Diagnostic> {
-    let Some(image) = request.description.images.first() else { return Ok(()) };
-    let (message, what) = match image.kind {
-        "hcbtf" => ("the look reads a painted surface, whose texels no shader of OSL finds", "it"),
-        _ => ("the look reads images, which its shader for Cycles does not carry", "them"),
-    };
-    let nodes = request.nodes_that_take(&[Type::Image, Type::Hcbtf]);
-    let names: Vec<String> = nodes.iter().map(|name| format!("`{name}`")).collect();
-    let hint = format!(
-        "{} {what}: put nodes without images in their place, or render with the add-on's own \
-         `render`",
-        match &names[..] {
-            [] => "nodes read".to_owned(),
-            [one] => format!("the node {one} reads"),
-            [all @ .., last] => format!("the nodes {} and {last} read", all.join(", ")),
-        }
-    );
-    Err(refusal(message, &hint))
 }
 
 /// True if the look asks for the time or the frame.

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::super::super::materialx::{rename_clashes, without_attributes};
 use super::super::super::{PackageRequest, refusal};
+use super::images::ShaderImage;
 use crate::diag::Diagnostic;
 use crate::export::modules::ShaderModule;
 use crate::wgsl::{DeclarationKind, identifiers, scan};
@@ -47,8 +48,12 @@ impl Source {
     pub(super) fn of(
         request: &PackageRequest<'_>,
         module: &ShaderModule,
+        images: &[ShaderImage],
     ) -> Result<Self, Diagnostic> {
         let mut declarations = Declarations::default();
+        for image in images {
+            declarations.add(&image.function(), image.wgsl(), None);
+        }
         let (mut varyings, mut is_told_side) = (Vec::new(), false);
         let source = module.wgsl();
         for declaration in scan(source).declarations {
@@ -76,6 +81,8 @@ impl Source {
                 _ => own.to_owned(),
             };
             let name = if name == "fs_main" { PICTURE } else { name };
+            let kept = images.iter().try_fold(kept, |text, image| image.called_in(&text));
+            let kept = kept.ok_or_else(|| refuse("asks for more of an image than its colors"))?;
             declarations.add(name, kept, Some(own));
         }
         if let Some(name) = varyings.iter().find(|name| !SURFACE.contains(&name.as_str())) {
@@ -149,12 +156,15 @@ impl Declarations {
     fn plain(&mut self) {
         for declaration in scan(PLAIN).declarations {
             let name = &declaration.name;
-            let is_variant = |known: &str| {
-                let number = known.strip_prefix(name.as_str()).and_then(|it| it.strip_prefix('_'));
-                number.is_some_and(|it| it.parse::<u32>().is_ok())
+            // Variants have numbers, and those of the host work another name where both differ.
+            let is_it = |known: &str| {
+                let known = known.strip_suffix("_before").unwrap_or(known);
+                let rest = known.strip_prefix(name.as_str());
+                let number = |rest: &str| rest.strip_prefix('_')?.parse::<u32>().ok();
+                rest.is_some_and(|rest| rest.is_empty() || number(rest).is_some())
             };
             for (known, text) in &mut self.texts {
-                if (known == name || is_variant(known)) && text.contains("bitcast") {
+                if is_it(known) && text.contains("bitcast") {
                     let plain = &PLAIN[declaration.span.clone()];
                     *text = plain.replacen(&format!("fn {name}("), &format!("fn {known}("), 1);
                 }
