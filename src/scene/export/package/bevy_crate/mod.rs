@@ -7,7 +7,9 @@
 mod shader;
 
 use std::collections::BTreeSet;
+use std::io::Cursor;
 
+use image::{ColorType, DynamicImage, ImageFormat};
 use serde_json::{Value, json};
 
 use super::super::ExportFile;
@@ -96,8 +98,26 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
         files.push(template.file("src/shadow_maps.rs", SHADOW_MAPS));
     }
     files.extend(values.files(&template));
-    files.extend(image_files(request));
+    files.extend(image_files(request).map(with_eight_bits));
     Ok(files)
+}
+
+/// An image with 8 bits a channel. Bevy reads those of 16 bits as whole numbers, which no sampler
+/// filters, and would not draw the look.
+fn with_eight_bits(file: ExportFile) -> ExportFile {
+    let Ok(read) = image::load_from_memory_with_format(&file.bytes, ImageFormat::Png) else {
+        return file;
+    };
+    let narrowed = match read.color() {
+        ColorType::L16 => DynamicImage::from(read.to_luma8()),
+        ColorType::La16 | ColorType::Rgb16 | ColorType::Rgba16 => read.to_rgba8().into(),
+        _ => return file,
+    };
+    let mut bytes = Cursor::new(Vec::new());
+    match narrowed.write_to(&mut bytes, ImageFormat::Png) {
+        Ok(()) => ExportFile { bytes: bytes.into_inner(), ..file },
+        Err(_) => file,
+    }
 }
 
 /// Shaders of passes. Bevy's texture coordinates have v down.
