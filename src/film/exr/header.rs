@@ -8,12 +8,15 @@ use glam::{DMat4, DVec3};
 use crate::frame::View;
 use crate::frames::FrameRate;
 
-/// Attribute of the hash of the plan that was drawn.
-pub(super) const PLAN: &str = "chiaro:plan";
-/// Attribute of the checksum of all numbers.
-pub(super) const SEAL: &str = "chiaro:seal";
-/// Attribute of the space in which layers were blended.
-const BLENDED_IN: &str = "chiaro:blendedIn";
+/// Attribute of what Chiaro says of a picture: notes of the form `name=text`, joined by semicolons.
+/// One attribute, for the library writes several in no order, and equal pictures are equal files.
+const NOTES: &str = "chiaro";
+/// Note of the hash of the plan that was drawn.
+pub(super) const PLAN: &str = "plan";
+/// Note of the checksum of all numbers.
+pub(super) const SEAL: &str = "seal";
+/// Note of the space in which layers were blended.
+const BLENDED_IN: &str = "blendedIn";
 /// Attribute of the space of the colors, by the names of the Color Interop Forum.
 const COLOR_SPACE: &str = "colorInteropID";
 
@@ -72,29 +75,24 @@ impl ExrHeader {
             white: Vec2(0.3127, 0.329),
         });
         attributes.time_code = self.stamp.and_then(FrameStamp::time_code);
+        let space = AttributeValue::Text(Text::from("lin_rec709_scene"));
+        attributes.other.insert(Text::from(COLOR_SPACE), space);
     }
 
     /// The attributes of the part.
-    pub(super) fn of_layer(&self, size: [u32; 2], seal: String) -> LayerAttributes {
+    pub(super) fn of_layer(&self, size: [u32; 2], seal: &str) -> LayerAttributes {
         let mut attributes = LayerAttributes {
             software_name: Some(Text::from(concat!("Chiaro ", env!("CARGO_PKG_VERSION")))),
             ..LayerAttributes::default()
         };
-        let texts = [
-            (PLAN, self.plan.clone()),
-            (SEAL, seal),
-            (BLENDED_IN, self.blended_in.clone()),
-            (COLOR_SPACE, "lin_rec709_scene".to_owned()),
-        ];
-        for (name, text) in texts {
-            if let Some(text) = Text::new_or_none(&text).filter(|_| !text.is_empty()) {
-                attributes.other.insert(Text::from(name), AttributeValue::Text(text));
-            }
+        let notes = [(SEAL, seal), (BLENDED_IN, &self.blended_in), (PLAN, &self.plan)];
+        let notes = notes.iter().filter(|(_, text)| !text.is_empty());
+        let notes: Vec<String> = notes.map(|(name, text)| format!("{name}={text}")).collect();
+        if let Some(text) = Text::new_or_none(notes.join(";")) {
+            attributes.other.insert(Text::from(NOTES), AttributeValue::Text(text));
         }
-        if let Some(FrameStamp { frame, rate }) = self.stamp {
-            attributes.other.insert(Text::from("frame"), AttributeValue::I32(frame));
-            attributes.frames_per_second = Some((rate.frames as i32, rate.seconds));
-        }
+        attributes.frames_per_second =
+            self.stamp.map(|FrameStamp { rate, .. }| (rate.frames as i32, rate.seconds));
         if let Some(view) = &self.view {
             attributes.world_to_camera = Some(rows(world_to_camera(view)));
             attributes.world_to_normalized_device = Some(rows(world_to_picture(view)));
@@ -128,12 +126,14 @@ fn rows(matrix: DMat4) -> [f32; 16] {
     matrix.to_cols_array().map(|x| x as f32)
 }
 
-/// The text of an attribute.
-pub(super) fn text_of(attributes: &LayerAttributes, name: &str) -> Option<String> {
-    match attributes.other.get(&Text::from(name))? {
-        AttributeValue::Text(text) => Some(text.to_string()),
-        _ => None,
-    }
+/// A note of Chiaro's.
+pub(super) fn note_of(attributes: &LayerAttributes, name: &str) -> Option<String> {
+    let AttributeValue::Text(notes) = attributes.other.get(&Text::from(NOTES))? else {
+        return None;
+    };
+    let notes = notes.to_string();
+    let mut notes = notes.split(';').filter_map(|note| note.split_once('='));
+    notes.find_map(|(found, text)| (found == name).then(|| text.to_owned()))
 }
 
 #[cfg(test)]

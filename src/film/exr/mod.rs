@@ -150,7 +150,7 @@ pub fn encode(
         blocks: Blocks::ScanLines,
         line_order: LineOrder::Increasing,
     };
-    let attributes = header.of_layer(size, seal);
+    let attributes = header.of_layer(size, &seal);
     let list = AnyChannels::sort(channels.into());
     let mut image = Image::from_layer(Layer::new((width, height), attributes, encoding, list));
     header.mark(&mut image.attributes);
@@ -194,8 +194,8 @@ pub fn decode(bytes: &[u8]) -> Result<ExrContent, Diagnostic> {
     Ok(ExrContent {
         size: [layer.size.x() as u32, layer.size.y() as u32],
         channels: list.iter().map(numbers).collect(),
-        plan: header::text_of(&layer.attributes, header::PLAN),
-        is_sealed: header::text_of(&layer.attributes, header::SEAL) == Some(seal),
+        plan: header::note_of(&layer.attributes, header::PLAN),
+        is_sealed: header::note_of(&layer.attributes, header::SEAL) == Some(seal),
     })
 }
 
