@@ -30,8 +30,8 @@ pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
     set.commit()
 }
 
-/// Gives a file a second name, which is another file's until then if there is one: a hard link, or a
-/// copy where the file system has none.
+/// Gives a file a second name, in place of the file of that name if there is one: a hard link, or
+/// a copy where the file system has none.
 ///
 /// # Errors
 /// A diagnostic that names the file; what had the name is then as it was.

@@ -87,7 +87,7 @@ impl FromStr for FrameRate {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        /// What people write for rates of television, and the whole number that each is near to.
+        /// Rates of television as people write them, and the whole number that each is near to.
         const OF_TELEVISION: [(&str, u32); 6] = [
             ("23.976", 24),
             ("23.98", 24),

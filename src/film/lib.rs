@@ -1,8 +1,8 @@
 //! Film: many frames, and pictures as compositors take them.
 //!
 //! [`FrameList`], [`FrameRate`] and [`FramePattern`] say which frames of a scene are drawn, when
-//! they are, and into which files. [`exr`] writes pictures as OpenEXR, [`png`] notes in PNGs. A [`PlanHasher`]
-//! tells frames that would be the same picture, in this run and from run to run.
+//! they are, and into which files. [`exr`] writes pictures as OpenEXR, [`png`] notes in PNGs. A
+//! [`PlanHasher`] tells frames that would be the same picture, in this run and from run to run.
 
 use chiaro_compiler::compile;
 #[cfg(test)]

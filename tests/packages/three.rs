@@ -15,8 +15,8 @@ static THREE: Library = Library {
     page: &["three.html", "gltf.js"],
 };
 
-/// A look of each kind is drawn as we draw it: many passes, an image, painted surfaces, shadow maps,
-/// one of linear light, and one that shows both sides.
+/// A look of each kind is drawn as we draw it: many passes, an image, painted surfaces, shadow
+/// maps, one of linear light, and one that shows both sides.
 #[test]
 fn three_draws_what_we_draw() {
     let mut trials =

@@ -51,8 +51,8 @@ fn compare(browser: &mut Chromium, trials: &[(String, Trial)]) {
     table::check(&measured);
 }
 
-/// A look of each kind of passes and textures is drawn as we draw it: layers with curvature, painted
-/// surfaces, shadows. [`soak_pages_of_all_examples_show_what_we_show`] has the others.
+/// A look of each kind of passes and textures is drawn as we draw it: layers with curvature,
+/// painted surfaces, shadows. [`soak_pages_of_all_examples_show_what_we_show`] has the others.
 #[test]
 fn pages_show_what_we_show() {
     let Some(mut browser) = Chromium::start().expect("Chromium") else { return };

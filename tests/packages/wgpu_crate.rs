@@ -348,7 +348,7 @@ fn pictures_of_one_submission_keep_their_numbers() {
     assert!(Difference::of(first.as_raw(), &second).beyond > 200, "the light is another");
 }
 
-/// What a mesh lacks is said before it is drawn, and one of buffers is as good as one of arrays.
+/// A mesh says what it lacks before it is drawn, and one of buffers is as good as one of arrays.
 #[test]
 fn meshes_that_cannot_be_drawn_are_refused() {
     use figure1_layers::{Error, Mesh, MeshBuffers, MeshData};

@@ -88,8 +88,8 @@ fn equal_frames_are_drawn_once_and_whole_ones_kept() {
     fs::remove_file(shot.path("a.0002.png")).unwrap();
     let frames = shot.frames(&["-o", "a.####.png", "--frames", "5,2,1"]);
     assert_eq!(states(&frames), ["kept", "drawn", "kept"]);
-    // Another size is another picture.
-    let frames = shot.frames(&["-o", "a.####.png", "--frames", "4-5", "--size", "12x8"]);
+    // Another camera is another picture.
+    let frames = shot.frames(&["-o", "a.####.png", "--frames", "4-5", "--camera", "fov=50"]);
     assert_eq!(states(&frames), ["drawn", "equal"]);
     // Other cuts of the same frames have the same plans, whatever the machine has drawn before.
     let frames = shot.frames(&["-o", "b.#.png", "--frames", "0-4x2"]);

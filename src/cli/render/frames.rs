@@ -43,7 +43,7 @@ struct Frame<T> {
     seconds: Seconds,
 }
 
-/// What becomes of a frame.
+/// Fate of a frame.
 enum FrameState<T> {
     /// The file of a run before is whole, and of the same plan.
     Kept,
@@ -64,7 +64,7 @@ struct Seconds {
     writing: f64,
 }
 
-/// What became of all frames.
+/// Sums over all frames.
 #[derive(Debug, Default)]
 struct Summary {
     drawn: usize,
@@ -87,12 +87,14 @@ pub(super) fn draw(
     let clock = Clock::start();
     let (to_draw, planned) = sync_channel(1);
     let (to_write, drawn) = sync_channel(1);
+    let name = executor.name();
+    // Each part owns its ends of the channels, so that the others end when it does.
     let summary = in_parallel(
         move || plan_all(sequence, stage, &to_draw, output),
-        || draw_all(&planned, &to_write, executor, output),
+        move || draw_all(&planned, &to_write, executor, output),
         move || write_all(sequence, outputs, &drawn, output),
     )?;
-    output.message(&summary.text(clock.seconds(), &executor.name()));
+    output.message(&summary.text(clock.seconds(), &name));
     Ok(())
 }
 
@@ -116,8 +118,8 @@ fn in_parallel<W: Send>(
         let drawn = draw();
         let planned = planner.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         let written = writer.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-        // What went wrong first is told: drawing ends early, and without a word, when a frame cannot
-        // be written.
+        // What went wrong first is told: drawing ends early, and without a word, when a frame
+        // cannot be written.
         drawn.and(planned).and(written)
     })
 }
@@ -172,7 +174,7 @@ fn plan_all(
     Ok(())
 }
 
-/// What a file is of: the plan, and how it was stored.
+/// Key of a file: the plan that it is of, and how it was stored.
 fn key(content: &str, sequence: Sequence<'_>) -> String {
     let FrameRate { frames, seconds } = sequence.rate;
     match sequence.format {
@@ -278,7 +280,7 @@ fn read(file: &Path) -> Result<Vec<u8>, Diagnostic> {
 }
 
 impl DrawnFrame {
-    /// What became of the frame, in a word.
+    /// The frame's fate, in a word.
     fn state(&self) -> &'static str {
         match self.state {
             FrameState::Kept => "kept",

@@ -117,7 +117,7 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-/// What is drawn, opened and ready to be planned.
+/// Scene that is drawn, opened and ready to be planned.
 struct Stage {
     setup: Setup,
     library: Library,
@@ -161,8 +161,8 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let one = |problem: Diagnostic| vec![problem];
     check_nodes_folder(arguments.nodes.as_deref())?;
     let target = arguments.output.as_ref();
+    let sequence = arguments.sequence(target).map_err(one)?;
     let format = check_target(target, arguments.encoding()).map_err(one)?;
-    let sequence = arguments.sequence(format, target).map_err(one)?;
     let read = [
         Some(arguments.document.as_path()),
         arguments.mesh.as_deref().map(Path::new),
@@ -249,11 +249,7 @@ impl Arguments {
     }
 
     /// The frames that were asked for, and their files.
-    fn sequence(
-        &self,
-        format: PictureFormat,
-        target: &Path,
-    ) -> Result<Option<(&FrameList, FramePattern)>, Diagnostic> {
+    fn sequence(&self, target: &Path) -> Result<Option<(&FrameList, FramePattern)>, Diagnostic> {
         let pattern = FramePattern::of(target).map_err(|message| {
             let hint = "write one place for the number in the name of the file: out/####.exr";
             Diagnostic::error("bad-argument", message).hint(hint)
@@ -261,11 +257,11 @@ impl Arguments {
         match (&self.frames, pattern) {
             (Some(frames), Some(pattern)) => Ok(Some((frames, pattern))),
             (Some(_), None) => {
-                let path = target.with_extension("####");
-                let ending = if format == PictureFormat::Png { "png" } else { "exr" };
+                let ending = target.extension().unwrap_or_default().to_string_lossy();
+                let path = target.with_extension(format!("####.{ending}"));
                 let message = "all frames would be written into one file";
                 Err(Diagnostic::error("bad-argument", message)
-                    .hint(format!("let #### stand for the number: {}.{ending}", path.display())))
+                    .hint(format!("let #### stand for the number: {}", path.display())))
             }
             (None, Some(_)) => {
                 let message = "the name of the file has a place for the number of a frame";

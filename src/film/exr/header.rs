@@ -51,7 +51,7 @@ impl FrameStamp {
     }
 }
 
-/// What a file says of its picture.
+/// Statements of a file about its picture.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ExrHeader {
     /// The camera.

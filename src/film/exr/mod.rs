@@ -164,7 +164,7 @@ fn half_of(number: f32) -> f16 {
     f16::from_f32(number.clamp(-MAX_HALF, MAX_HALF))
 }
 
-/// What a file holds.
+/// Content of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExrContent {
     /// Width and height, in pixels.

@@ -8,7 +8,7 @@ use naga::{Constant, Statement};
 /// Least and greatest number.
 type Range = [i64; 2];
 
-/// What is known of the whole numbers of a function.
+/// Knowledge of the whole numbers of a function.
 pub(super) struct Ranges<'a> {
     module: &'a Module,
     function: &'a Function,

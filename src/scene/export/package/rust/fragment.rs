@@ -2,7 +2,7 @@
 
 /// An entry point of fragments, taken apart.
 pub(in super::super) struct FragmentEntry<'a> {
-    /// Its parameters, as an entry point has them.
+    /// Parameters, as an entry point has them.
     parameters: &'a str,
     /// The parameters as a function has them.
     plain: String,

@@ -82,7 +82,7 @@ pub(super) fn image_files(request: &PackageRequest<'_>) -> impl Iterator<Item = 
 pub(super) fn shader_text(text: &str) -> String {
     const OTHER: &str = ".json says what to put there and how to draw.";
     let own = |line: &str| match line.ends_with(OTHER) {
-        true => "// src/look.rs says what to put there.\n".to_owned(),
+        true => "// look.rs says what to put there.\n".to_owned(),
         false => format!("{line}\n"),
     };
     text.lines().map(own).collect()

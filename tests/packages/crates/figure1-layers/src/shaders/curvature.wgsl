@@ -1,7 +1,7 @@
 // Layers: made by Chiaro 0.1.0, WGSL.
 // Finds curvature from normals and depth.
 // Bindings of group 0: surface 0, curvature 1.
-// src/look.rs says what to put there.
+// look.rs says what to put there.
 
 // Slopes of a surface over the picture, and the texels by which passes over the picture know it
 // (docs/math.md 3.3).

@@ -1,7 +1,7 @@
 // Layers: made by Chiaro 0.1.0, WGSL.
 // Draws a mesh with the look; the result is straight RGBA.
 // Bindings of group 0: view 0, object 1, look 2, curvature_map 3.
-// src/look.rs says what to put there.
+// look.rs says what to put there.
 
 struct View {
     clip_from_world: mat4x4f,

@@ -1,7 +1,7 @@
 // Long shadows: made by Chiaro 0.1.0, WGSL.
 // Draws a mesh with the look; the result is straight RGBA.
 // Bindings of group 0: view 0, object 1, look 2, shadow_map 3, shadow_map_behind 4.
-// src/look.rs says what to put there.
+// look.rs says what to put there.
 
 struct View {
     clip_from_world: mat4x4f,
@@ -575,26 +575,40 @@ fn border_end(
 ) -> vec2f {
     for (var step = 1; step <= LONGEST_RUN; step++) {
         let next = texel + step * along;
-        let inner = is_dark_texel(maps, behind, surface, next, by_itself) == is_dark;
-        let outer = is_dark_texel(maps, behind, surface, next + outward, by_itself) == is_dark;
+        // The texels within the border and beyond it, then two aside: beyond it where both are
+        // alike, else within. One call in a loop: compilers copy functions to where they are
+        // called, and some take minutes over six.
+        var inner = false;
+        var outer = false;
+        var goes_on = false;
+        for (var i = 0; i < 4; i++) {
+            let aside = next + select(-1, 2, inner) * outward - select(0, 1, i == 3) * along;
+            let place = select(next + i * outward, aside, i >= 2);
+            let is_alike = is_dark_texel(maps, behind, surface, place, by_itself) == is_dark;
+            if i == 0 {
+                inner = is_alike;
+            } else if i == 1 {
+                outer = is_alike;
+                // Straight on, or texels that touch at their corners alone.
+                if inner != outer {
+                    break;
+                }
+            } else if i == 2 {
+                if is_alike != inner {
+                    break;
+                }
+            } else {
+                goes_on = is_alike != inner;
+            }
+        }
         if inner && !outer {
             continue;
         }
-        if inner {
-            // It turns outward.
-            let beyond = next + 2 * outward;
-            let goes_on = is_dark_texel(maps, behind, surface, beyond, by_itself) == is_dark
-                && is_dark_texel(maps, behind, surface, beyond - along, by_itself) != is_dark;
-            return vec2f(f32(step), select(0.5, 0.0, goes_on));
-        }
-        if outer {
-            // Texels touch at their corners alone.
+        if outer && !inner {
             return vec2f(f32(step), 0.0);
         }
-        let before = next - outward;
-        let goes_on = is_dark_texel(maps, behind, surface, before, by_itself) != is_dark
-            && is_dark_texel(maps, behind, surface, before - along, by_itself) == is_dark;
-        return vec2f(f32(step), select(-0.5, 0.0, goes_on));
+        // It turns outward or inward.
+        return vec2f(f32(step), select(select(-0.5, 0.5, inner), 0.0, goes_on));
     }
     return vec2f(f32(LONGEST_RUN), 0.0);
 }

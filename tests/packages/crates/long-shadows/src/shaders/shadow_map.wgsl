@@ -1,7 +1,7 @@
 // Long shadows: made by Chiaro 0.1.0, WGSL.
 // Draws what each light sees first.
 // Bindings of group 0: light 0, caster 1.
-// src/look.rs says what to put there.
+// look.rs says what to put there.
 
 // What a light sees of an object, as the passes of shadow maps draw it: how near to the light the
 // nearest surface is at each texel, the number of its object from 1 on, and how the nearness

@@ -1,7 +1,7 @@
 // Ink at the turn: made by Chiaro 0.1.0, WGSL.
 // Draws a mesh with the look; the result is straight RGBA.
 // Bindings of group 0: view 0, object 1, look 2, image_1 3, image_1_sampler 4.
-// src/look.rs says what to put there.
+// look.rs says what to put there.
 
 struct View {
     clip_from_world: mat4x4f,
