@@ -21,7 +21,7 @@ pub struct Output {
     /// Format of the depth buffer.
     pub depth: wgpu::TextureFormat,
     /// True where depth is 1 at the near plane and 0 at the far one, as that of cameras is then to
-    /// be; see [`Camera::reversed`].
+    /// be; see [`Camera::reversed`](crate::Camera::reversed).
     pub is_depth_reversed: bool,
     /// Samples of a pixel: 1, or 4 for smooth edges.
     pub samples: u32,
