@@ -17,7 +17,6 @@ import chiaro::curve;
 ///   nearest one a color may be and still be seen, in Oklab; black and white are 1 apart.
 /// @param palette "Palette" : Its colors are the stops', wherever they are; at most 16.
 /// @return color "Color" : Straight RGBA, as on screen.
-/// @opaque
 /// @source Ottosson 2020
 fn palette_nearest(color: Color, palette: Ramp) -> Color {
     return vec4f(palette_blend(palette, bounded_vec3(color.xyz), 0.0), bounded(color.w));

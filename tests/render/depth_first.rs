@@ -158,28 +158,25 @@ fn what_may_be_seen_through_asks_for_no_depth() {
 
 #[test]
 fn ramps_of_opaque_stops_are_opaque() {
-    let looks = |alpha: f64, kind: &str, values: &serde_json::Value| {
-        let mut values = values.clone();
-        let name = if kind == "ramp" { "ramp" } else { "palette" };
+    let looks = |alpha: f64, space: &str| {
         let stop = |at: f64, alpha: f64| json!({"at": at, "color": [0.9, at, 0.1, alpha]});
-        values[name] = json!({"stops": [stop(0.0, 1.0), stop(0.5, alpha), stop(1.0, 1.0)]});
+        let ramp = json!({"stops": [stop(0.0, 1.0), stop(0.5, alpha), stop(1.0, 1.0)]});
         look(&json!({"nodes": [
             {"id": "facing", "kind": "facing"},
-            {"id": "paint", "kind": kind, "values": values},
+            {"id": "paint", "kind": "ramp", "values": {"space": space, "ramp": ramp}},
             {"id": "output", "kind": "output"}
         ], "wires": [
-            {"from": "facing", "to": if kind == "ramp" { "paint.value" } else { "paint.color" }},
+            {"from": "facing", "to": "paint.value"},
             {"from": "paint", "to": "output.color"}
         ]}))
     };
     let (mesh, matrix) = shape("sphere");
-    let cases = [("ramp", json!({})), ("ramp", json!({"space": "oklab"})), ("palette", json!({}))];
-    for (kind, values) in cases {
+    for space in ["plain", "oklab", "light", "hue", "hsv"] {
         for (alpha, is_opaque) in [(1.0, true), (0.999, false)] {
-            let look = looks(alpha, kind, &values);
+            let look = looks(alpha, space);
             let plan = plan(&scene_of(vec![(look, mesh.clone(), matrix)], Scene::default()), 1);
             let found = plan.draws[0].look.opaque_with.as_deref();
-            assert_eq!(found, is_opaque.then_some(&[][..]), "{kind} {values} {alpha}");
+            assert_eq!(found, is_opaque.then_some(&[][..]), "{space} {alpha}");
         }
     }
 }
