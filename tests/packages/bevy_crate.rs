@@ -12,7 +12,7 @@ use chiaro::wgsl;
 use serde_json::json;
 
 use crate::blender::Ring;
-use crate::pictures::{Difference, SIZE, Trial, name_of, soak_trials};
+use crate::pictures::{Difference, SIZE, Trial, keep, name_of, soak_trials};
 use crate::table;
 
 /// Bevy's side of the shader, as the look's shader asks for it.
@@ -171,7 +171,7 @@ impl Stage {
             }
             let pixels = straight(fs::read(&file).expect("pixels"));
             let ours = trial.ours();
-            kept(&name, &pixels, &ours);
+            keep(&name, &pixels, &ours);
             measured.insert(format!("bevy lavapipe {name}"), Difference::of(&pixels, &ours));
         }
         table::check(&measured);
@@ -200,14 +200,6 @@ fn straight(mut pixels: Vec<u8>) -> Vec<u8> {
         }
     }
     pixels
-}
-
-/// Writes both pictures where `CHIARO_PICTURES` says, for eyes.
-fn kept(name: &str, pixels: &[u8], ours: &image::RgbaImage) {
-    let Some(folder) = std::env::var_os("CHIARO_PICTURES").map(PathBuf::from) else { return };
-    let theirs = image::RgbaImage::from_raw(SIZE[0], SIZE[1], pixels.to_vec()).expect("a picture");
-    theirs.save(folder.join(format!("{name}.png"))).expect("a file");
-    ours.save(folder.join(format!("{name}.ours.png"))).expect("a file");
 }
 
 /// The ring as a file of its own.

@@ -12,7 +12,7 @@ use crate::support::validators::Tool;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-use crate::pictures::{Difference, SIZE, Trial, soak_trials};
+use crate::pictures::{Difference, SIZE, Trial, keep, soak_trials};
 use crate::table;
 
 /// The APIs that libraries draw by.
@@ -139,7 +139,9 @@ pub(crate) fn compare(library: &'static Library, trials: &[(String, Trial)]) {
                 let arguments = page.own_arguments();
                 ours.push(trial.ours_with_arguments(&arguments.each_ref().map(String::as_str)));
             }
-            let found = Difference::of(&page.pixels(), &ours[place]);
+            let pixels = page.pixels();
+            keep(&format!("{name}.{api}"), &pixels, &ours[place]);
+            let found = Difference::of(&pixels, &ours[place]);
             measured.insert(format!("{} {api} {name}", library.slug), found);
         }
     }

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
 use crate::blender::Ring;
-use crate::pictures::{Difference, SIZE, Trial, run_chiaro, soak_trials};
+use crate::pictures::{Difference, SIZE, Trial, keep, run_chiaro, soak_trials};
 use crate::support::root;
 use crate::support::validators::{ShaderStage, Tool, glslang, materialx_folder, say};
 use crate::table::{self, Row};
@@ -165,13 +165,7 @@ fn compare(trials: &[(String, Trial)]) {
         let ours = trial.ours_with_arguments(&["--mesh", &mesh, "--camera", CAMERA]);
         let drawn = |form: &str| {
             let pixels = std::fs::read(out.path().join(form)).expect("a picture");
-            if let Ok(folder) = std::env::var("CHIARO_PICTURES") {
-                let folder = Path::new(&folder);
-                let theirs = RgbaImage::from_raw(SIZE[0], SIZE[1], pixels.clone());
-                let theirs = theirs.expect("a picture");
-                theirs.save(folder.join(format!("{name}.{form}.png"))).expect("a picture");
-                ours.save(folder.join(format!("{name}.ours.png"))).expect("a picture");
-            }
+            keep(&format!("{name}.{form}"), &pixels, &ours);
             Row::Drawn(difference(&pixels, &ours))
         };
         rows.insert(format!("materialx genglsl {name}"), drawn("code.rgba"));

@@ -14,6 +14,14 @@ use image::RgbaImage;
 /// Size of the pictures, in pixels.
 pub(crate) const SIZE: [u32; 2] = [160, 120];
 
+/// Writes a package's picture and our own where `CHIARO_PICTURES` says, for eyes.
+pub(crate) fn keep(name: &str, pixels: &[u8], ours: &RgbaImage) {
+    let Some(folder) = std::env::var_os("CHIARO_PICTURES").map(PathBuf::from) else { return };
+    let theirs = RgbaImage::from_raw(SIZE[0], SIZE[1], pixels.to_vec()).expect("a picture");
+    theirs.save(folder.join(format!("{name}.png"))).expect("a file");
+    ours.save(folder.join(format!("{name}.ours.png"))).expect("a file");
+}
+
 /// A look in a folder of its own, with what was made of it.
 pub(crate) struct Trial {
     folder: tempfile::TempDir,

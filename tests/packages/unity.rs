@@ -9,11 +9,11 @@ pub(crate) mod textures;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use crate::pictures::{Difference, Trial, examples, soak_trials};
+use crate::pictures::{Difference, Trial, examples, keep, soak_trials};
 use crate::support::root;
 use crate::support::validators::{Tool, say, tools_are_required};
 use crate::table;
-use drawing::{drawn, drawn_fresh, drawn_from_below, in_one_tier, keep};
+use drawing::{drawn, drawn_fresh, drawn_from_below, in_one_tier};
 use engine::Engine;
 
 /// The stand-ins.

@@ -9,10 +9,10 @@ use std::path::Path;
 
 use image::RgbaImage;
 
-use crate::pictures::{Difference, Trial, examples, soak_trials};
+use crate::pictures::{Difference, Trial, examples, keep, soak_trials};
 use crate::support::validators::Tool;
 use crate::table;
-use crate::unity::drawing::{drawn_shader, in_one_tier, keep};
+use crate::unity::drawing::{drawn_shader, in_one_tier};
 use crate::unity::glslang;
 use crate::unity::textures::{Texture, Textures};
 
@@ -120,7 +120,7 @@ impl Material {
     /// A text of ShaderLab with one pass, which draws the material.
     fn shader(&self) -> String {
         // The clip value that materials have from the start.
-        let mask = if self.is_masked { "clip(Opacity - 0.3333);\n" } else { "" };
+        let mask = if self.is_masked { "if (Opacity < 0.3333) discard;\n" } else { "" };
         let mut heads = String::new();
         let mut values = String::new();
         let mut declared = String::new();

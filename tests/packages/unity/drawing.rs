@@ -37,14 +37,6 @@ pub(crate) fn in_one_tier(trial: Trial) -> Trial {
     trial.in_tier("fast").here()
 }
 
-/// Writes a package's picture and our own where `CHIARO_PICTURES` says, for eyes.
-pub(crate) fn keep(name: &str, pixels: &[u8], ours: &RgbaImage) {
-    let Some(folder) = std::env::var_os("CHIARO_PICTURES").map(PathBuf::from) else { return };
-    let theirs = RgbaImage::from_raw(SIZE[0], SIZE[1], pixels.to_vec()).expect("a picture");
-    theirs.save(folder.join(format!("{name}.png"))).expect("a file");
-    ours.save(folder.join(format!("{name}.ours.png"))).expect("a file");
-}
-
 /// Our own picture of a trial, and that of its package. `set` are statements that set fields of
 /// `look`, the component.
 pub(super) fn drawn(trial: &Trial, package: &Package, set: &str) -> (RgbaImage, Vec<u8>) {

@@ -19,7 +19,8 @@ export class LookModule {
     this.prepare = module.prepare;
     this.blocks = named("uniform").map((binding) => {
       const size = Math.ceil(binding.size / 16);
-      const buffer = new UniformBuffer(engine, undefined, true, binding.shaderName);
+      // Not a dynamic one, for in WebGPU all draws of a frame would read what was written last.
+      const buffer = new UniformBuffer(engine, undefined, false, binding.shaderName);
       buffer.addUniform("bytes", 4, size);
       buffer.create();
       return { ...binding, buffer, floats: new Float32Array(4 * size) };
