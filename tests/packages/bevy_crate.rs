@@ -136,7 +136,8 @@ impl Stage {
         let text = fs::read_to_string(package.join("src/material.rs")).expect("a material");
         let class = text.lines().find_map(|line| line.strip_prefix("impl Material for "));
         let class = class.expect("a material").trim_end_matches(" {");
-        let plugin = class.replace("Material", "Plugin");
+        // The look itself may be called a material.
+        let plugin = format!("{}Plugin", class.strip_suffix("Material").unwrap_or(class));
         let construct = if text.contains("fn new(") { "new(assets)" } else { "default()" };
         self.dependencies += &format!("{module} = {{ path = {package:?} }}\n");
         // Translated host work is not what takes time.
