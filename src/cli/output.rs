@@ -128,6 +128,21 @@ pub(super) fn raise(diagnostics: &mut [Diagnostic]) {
     }
 }
 
+/// Refuses to go on over warnings, for who is strict.
+///
+/// # Errors
+/// All diagnostics, each once, warnings as errors, where one of them is a warning.
+pub(super) fn refuse_warnings(
+    is_strict: bool,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Result<(), Vec<Diagnostic>> {
+    if !is_strict || diagnostics.iter().all(|one| one.severity != Severity::Warning) {
+        return Ok(());
+    }
+    raise(diagnostics);
+    Err(once(std::mem::take(diagnostics)))
+}
+
 /// The diagnostics, each once.
 pub(super) fn once(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let mut seen: HashSet<String> = HashSet::new();

@@ -12,6 +12,7 @@ pub mod cache;
 mod disk;
 pub mod journal;
 mod outputs;
+pub mod png;
 mod write;
 
 pub use chiaro_compiler::files::{

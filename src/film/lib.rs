@@ -1,12 +1,10 @@
 //! Film: many frames, and pictures as compositors take them.
 //!
 //! [`FrameList`], [`FrameRate`] and [`FramePattern`] say which frames of a scene are drawn, when
-//! they are, and into which files. [`exr`] writes pictures as OpenEXR, [`png`] notes in PNGs. A
-//! [`PlanHasher`] tells frames that would be the same picture, in this run and from run to run.
+//! they are, and into which files. [`exr`] writes pictures as OpenEXR. A [`PlanHasher`] tells
+//! frames that would be the same picture, in this run and from run to run.
 
-use chiaro_compiler::compile;
-#[cfg(test)]
-use chiaro_compiler::document;
+use chiaro_compiler::{compile, document};
 use chiaro_files as files;
 use chiaro_language::diag;
 use chiaro_scene::{frame, geometry};
@@ -14,7 +12,6 @@ use chiaro_scene::{frame, geometry};
 pub mod exr;
 mod frames;
 mod plan_hash;
-pub mod png;
 
 pub use frames::{FrameList, FramePattern, FrameRate};
 pub use plan_hash::PlanHasher;

@@ -70,14 +70,14 @@ impl PlanHasher {
 
     fn mesh(&mut self, mesh: &Arc<Mesh>) -> u128 {
         let of_content = || {
-            let mut hasher = SipHasher13::new();
-            mesh.positions.iter().for_each(|x| x.map(f32::to_bits).hash(&mut hasher));
-            mesh.normals.iter().for_each(|x| x.map(f32::to_bits).hash(&mut hasher));
-            mesh.tangents.iter().for_each(|x| x.map(f32::to_bits).hash(&mut hasher));
-            mesh.uvs.iter().for_each(|x| x.map(f32::to_bits).hash(&mut hasher));
-            mesh.colors.iter().for_each(|x| x.map(f32::to_bits).hash(&mut hasher));
-            mesh.indices.hash(&mut hasher);
-            hasher.finish128().as_u128()
+            hash_of(|hasher| {
+                mesh.positions.iter().for_each(|x| x.map(f32::to_bits).hash(hasher));
+                mesh.normals.iter().for_each(|x| x.map(f32::to_bits).hash(hasher));
+                mesh.tangents.iter().for_each(|x| x.map(f32::to_bits).hash(hasher));
+                mesh.uvs.iter().for_each(|x| x.map(f32::to_bits).hash(hasher));
+                mesh.colors.iter().for_each(|x| x.map(f32::to_bits).hash(hasher));
+                mesh.indices.hash(hasher);
+            })
         };
         let known = self.meshes.entry(Arc::as_ptr(mesh) as usize);
         known.or_insert_with(|| (mesh.clone(), of_content())).1
@@ -89,20 +89,21 @@ impl PlanHasher {
         {
             return *known;
         }
-        let mut hasher = SipHasher13::new();
-        casters.texels().iter().for_each(|texel| texel.map(f64::to_bits).hash(&mut hasher));
-        let hash = hasher.finish128().as_u128();
+        let texels = casters.texels();
+        let hash =
+            hash_of(|hasher| texels.iter().for_each(|texel| texel.map(f64::to_bits).hash(hasher)));
         self.casters = Some((casters.clone(), hash));
         hash
     }
 
     fn module(&mut self, module: &Arc<CompiledShader>) -> u128 {
-        let of_text = || {
-            let mut hasher = SipHasher13::new();
-            module.wgsl.hash(&mut hasher);
-            hasher.finish128().as_u128()
-        };
         let known = self.modules.entry(Arc::as_ptr(module) as usize);
-        known.or_insert_with(|| (module.clone(), of_text())).1
+        known.or_insert_with(|| (module.clone(), hash_of(|hasher| module.wgsl.hash(hasher)))).1
     }
+}
+
+fn hash_of(write: impl FnOnce(&mut SipHasher13)) -> u128 {
+    let mut hasher = SipHasher13::new();
+    write(&mut hasher);
+    hasher.finish128().as_u128()
 }

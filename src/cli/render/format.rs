@@ -3,9 +3,8 @@
 use std::path::Path;
 
 use crate::diag::Diagnostic;
-use crate::files::OutputKind;
+use crate::files::{OutputKind, png};
 use crate::film::exr::{self, ExrEncoding, ExrHeader, ExrLayer, LosslessCompression, SampleType};
-use crate::film::png;
 use crate::frame::Picture;
 
 /// Keyword of the note in a PNG that names the plan that was drawn.

@@ -13,13 +13,12 @@ use serde_json::{Value as Json, json};
 use super::format::PictureFormat;
 use super::{Stage, blended_in};
 use crate::clock::Clock;
-use crate::diag::{Diagnostic, Severity};
-use crate::document::Look;
+use crate::diag::Diagnostic;
 use crate::files::{self, Outputs};
 use crate::film::exr::{ExrHeader, FrameStamp};
 use crate::film::{FrameList, FramePattern, FrameRate, PlanHasher};
 use crate::frame::{Executor, FramePlan, Picture, PlanOptions};
-use crate::output::{Output, once, raise};
+use crate::output::{Output, refuse_warnings};
 use crate::threads;
 
 /// Frames, and where they go.
@@ -134,7 +133,7 @@ fn plan_all(
     let mut hasher = PlanHasher::default();
     let mut seen: HashMap<String, (i32, PathBuf)> = HashMap::new();
     let mut told = HashSet::new();
-    let blended_in = blended_in(stage.setup.looks.iter().map(|worn| &worn.look as &Look));
+    let blended_in = blended_in(stage.setup.looks.iter().map(|worn| &worn.look));
     for &frame in sequence.frames.frames() {
         let clock = Clock::start();
         let file = sequence.pattern.path(frame);
@@ -142,10 +141,7 @@ fn plan_all(
         let mut warnings = Vec::new();
         let plan = stage.planner.plan(&stage.setup, &stage.library, &stage.live, &options)?;
         let plan = plan.tell(&mut warnings);
-        if sequence.is_strict && warnings.iter().any(|one| one.severity == Severity::Warning) {
-            raise(&mut warnings);
-            return Err(once(warnings));
-        }
+        refuse_warnings(sequence.is_strict, &mut warnings)?;
         warnings.retain(|warning| told.insert(warning.to_string()));
         output.diagnostics(&warnings);
         let content = hasher.hash(&plan);
@@ -253,9 +249,11 @@ fn write(
             outputs.write(file, format.kind(), &format.encode(picture, header)?)?;
         }
         FrameState::Equal { file: first, .. } => {
-            outputs.check(file, format.kind())?;
             match format {
-                PictureFormat::Png => files::link(first, file).map_err(|problem| *problem)?,
+                PictureFormat::Png => {
+                    outputs.check(file, format.kind())?;
+                    files::link(first, file).map_err(|problem| *problem)?;
+                }
                 // The number and the time of a frame stand in its file.
                 PictureFormat::Exr(encoding) => {
                     let bytes = crate::film::exr::stamped(&read(first)?, header, encoding)?;

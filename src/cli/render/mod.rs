@@ -12,13 +12,13 @@ use format::{PictureFormat, parse_compression, parse_depth};
 use frames::Sequence;
 
 use super::open::{check_nodes_folder, library_for};
-use super::output::{Output, once, raise};
+use super::output::{Output, once, refuse_warnings};
 use super::scene::check_values;
 use super::target::{OutputPath, outputs, reads_all};
 use super::tier::{self, TierChoice};
 use crate::clock::Clock;
 use crate::compile::Live;
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::Diagnostic;
 use crate::document::{Camera, ColorSpace, Look, Scene, Tier, parse_hex};
 use crate::film::exr::{ExrEncoding, ExrHeader, LosslessCompression, SampleType};
 use crate::film::{FrameList, FramePattern, FrameRate};
@@ -180,9 +180,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let mut warnings = Vec::new();
     let mut stage = arguments.open(&mut warnings)?;
     if let Some((frames, pattern)) = &sequence {
-        if arguments.is_strict_about(&mut warnings) {
-            return Err(once(warnings));
-        }
+        refuse_warnings(arguments.strict, &mut warnings)?;
         output.diagnostics(&warnings);
         reads_all(&mut outputs, &arguments.document, &stage.setup, &stage.planner.assets);
         let mut executor = executor(arguments.on, output).await.map_err(one)?;
@@ -199,9 +197,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let Stage { setup, library, planner, live, options } = &mut stage;
     let plan = planner.plan(setup, library, live, options)?.tell(&mut warnings);
     milestones::reached("first shaders");
-    if arguments.is_strict_about(&mut warnings) {
-        return Err(once(warnings));
-    }
+    refuse_warnings(arguments.strict, &mut warnings)?;
     output.diagnostics(&warnings);
     let mut executor = executor(arguments.on, output).await.map_err(one)?;
     let of_device = executor.warnings(&plan);
@@ -299,15 +295,6 @@ impl Arguments {
         let options = PlanOptions { size, samples: self.samples, time: self.time };
         let live = if self.live { Live::All } else { style.live() };
         Ok(Stage { setup, library, planner: style.planner(assets), live, options })
-    }
-
-    /// True if nothing may be drawn while there are such warnings, which become errors then.
-    fn is_strict_about(&self, warnings: &mut [Diagnostic]) -> bool {
-        let is_wrong = self.strict && warnings.iter().any(|one| one.severity == Severity::Warning);
-        if is_wrong {
-            raise(warnings);
-        }
-        is_wrong
     }
 }
 

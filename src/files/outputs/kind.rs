@@ -2,6 +2,8 @@
 
 use flate2::Crc;
 
+use crate::png::{self, AFTER_HEADER, SIGNATURE};
+
 /// Kind of a file that a command writes.
 #[derive(Clone, Copy)]
 pub struct OutputKind<'a> {
@@ -32,10 +34,6 @@ impl OutputKind<'_> {
     }
 }
 
-/// Signature at the beginning of a PNG.
-const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
-/// End of a PNG's header, in bytes: the signature, and one chunk of 13 bytes.
-const AFTER_HEADER: usize = 8 + 12 + 13;
 /// Beginning of a seal, before its number.
 const SEAL: &[u8] = b"tEXtSoftware\0Chiaro ";
 /// Length of a seal, in bytes: the chunk's length and checksum, the words, and the number in
@@ -50,9 +48,7 @@ pub(super) fn sealed(png: &[u8]) -> Vec<u8> {
         return png.to_vec();
     }
     let (head, rest) = png.split_at(AFTER_HEADER);
-    let words = [SEAL, format!("{:08x}", checksum(&[head, rest])).as_bytes()].concat();
-    let length = (words.len() as u32 - 4).to_be_bytes();
-    [head, &length, &words, &checksum(&[&words]).to_be_bytes(), rest].concat()
+    png::with_note(png, "Software", &format!("Chiaro {:08x}", checksum(&[head, rest])))
 }
 
 /// True if a PNG is as Chiaro wrote it.

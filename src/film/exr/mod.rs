@@ -18,6 +18,7 @@ use siphasher::sip::SipHasher13;
 pub use header::{ExrHeader, FrameStamp};
 
 use crate::diag::Diagnostic;
+use crate::document::srgb_to_linear;
 use crate::files::OutputKind;
 use crate::frame::Picture;
 
@@ -111,9 +112,7 @@ impl ExrLayer {
 /// Light of a number as shown (IEC 61966-2-1); what lies outside of [0, 1] goes on as the curve
 /// does, the same on both sides of 0.
 fn light_of(shown: f32) -> f32 {
-    let size = f64::from(shown.abs());
-    let light = if size <= 0.04045 { size / 12.92 } else { ((size + 0.055) / 1.055).powf(2.4) };
-    (light as f32).copysign(shown)
+    (srgb_to_linear(f64::from(shown.abs())) as f32).copysign(shown)
 }
 
 /// Writes a file of layers of this size, in pixels.

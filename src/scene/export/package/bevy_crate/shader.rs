@@ -44,10 +44,7 @@ const COLUMNS: [&str; 4] = ["x", "y", "z", "origin"];
 /// The entry point of fragments for looks whose colors are as shown: Bevy's targets encode.
 const DISPLAY: &str = "
 /// Linear light of a color as shown: Bevy's targets encode what is drawn.
-fn linear_of_shown(color: vec3f) -> vec3f {
-    let high = pow((color + 0.055) / 1.055, vec3f(2.4));
-    return select(high, color / 12.92, color <= vec3f(0.04045));
-}
+LINEAR_OF_SHOWN
 
 @fragment
 fn fragment(PARAMETERS) -> @location(0) vec4f {

@@ -1,5 +1,12 @@
 //! The look's fragment shader as a function, which several entry points may call.
 
+/// Function to linear light from colors as shown (IEC 61966-2-1).
+const LINEAR_OF_SHOWN: &str = "\
+fn linear_of_shown(color: vec3f) -> vec3f {
+    let high = pow((color + 0.055) / 1.055, vec3f(2.4));
+    return select(high, color / 12.92, color <= vec3f(0.04045));
+}";
+
 /// An entry point of fragments, taken apart.
 pub(in super::super) struct FragmentEntry<'a> {
     /// Parameters, as an entry point has them.
@@ -36,9 +43,11 @@ impl<'a> FragmentEntry<'a> {
         format!("/// The look's color: straight RGBA.\nfn look_color({plain}) -> vec4f {{{body}\n")
     }
 
-    /// A text with the parameters of entry points and the arguments of the function in their
-    /// places.
+    /// A text with the parameters of entry points, the arguments of the function and the function
+    /// of colors in their places.
     pub(in super::super) fn fill(&self, text: &str) -> String {
-        text.replace("PARAMETERS", self.parameters).replace("ARGUMENTS", &self.names.join(", "))
+        text.replace("PARAMETERS", self.parameters)
+            .replace("ARGUMENTS", &self.names.join(", "))
+            .replace("LINEAR_OF_SHOWN", LINEAR_OF_SHOWN)
     }
 }

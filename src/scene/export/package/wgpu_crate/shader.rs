@@ -8,10 +8,7 @@ use crate::document::ColorSpace;
 /// The entry point for targets of linear light, of looks whose colors are as shown.
 const LINEAR: &str = "
 /// Linear light of a color as shown.
-fn linear_of_shown(color: vec3f) -> vec3f {
-    let high = pow((color + 0.055) / 1.055, vec3f(2.4));
-    return select(high, color / 12.92, color <= vec3f(0.04045));
-}
+LINEAR_OF_SHOWN
 
 /// For targets of linear light.
 @fragment

@@ -3,10 +3,10 @@
 use flate2::Crc;
 
 /// Signature at the beginning of a PNG.
-const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
+pub(crate) const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 /// End of a PNG's header, in bytes: the signature, and one chunk of 13 bytes.
-const AFTER_HEADER: usize = 8 + 12 + 13;
+pub(crate) const AFTER_HEADER: usize = 8 + 12 + 13;
 
 /// The PNG with a note behind its header; bytes that are no PNG stay as they are. Keyword and text
 /// are ASCII.
