@@ -70,6 +70,8 @@ pub(super) struct ImageUniform {
     pub(super) name: String,
     /// File beside the shader.
     pub(super) file: String,
+    /// Type of the texture in Godot: `Texture2D` or `Texture2DArray`.
+    pub(super) ty: &'static str,
     /// Words after the uniform's type.
     pub(super) hints: String,
 }
@@ -314,8 +316,9 @@ impl<'a> Uniforms<'a> {
         }
         group(&mut lines, &mut open, "");
         for image in &self.images {
+            let sampler = image.ty.replace("Texture", "sampler");
             let _infallible =
-                writeln!(lines, "uniform sampler2D {} : {};", image.name, image.hints);
+                writeln!(lines, "uniform {sampler} {} : {};", image.name, image.hints);
         }
         if !lines.is_empty() {
             lines.push('\n');
