@@ -33,6 +33,7 @@ pub(super) const PACKAGE: Package = Package {
     help: "A shader, a material and a script for meshes in Godot 4, and a project that shows them.",
     opens: None,
     run_with: Some("Godot 4.6, its web build in Chromium, renderer Compatibility"),
+    is_without_passes: true,
     write,
 };
 
@@ -134,8 +135,9 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
                 "the look is drawn in several passes ({}), and a material of Godot has one",
                 before.join(", ")
             ),
-            "export it with `--tier fast`, whose curvature and normals need no passes; take \
-             outlines, shadows and smooth normals out of the look, or export it `--to web`",
+            "export it with `--tier auto` or `--tier fast`, whose curvature and normals need no \
+             passes; take outlines, shadows and smooth normals out of the look, or export it \
+             `--to web`",
         );
     }
     let is_linear = description.color_space == ColorSpace::Linear;
