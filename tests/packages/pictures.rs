@@ -79,6 +79,11 @@ impl Trial {
         Self { tier: Some(tier), ..self }
     }
 
+    /// True for a trial of an example in a folder of that name.
+    pub(crate) fn is_among(&self, folder: &str) -> bool {
+        self.document.parent().is_some_and(|of| of.ends_with(folder))
+    }
+
     /// A trial of a changed example. The change is given the document as JSON.
     pub(crate) fn changed(example: &str, change: impl Fn(&mut serde_json::Value)) -> Self {
         let original = Self::of(example);

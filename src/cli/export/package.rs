@@ -50,6 +50,8 @@ pub(super) async fn run(
     })?;
     let exported = export_package(&worn.look, &library, &stem, package, &scene, place);
     let exported = exported.map_err(located)?;
+    // A package may have taken cheaper tiers, which the warnings tell.
+    let has_own_tiers = exported.warnings.iter().all(|warning| warning.code != "cheaper-tier");
     output.diagnostics(&located(exported.warnings));
     let mut files = exported.value;
     let mut executor = executor(None, output).await.map_err(|problem| vec![problem])?;
@@ -71,7 +73,8 @@ pub(super) async fn run(
         }));
     } else {
         names.iter().for_each(|file| output.result(file));
-        tier::told(&worn.look, &library).iter().for_each(|told| output.message(told));
+        let told = tier::told(&worn.look, &library).filter(|_| has_own_tiers);
+        told.iter().for_each(|told| output.message(told));
         if let Some(opens) = opens {
             output.message(&format!("open {opens}"));
         }

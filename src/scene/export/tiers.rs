@@ -3,8 +3,10 @@
 //! The exact tier of a node that casts shadows sends rays past the meshes of a scene. An export has
 //! no scene, but cheaper tiers of such nodes read maps, which it carries.
 
+use std::collections::BTreeSet;
+
 use super::options::node_mut;
-use crate::compile::{TypedNode, check};
+use crate::compile::{TierReason, TypedInput, TypedNode, TypedSource, check};
 use crate::diag::Diagnostic;
 use crate::document::{Look, Tier};
 use crate::library::{Library, Type};
@@ -49,4 +51,58 @@ pub(super) fn take_carried_tiers(look: &mut Look, library: &mut Library) -> Vec<
         }
     }
     told
+}
+
+/// True if a node reads what passes before the picture have drawn.
+fn reads_passes(node: &TypedNode) -> bool {
+    let is_drawn = |input: &TypedInput| match input.source {
+        TypedSource::Context(context) => context.pass().is_some(),
+        _ => false,
+    };
+    node.inputs.iter().flatten().any(is_drawn)
+}
+
+/// Gives every node that reads passes before the picture the dearest tier in which it reads none,
+/// for the package of a label, which draws none, and tells that in one warning. Nodes whose tier
+/// somebody has named keep it, and the package refuses the look for them, as it does for nodes that
+/// read passes in every tier.
+pub(super) fn take_tiers_without_passes(
+    look: &mut Look,
+    library: &mut Library,
+    package: &str,
+) -> Vec<Diagnostic> {
+    let mut chosen = BTreeSet::new();
+    let mut labels = BTreeSet::new();
+    for _ in 0..ROUNDS {
+        let Ok(checked) = check(look, library, None) else { break };
+        let mut is_done = true;
+        for node in checked.value.nodes.iter().filter(|node| reads_passes(node)) {
+            let is_open = node.tier_reason != TierReason::Named || chosen.contains(&node.path);
+            let cheaper = match node.tier {
+                Tier::Exact => Tier::Balanced,
+                Tier::Balanced => Tier::Fast,
+                Tier::Fast => continue,
+            };
+            let Some(found) = node_mut(look, library, &node.path).filter(|_| is_open) else {
+                continue;
+            };
+            found.tier = Some(cheaper);
+            chosen.insert(node.path.clone());
+            labels.insert(format!("`{}`", node.def.label));
+            is_done = false;
+        }
+        if is_done {
+            break;
+        }
+    }
+    if labels.is_empty() {
+        return Vec::new();
+    }
+    let labels: Vec<String> = labels.into_iter().collect();
+    let message = format!(
+        "nodes are exported in a cheaper tier, which reads no passes before the picture: {package} \
+         draws none; they are {}",
+        labels.join(", ")
+    );
+    vec![Diagnostic::warning("cheaper-tier", message).hint("`--to web` draws the passes")]
 }

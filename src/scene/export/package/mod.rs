@@ -33,7 +33,7 @@ use serde_json::json;
 
 use super::description::{self, Description};
 use super::pretty::pretty;
-use super::{ExportFile, LANGUAGES, exposed, header, modules, program, textures};
+use super::{ExportFile, LANGUAGES, exposed, header, modules, program, textures, tiers};
 use crate::compile::{TypedGraph, check};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Camera, Look};
@@ -56,6 +56,9 @@ pub struct Package {
     /// Program and version that tests run the package with; `None` where the program itself was
     /// never run.
     pub run_with: Option<&'static str>,
+    /// True if looks whose tiers are automatic are brought into tiers without passes before the
+    /// picture, where there are such: the package draws none.
+    is_without_passes: bool,
     write: fn(&PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic>>,
 }
 
@@ -208,7 +211,17 @@ pub fn export_package(
     scene: &PackageScene,
     (folder, assets): (&Path, &mut Assets),
 ) -> Result<WithWarnings<Vec<ExportFile>>, Vec<Diagnostic>> {
+    let (mut own_look, mut own_library);
+    let mut told = Vec::new();
+    let (look, library) = if package.is_without_passes {
+        (own_look, own_library) = (look.clone(), library.clone());
+        told = tiers::take_tiers_without_passes(&mut own_look, &mut own_library, package.label);
+        (&own_look, &own_library)
+    } else {
+        (look, library)
+    };
     let (typed, mut warnings) = check(look, library, None)?.into_parts();
+    warnings.extend(told);
     let mut modules = modules::compile(&typed, stem)?;
     let carried = textures::carried(&mut modules.images, stem, folder, assets).tell(&mut warnings);
     let mut written = Vec::new();

@@ -18,6 +18,7 @@ pub(super) const PACKAGE: Package = Package {
     help: "An ES module with a material for Babylon.js, by WebGL and WebGPU.",
     opens: None,
     run_with: Some("Babylon.js 9.35.0 in Chromium, both engines"),
+    is_without_passes: false,
     write,
 };
 

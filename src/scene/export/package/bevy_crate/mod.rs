@@ -32,6 +32,7 @@ pub(super) const PACKAGE: Package = Package {
     help: "A Rust crate with the look as a Material for Bevy 0.19, and a plugin.",
     opens: None,
     run_with: Some("Bevy 0.19 on lavapipe"),
+    is_without_passes: false,
     write,
 };
 
@@ -422,6 +423,5 @@ fn fill_examples(template: &mut Template, parameters: &Parameters<'_>, lights: &
     template.place("doc_mut", if set.is_some() { "mut " } else { "" });
     template.lines("doc_set", set.iter().map(|line| format!("//!     {line}")).collect());
     template.lines("example_set", set.iter().map(|line| format!("    {line}")).collect());
-    template.lines("readme_set", set.into_iter().collect());
     template.lines("readme_parameters", parameters.listed());
 }

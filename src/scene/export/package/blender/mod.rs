@@ -19,6 +19,7 @@ pub(super) const PACKAGE: Package = Package {
     help: "An add-on for Blender 5 that draws the look in the viewport, with a panel.",
     opens: None,
     run_with: Some("Blender 5.0.1, as the Python module bpy"),
+    is_without_passes: false,
     write,
 };
 

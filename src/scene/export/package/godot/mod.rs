@@ -5,12 +5,14 @@
 //! anything is set ([`defaults`]). `STEM.gd` ([`script`]) is for a mesh: parameters in the
 //! inspector, lights of the scene that lights of the look follow, and the uniforms of them; what is
 //! the same for all looks is in `chiaro.look.gd`, and the host work itself in `STEM.host.gd`. A
-//! project with a scene shows the look ([`scene`]).
+//! project with a scene shows the look ([`scene`]). Textures are pictures with the settings of their
+//! import ([`textures`]).
 
 pub(super) mod defaults;
 mod scene;
 mod script;
 mod shader;
+mod textures;
 mod uniforms;
 
 use std::collections::BTreeMap;
@@ -31,6 +33,7 @@ pub(super) const PACKAGE: Package = Package {
     help: "A shader, a material and a script for meshes in Godot 4, and a project that shows them.",
     opens: None,
     run_with: Some("Godot 4.6, its web build in Chromium, renderer Compatibility"),
+    is_without_passes: true,
     write,
 };
 
@@ -79,13 +82,7 @@ fn write(request: &PackageRequest<'_>) -> Result<Vec<ExportFile>, Vec<Diagnostic
         ExportFile::text("project.godot".to_owned(), scene::project(request)),
         ExportFile::text("README.md".to_owned(), readme(request)),
     ];
-    for texture in request.textures {
-        files.push(texture.clone());
-        files.push(ExportFile::text(
-            format!("{}.import", texture.name),
-            scene::import(&texture.name),
-        ));
-    }
+    files.extend(textures::files(request.textures).map_err(one)?);
     Ok(files)
 }
 
@@ -130,13 +127,6 @@ fn two_lines_between(text: &str) -> String {
 fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
     let refused = |message: String, help: &str| Err(vec![refusal(message, help)]);
     let description = request.description;
-    if request.textures.iter().any(|file| file.name.ends_with(".ktx2")) {
-        return refused(
-            "the look has a painted surface, whose layers Godot's importer does not read"
-                .to_owned(),
-            "export the look `--to web` or `--to three`, or take the HCBTF node out of it",
-        );
-    }
     let before: Vec<&str> =
         description.passes.iter().map(|pass| pass.name).filter(|name| *name != "draw").collect();
     if !before.is_empty() {
@@ -145,12 +135,14 @@ fn refuse(request: &PackageRequest<'_>) -> Result<(), Vec<Diagnostic>> {
                 "the look is drawn in several passes ({}), and a material of Godot has one",
                 before.join(", ")
             ),
-            "export it with `--tier fast`, whose curvature and normals need no passes; take \
-             outlines, shadows and smooth normals out of the look, or export it `--to web`",
+            "export it with `--tier auto` or `--tier fast`, whose curvature and normals need no \
+             passes; take outlines, shadows and smooth normals out of the look, or export it \
+             `--to web`",
         );
     }
     let is_linear = description.color_space == ColorSpace::Linear;
-    for image in &description.images {
+    // A painted surface is sampled within its edges alone, and its shader decodes it.
+    for image in description.images.iter().filter(|image| image.kind != "hcbtf") {
         if image.wrap == "mirror" {
             return refused(
                 format!(
@@ -215,10 +207,12 @@ fn uniforms_of<'a>(
         let Some(found) = description.images.get(image) else { continue };
         let filter = if found.filter == "nearest" { "filter_nearest" } else { "filter_linear" };
         let wrap = if found.wrap == "repeat" { "repeat_enable" } else { "repeat_disable" };
+        let (file, ty) = textures::picture_of(found.file.as_deref().unwrap_or_default());
         images.push(ImageUniform {
             old: format!("u_{}", binding.name),
             name: binding.name.clone(),
-            file: found.file.clone().unwrap_or_default(),
+            file,
+            ty,
             hints: format!("{filter}, {wrap}"),
         });
     }
@@ -239,8 +233,8 @@ fn material(stem: &str, uniforms: &Uniforms<'_>, read: &[&Uniform]) -> String {
     for image in &uniforms.images {
         let _infallible = writeln!(
             text,
-            "[ext_resource type=\"Texture2D\" path=\"{}\" id=\"{}\"]",
-            image.file, image.name
+            "[ext_resource type=\"{}\" path=\"{}\" id=\"{}\"]",
+            image.ty, image.file, image.name
         );
     }
     text += "\n[resource]\nshader = ExtResource(\"shader\")\n";

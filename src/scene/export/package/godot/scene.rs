@@ -123,12 +123,3 @@ pub(super) fn project(request: &PackageRequest<'_>) -> String {
         request.stem
     )
 }
-
-/// Settings of an image's import: its pixels as they are.
-pub(super) fn import(file: &str) -> String {
-    format!(
-        "[remap]\n\nimporter=\"texture\"\ntype=\"CompressedTexture2D\"\n\n[deps]\n\n\
-         source_file=\"res://{file}\"\n\n[params]\n\ncompress/mode=0\nmipmaps/generate=false\n\
-         process/fix_alpha_border=false\nprocess/premult_alpha=false\ndetect_3d/compress_to=0\n"
-    )
-}

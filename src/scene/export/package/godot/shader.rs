@@ -72,7 +72,13 @@ const SURROUNDINGS: [(&str, &str, &str, &str); 6] = [
     // Pixels are counted from the top, as in Chiaro.
     ("u_view.screen", "screen", "vec4", "vec4(1.0, 1.0, 0.0, 0.0)"),
     ("u_object.world_from_object", "MODEL_MATRIX", "", ""),
-    ("u_object.world_from_normal", "MODEL_NORMAL_MATRIX", "", ""),
+    (
+        "u_object.world_from_normal",
+        "world_from_normal",
+        "mat3",
+        // Godot's own MODEL_NORMAL_MATRIX is the model's where the three axes have one scale.
+        "transpose(inverse(mat3(MODEL_MATRIX)))",
+    ),
 ];
 
 /// The beginning of the shader's modes.
@@ -123,7 +129,7 @@ pub(super) fn write(
     let fragment = without_clashes(fragment, uniforms, &words);
     uniforms.take(&words);
     let renamed = with_words_of_godot(&fragment, &words);
-    let parts = declarations(&with_signed_shifts(&renamed));
+    let parts = declarations(&with_float_layers(&with_signed_shifts(&renamed)));
     let is_block = |part: &Declaration| {
         let name = part.structure();
         name.is_some_and(|name| name == "Varyings" || options.blocks.contains(name))
@@ -281,38 +287,124 @@ fn with_signed_shifts(text: &str) -> String {
         let Some(at) = found else { break };
         result.push_str(&rest[..at + 4]);
         rest = &rest[at + 4..];
-        let digits = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(0);
-        if digits > 0 && rest[digits..].starts_with('u') && is_signed(&result[..result.len() - 4]) {
-            result.push_str(&rest[..digits]);
-            rest = &rest[digits + 1..];
+        if let Some((signed, used)) = signed_number(rest)
+            && is_signed(&result[..result.len() - 4])
+        {
+            result += &signed;
+            rest = &rest[used..];
         }
     }
     result + rest
 }
 
-/// True if the operand at the end of a text is a signed number.
-fn is_signed(before: &str) -> bool {
+/// The number without a sign that a text begins with, or a vector of one, as a number with a sign;
+/// and its length in the text.
+fn signed_number(text: &str) -> Option<(String, usize)> {
+    let digits = |text: &str| text.find(|c: char| !c.is_ascii_digit()).filter(|end| *end > 0);
+    if let Some(of_vector) = text.strip_prefix("uvec") {
+        let number = of_vector.get(2..)?;
+        let end = digits(number)?;
+        let is_vector = of_vector[1..].starts_with('(') && number[end..].starts_with("u)");
+        let vector = || format!("ivec{}{})", &of_vector[..2], &number[..end]);
+        return is_vector.then(|| (vector(), "uvec2(u)".len() + end));
+    }
+    let end = digits(text)?;
+    text[end..].starts_with('u').then(|| (text[..end].to_owned(), end + 1))
+}
+
+/// True if the operand at the end of a text is a signed number, or a vector of them.
+fn is_signed(text: &str) -> bool {
     let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let last_word = |text: &str| {
         let start = text.rfind(|c: char| !is_word(c)).map_or(0, |at| at + 1);
         text[start..].to_owned()
     };
-    if before.ends_with(')') {
-        let mut depth = 0_i32;
-        for (at, c) in before.char_indices().rev() {
-            depth += i32::from(c == ')') - i32::from(c == '(');
-            if depth == 0 {
-                return last_word(&before[..at]) == "int";
+    let is_type = |word: &str| word == "int" || word.starts_with("ivec");
+    let mut operand = text;
+    loop {
+        if let Some(inside) = operand.strip_suffix(')') {
+            let Some(open) = opening(operand) else { return false };
+            let function = last_word(&operand[..open]);
+            if !function.is_empty() {
+                return is_type(&function);
             }
+            // Operands of a sum are all signed, or none is.
+            operand = inside;
+            continue;
         }
-        return false;
+        let name = last_word(operand);
+        if name.starts_with(|c: char| c.is_ascii_digit()) {
+            return !name.ends_with('u');
+        }
+        let before = &operand[..operand.len() - name.len()];
+        if let Some(vector) = before.strip_suffix('.') {
+            operand = vector;
+            continue;
+        }
+        // The nearest declaration of that name.
+        let declared = text.rmatch_indices(&format!(" {name}")).find_map(|(at, word)| {
+            let ty = last_word(&text[..at]);
+            let is_whole = !text[at + word.len()..].starts_with(is_word);
+            (is_whole && !ty.is_empty() && ty != "return").then_some(ty)
+        });
+        return !name.is_empty() && declared.is_some_and(|ty| is_type(&ty));
     }
-    let name = last_word(before);
-    // The nearest declaration of that name.
-    let declared = before
-        .rmatch_indices(&format!("int {name}"))
-        .find(|(at, word)| !before[at + word.len()..].starts_with(is_word) && !name.is_empty());
-    declared.is_some_and(|(at, _)| !before[..at].ends_with(is_word))
+}
+
+/// The place of the parenthesis that the last one of a text closes.
+fn opening(text: &str) -> Option<usize> {
+    let mut depth = 0_i32;
+    for (at, c) in text.char_indices().rev() {
+        depth += i32::from(c == ')') - i32::from(c == '(');
+        if depth == 0 {
+            return Some(at);
+        }
+    }
+    None
+}
+
+/// The text with layers of textures as floats, as Godot makes vectors: `vec3(at, layer)` where a
+/// level is read.
+fn with_float_layers(text: &str) -> String {
+    const READ: &str = "textureLod(";
+    let mut result = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(at) = rest.find(READ) {
+        let (before, read) = rest.split_at(at + READ.len());
+        result += before;
+        rest = read;
+        let Some(layer) = layer_of(rest) else { continue };
+        let _infallible = write!(result, "{}float({})", &rest[..layer.start], &rest[layer.clone()]);
+        rest = &rest[layer.end..];
+    }
+    result + rest
+}
+
+/// The place of the layer in the arguments of a reading, which begin the text; `None` for a texture
+/// without layers.
+fn layer_of(arguments: &str) -> Option<std::ops::Range<usize>> {
+    const PLACE: &str = "vec3(";
+    let start = arguments.find(',')? + 1;
+    let place = arguments[start..].trim_start();
+    let place_at = arguments.len() - place.len() + PLACE.len();
+    let parts = place.strip_prefix(PLACE)?;
+    let mut depth = 0_i32;
+    let mut last = None;
+    for (at, c) in parts.char_indices() {
+        match c {
+            '(' | '[' => depth += 1,
+            ',' if depth == 0 && last.is_some() => return None,
+            ',' if depth == 0 => last = Some(at + 1),
+            ')' if depth == 0 => {
+                let layer = last?;
+                let blank = parts[layer..].len() - parts[layer..].trim_start().len();
+                return Some(place_at + layer + blank..place_at + at);
+            }
+            ')' | ']' => depth -= 1,
+            _ => {}
+        }
+    }
+    None
 }
 
 /// The functions of a text, and its last one: `fragment`.
@@ -446,6 +538,7 @@ mod tests {
             old: "u_image_1".to_owned(),
             name: "image_1".to_owned(),
             file: String::new(),
+            ty: "Texture2D",
             hints: String::new(),
         };
         let (parameters, lights) = (BTreeMap::new(), BTreeMap::new());
@@ -463,9 +556,37 @@ mod tests {
             ("float(uint(x + 1) << 23u)", "float(uint(x + 1) << 23u)"),
             ("int i = 4; a[i >> 2u] + b[i >> 2u]", "int i = 4; a[i >> 2] + b[i >> 2]"),
             ("uint point = 4u; point >> 2u", "uint point = 4u; point >> 2u"),
-            ("v >> uvec3(8u)", "v >> uvec3(8u)"),
+            ("uvec3 v; v >> uvec3(8u)", "uvec3 v; v >> uvec3(8u)"),
+            ("ivec2 v; max(v >> uvec2(1u), a)", "ivec2 v; max(v >> ivec2(1), a)"),
+            ("ivec4 v; 2 * (v.z >> 4u)", "ivec4 v; 2 * (v.z >> 4)"),
+            ("uvec4 v; 2u * (v.z >> 4u)", "uvec4 v; 2u * (v.z >> 4u)"),
+            ("return (texels + 3) >> 2u;", "return (texels + 3) >> 2;"),
+            ("int i; uint j; return (i + k[j]) >> 2u;", "int i; uint j; return (i + k[j]) >> 2u;"),
+            ("return (bits + 3u) >> 2u;", "return (bits + 3u) >> 2u;"),
+            ("(a) >> uvec(", "(a) >> uvec("),
         ] {
             assert_eq!(with_signed_shifts(from), to);
+        }
+    }
+
+    #[test]
+    fn layers_of_textures_are_floats() {
+        for (from, to) in [
+            (
+                "a + textureLod(s, vec3((b + c(d, e)) / f, layer), 0.0) + textureLod(s, \
+                 vec3(a, views.layer[i]), 0.0)",
+                "a + textureLod(s, vec3((b + c(d, e)) / f, float(layer)), 0.0) + textureLod(s, \
+                 vec3(a, float(views.layer[i])), 0.0)",
+            ),
+            (
+                "textureLod(s,\n    vec3(a,\n  l), 0.0)",
+                "textureLod(s,\n    vec3(a,\n  float(l)), 0.0)",
+            ),
+            ("textureLod(s, vec2(a, b), 0.0)", "textureLod(s, vec2(a, b), 0.0)"),
+            ("textureLod(s, vec3(a, b, c), 0.0)", "textureLod(s, vec3(a, b, c), 0.0)"),
+            ("textureLod(s, vec3(a", "textureLod(s, vec3(a"),
+        ] {
+            assert_eq!(with_float_layers(from), to);
         }
     }
 }

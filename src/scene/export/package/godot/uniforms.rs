@@ -70,6 +70,8 @@ pub(super) struct ImageUniform {
     pub(super) name: String,
     /// File beside the shader.
     pub(super) file: String,
+    /// Type of the texture in Godot: `Texture2D` or `Texture2DArray`.
+    pub(super) ty: &'static str,
     /// Words after the uniform's type.
     pub(super) hints: String,
 }
@@ -207,10 +209,12 @@ impl<'a> Uniforms<'a> {
         let end = text.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
         let mut used = end.unwrap_or(text.len());
         let word = &text[..used];
-        let Some(member) = members.iter().find(|member| member.name == word) else {
-            return (word.to_owned(), used);
-        };
-        let path = if prefix.is_empty() { word.to_owned() } else { format!("{prefix}.{word}") };
+        let named = |name: &str| members.iter().find(|member| member.name == name);
+        // GLSL has a `_` behind names that end with a digit, where a value has the name, too.
+        let found = named(word).or_else(|| named(word.strip_suffix('_')?));
+        let Some(member) = found else { return (word.to_owned(), used) };
+        let name = &member.name;
+        let path = if prefix.is_empty() { name.clone() } else { format!("{prefix}.{name}") };
         if self.parameters.get(&path).is_some_and(|it| it.is_color) {
             return (format!("as_shown({})", self.name_of(&path)), used);
         }
@@ -314,8 +318,9 @@ impl<'a> Uniforms<'a> {
         }
         group(&mut lines, &mut open, "");
         for image in &self.images {
+            let sampler = image.ty.replace("Texture", "sampler");
             let _infallible =
-                writeln!(lines, "uniform sampler2D {} : {};", image.name, image.hints);
+                writeln!(lines, "uniform {sampler} {} : {};", image.name, image.hints);
         }
         if !lines.is_empty() {
             lines.push('\n');
@@ -520,5 +525,27 @@ fn hint(found: &ParameterUniform<'_>) -> String {
             format!(" : hint_range({}, {}, 0.001)", float(*min), float(*max))
         }
         _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn members_are_found_by_the_names_that_glsl_has() {
+        let member = |name: &str| Member {
+            name: name.to_owned(),
+            ty: "vec2f".to_owned(),
+            offset: 0,
+            size: 8,
+            stride: 0,
+            members: Vec::new(),
+        };
+        let members = vec![member("shade_2"), member("tone")];
+        let lights = BTreeMap::new();
+        let uniforms = Uniforms::of(members, BTreeMap::new(), &lights, Vec::new(), Vec::new());
+        let text = "f(u_look.shade_2_.x, u_look.tone, shade_2_)";
+        assert_eq!(uniforms.expect("vectors").rewrite(text), "f(shade_2.x, tone, shade_2_)");
     }
 }

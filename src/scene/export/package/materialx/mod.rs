@@ -28,6 +28,7 @@ pub(super) const PACKAGE: Package = Package {
     help: "A MaterialX document with the look as a node, its function in GLSL, and a material.",
     opens: None,
     run_with: Some("MaterialX 1.39.5 and its renderer, on llvmpipe"),
+    is_without_passes: false,
     write,
 };
 

@@ -26,6 +26,7 @@ pub(super) const PACKAGE: Package = Package {
     help: "ES modules with a material for each of three.js's renderers, and a page that shows it.",
     opens: None,
     run_with: Some("three.js 0.187.0 in Chromium, both renderers"),
+    is_without_passes: false,
     write,
 };
 

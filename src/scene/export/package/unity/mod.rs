@@ -40,6 +40,7 @@ pub(super) const PACKAGE: Package = Package {
     help: "A package for Unity 6 with a shader for the Universal Render Pipeline and a component.",
     opens: None,
     run_with: None,
+    is_without_passes: false,
     write,
 };
 

@@ -30,6 +30,7 @@ pub(super) const PACKAGE: Package = Package {
     help: "Shader functions and a material graph to paste into Unreal Engine 5, without C++.",
     opens: None,
     run_with: None,
+    is_without_passes: false,
     write,
 };
 

@@ -30,6 +30,7 @@ pub(super) const PACKAGE: Package = Package {
     help: "A page that opens from a file, by WebGPU or WebGL 2, with sliders for what is exposed.",
     opens: Some("index.html"),
     run_with: Some("Chromium, by WebGPU and WebGL 2"),
+    is_without_passes: false,
     write,
 };
 

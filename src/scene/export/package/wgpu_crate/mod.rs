@@ -26,6 +26,7 @@ pub(super) const PACKAGE: Package = Package {
     help: "A Rust crate with the look as a material for wgpu, and an example that draws it.",
     opens: None,
     run_with: Some("wgpu 30 on lavapipe"),
+    is_without_passes: false,
     write,
 };
 
