@@ -30,6 +30,7 @@ mod samples;
 mod screen;
 mod setup;
 mod shadow_maps;
+mod shot;
 mod store;
 mod tiles;
 mod uvs;
@@ -74,6 +75,7 @@ pub use setup::{
     ANY_MATERIAL, DEFAULT_MESH, LookSource, Setup, SetupLook, SetupObject, default_setup, look_of,
     object_matrix, open, place_objects, scene_setup,
 };
+pub use shot::{ResolvedShot, ShotFile, ShotStack, ValueChange, scene_of};
 pub use shadow_maps::{LightLayer, LightModule, MapCaster, ShadowMaps};
 pub use store::AssetStore;
 pub use tiles::{MAX_TILE_SAMPLES, TileView, moving_light, tile_assets};
