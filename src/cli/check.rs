@@ -167,10 +167,13 @@ impl Checker<'_> {
         let values = scene::check_values(&setup, library);
         self.problems.extend(values.unwrap_or_else(|problems| problems));
         self.problems.extend(setup.light_warnings());
-        for (index, worn) in setup.looks.iter().enumerate().filter(|(_, look)| shot.changes_look(look)) {
+        for (index, worn) in
+            setup.looks.iter().enumerate().filter(|(_, look)| shot.changes_look(look))
+        {
             let mut found = match check_look(&worn.look, library, None) {
                 Ok(typed) => {
-                    let options = CompileOptions { live: Live::Exposed, ..CompileOptions::default() };
+                    let options =
+                        CompileOptions { live: Live::Exposed, ..CompileOptions::default() };
                     let compiled = compile_typed(&typed.value, &options).err();
                     compiled.unwrap_or(typed.warnings)
                 }

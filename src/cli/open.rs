@@ -65,7 +65,7 @@ pub(super) fn not_a_look(path: &Path, scene: Option<&Scene>) -> Diagnostic {
 }
 
 /// A path of a document in its shortest form: `scenes/../looks/a.json` is `looks/a.json`.
-fn beside(folder: &Path, path: &str) -> String {
+pub(super) fn beside(folder: &Path, path: &str) -> String {
     let mut short = PathBuf::new();
     for part in folder.join(path).components() {
         match (part, short.components().next_back()) {

@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value as Json, json};
 
+use super::open::beside;
 use super::output::Output;
 use super::target::outputs;
 use crate::diag::{Diagnostic, has_errors};
-use crate::document::{Document, Shot};
+use crate::document::{Document, Override, Shot, value_address};
 use crate::files::{Disk, OutputKind};
 use crate::frame::{Assets, ResolvedShot, Setup, ValueChange, open};
 
@@ -192,7 +193,7 @@ fn reset(path: &Path, addresses: &[String], output: &Output) -> Result<(), Vec<D
     };
     output.diagnostics(&loaded.diagnostics);
     for address in addresses {
-        take_back(&mut shot, address)
+        take_back(path, &mut shot, address)
             .map_err(|problem| vec![problem.in_file(path.display().to_string())])?;
     }
     let text = shot.to_text();
@@ -204,12 +205,18 @@ fn reset(path: &Path, addresses: &[String], output: &Output) -> Result<(), Vec<D
 }
 
 /// Takes the change of a value out of a shot.
-fn take_back(shot: &mut Shot, address: &str) -> Result<(), Diagnostic> {
+fn take_back(path: &Path, shot: &mut Shot, address: &str) -> Result<(), Diagnostic> {
     if address == "camera" && shot.camera.take().is_some() {
         return Ok(());
     }
+    let folder = path.parent().unwrap_or(Path::new(""));
+    // Looks are named as the shot names them, or as --diff does.
+    let is_it = |changed: &Override| {
+        let told = changed.look.as_deref().map(|look| beside(folder, look));
+        changed.address() == address || value_address(told.as_deref(), &changed.target) == address
+    };
     let before = shot.overrides.len();
-    shot.overrides.retain(|changed| changed.address() != address);
+    shot.overrides.retain(|changed| !is_it(changed));
     if shot.overrides.len() < before {
         return Ok(());
     }

@@ -258,9 +258,8 @@ impl Arguments {
 
     /// The frames that were asked for, or else those of the shot, and their files.
     fn sequence(&self, target: &Path) -> Result<Option<FrameFiles>, Vec<Diagnostic>> {
-        let bad = |message: &str, hint: &str| {
-            vec![Diagnostic::error("bad-argument", message).hint(hint)]
-        };
+        let bad =
+            |message: &str, hint: &str| vec![Diagnostic::error("bad-argument", message).hint(hint)];
         let pattern = FramePattern::of(target).map_err(|message| {
             bad(&message, "write one place for the number in the name of the file: out/####.exr")
         })?;

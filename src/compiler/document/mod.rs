@@ -57,7 +57,7 @@ pub use scene::*;
 pub use set::{LightSet, MemberSet, ObjectSet, SetError, SetMember, SetTerm};
 pub use shape::{field_tables, hcbtf_schema, look_schema, scene_schema, shot_schema};
 pub use shot::{
-    BlendKind, Override, Shot, ShotKey, ValuePlace, address, json_of_value, keyed_target,
+    BlendKind, Override, Shot, ShotKey, ValuePlace, json_of_value, keyed_target, value_address,
 };
 pub use source::{LoadedDocument, SourceMap};
 pub use storage::Storage;

@@ -98,11 +98,11 @@ described! {
 impl Override {
     /// The value in words: the look that it is of, if any, and its place there.
     pub fn address(&self) -> String {
-        address(self.look.as_deref(), &self.target)
+        value_address(self.look.as_deref(), &self.target)
     }
 }
 
 /// A value in words, `looks/hero.json#rim.offset` of a look and `lights.key.color` of the scene.
-pub fn address(look: Option<&str>, target: &str) -> String {
+pub fn value_address(look: Option<&str>, target: &str) -> String {
     look.map_or_else(|| target.to_owned(), |look| format!("{look}#{target}"))
 }

@@ -304,6 +304,11 @@ fn only<K, T: Clone>(
 where
     K: std::hash::Hash + Eq + AsRef<str> + Clone + std::borrow::Borrow<str>,
 {
+    if id.is_empty() {
+        let known: Vec<&str> = all.keys().take(6).map(AsRef::as_ref).collect();
+        let problem = Diagnostic::error("bad-target", format!("the {what} is missing"));
+        return Err(problem.hint(format!("name one, such as {}", known.join(", "))));
+    }
     match all.get_key_value(id) {
         Some((key, part)) => Ok(IndexMap::from([(key.clone(), part.clone())])),
         None => {

@@ -17,7 +17,7 @@ use serde_json::Value as Json;
 
 use super::setup::SetupLook;
 use crate::diag::Diagnostic;
-use crate::document::{FrameRate, address};
+use crate::document::{FrameRate, value_address};
 use moving::MovingValue;
 
 pub(super) use resolve::open_shot;
@@ -62,7 +62,7 @@ pub struct ValueChange {
 impl ValueChange {
     /// The value in words: the look that it is of, if any, and its place there.
     pub fn address(&self) -> String {
-        address(self.look.as_deref(), &self.target)
+        value_address(self.look.as_deref(), &self.target)
     }
 }
 
