@@ -99,8 +99,8 @@ struct Checker<'a> {
 }
 
 impl Checker<'_> {
-    /// Finds looks, scenes and shots in a folder and below; other JSON files are left alone, broken ones
-    /// are not.
+    /// Finds looks, scenes and shots in a folder and below; other JSON files are left alone, broken
+    /// ones are not.
     fn folder(&mut self, folder: &Path, found: &mut Vec<PathBuf>) {
         // Folders are followed deep enough for any project.
         const BOUNDS: WalkBounds = WalkBounds { depth: 16, entries: 20_000 };

@@ -45,8 +45,8 @@ fn scene() -> Json {
         "chiaro": "scene", "version": 1,
         "objects": [
             {"id": "hero", "mesh": "shape:sphere", "looks": "look.json"},
-            {"id": "ball", "mesh": "shape:cube", "looks": "look.json", "values": {"tint": "#406080"},
-                "transform": {"translate": [1.5, 0, 0]}}
+            {"id": "ball", "mesh": "shape:cube", "looks": "look.json",
+                "values": {"tint": "#406080"}, "transform": {"translate": [1.5, 0, 0]}}
         ],
         "lights": {
             "key": {"direction": [0, 1, 1], "color": [1, 1, 1], "groups": ["set"]},
@@ -271,7 +271,10 @@ fn what_is_wrong_is_told_with_its_place_and_the_nearest_name() {
         "",
     );
     wrong(json!([{"target": "camera.fov"}]), "missing-field", "overrides[0]", "\"keys\"");
-    let of_look = |address: &str, value: Json| json!([{"look": "look.json", "target": address, "value": value}]);
+    let of_look = |address: &str, value: Json| {
+        let changed = json!({"look": "look.json", "target": address, "value": value});
+        json!([changed])
+    };
     wrong(of_look("wram.offset", json!(1)), "unknown-node", target, "`warm`");
     wrong(of_look("rim.below", json!(1)), "wired-input", target, "`warm`");
     wrong(of_look("nodes.rim.mutedd", json!(true)), "bad-target", target, "`muted`");

@@ -48,8 +48,8 @@ Examples:
 pub(super) struct Arguments {
     /// A look, a scene or a shot
     document: PathBuf,
-    /// The PNG or EXR to write; `####` stands for the number of each of the --frames,
-    /// or of the shot's own
+    /// The PNG or EXR to write; `####` stands for the number of each of the --frames, or of the
+    /// shot's own
     #[arg(short, long)]
     output: OutputPath,
     /// A mesh (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:creature) in place of the
@@ -59,8 +59,8 @@ pub(super) struct Arguments {
     /// Stands up meshes whose z axis points up, as in many scans
     #[arg(long)]
     z_up: bool,
-    /// Width and height in pixels [default: those of the shot; 800x800; 1200x800 of a scene that has
-    /// a camera of its own, or as wide for 800 as that says]
+    /// Width and height in pixels [default: those of the shot; 800x800; 1200x800 of a scene that
+    /// has a camera of its own, or as wide for 800 as that says]
     #[arg(short, long)]
     size: Option<Size>,
     /// Samples a pixel: 1, or 4 for smooth edges
@@ -340,9 +340,9 @@ fn blended_in<'l>(looks: impl Iterator<Item = &'l Look>) -> String {
     words.join(", ")
 }
 
-/// Size of a picture: the one that was asked for, or that of the shot, or else of the shape that the camera was placed
-/// for. A camera without an aspect was usually placed for a picture wider than high, which a
-/// square would cut.
+/// Size of a picture: the one that was asked for, or that of the shot, or else of the shape that the
+/// camera was placed for. A camera without an aspect was usually placed for a picture wider than
+/// high, which a square would cut.
 pub(super) fn size_of(asked: Option<&Size>, setup: &Setup) -> [u32; 2] {
     const SIDE: f64 = 800.0;
     let of_shot = || setup.shot.as_ref().and_then(|shot| shot.stack.size());

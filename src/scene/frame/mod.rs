@@ -75,8 +75,8 @@ pub use setup::{
     ANY_MATERIAL, DEFAULT_MESH, LookSource, Setup, SetupLook, SetupObject, default_setup, look_of,
     object_matrix, open, place_objects, scene_setup,
 };
-pub use shot::{ResolvedShot, ShotFile, ShotStack, ValueChange, scene_of};
 pub use shadow_maps::{LightLayer, LightModule, MapCaster, ShadowMaps};
+pub use shot::{ResolvedShot, ShotFile, ShotStack, ValueChange, scene_of};
 pub use store::AssetStore;
 pub use tiles::{MAX_TILE_SAMPLES, TileView, moving_light, tile_assets};
 pub use uvs::missing_uvs;

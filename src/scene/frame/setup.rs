@@ -141,8 +141,8 @@ fn turn_within(object: &SetupObject, turn: DMat4) -> DMat4 {
     DMat4::from_translation(middle) * turn * DMat4::from_translation(-middle)
 }
 
-/// Opens a look, a scene or a shot. A look opened alone is worn by `mesh` (a path, or `shape:` and a
-/// name) in the default scene.
+/// Opens a look, a scene or a shot. A look opened alone is worn by `mesh` (a path, or `shape:` and
+/// a name) in the default scene.
 ///
 /// # Errors
 /// All errors of the file and of the files that it names.

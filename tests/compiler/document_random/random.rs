@@ -5,7 +5,8 @@ use chiaro_compiler::document::{
     ExposedValue, Frame, Graph, GroupMaster, InterfacePort, Interpolation, KeyDirection, KeyScheme,
     LayerLink, Light, LightField, LightKind, LightQuantity, LightSet, LightSpace, Look, Node,
     NodeLinks, Note, Object, ObjectSet, Override, Projection, Ramp, RampStop, Scene, SceneOutlines,
-    Shot, ShotKey, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, UnknownFields, Value, Values, Wire,
+    Shot, ShotKey, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, UnknownFields, Value,
+    Values, Wire,
 };
 use chiaro_language::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
@@ -652,7 +653,9 @@ impl Random {
                 [first, first + self.below(300) as i32]
             }),
             rate: self.chance(6).then(|| self.choose(&rates).parse().unwrap()),
-            size: self.chance(4).then(|| [1 + self.below(4000) as u32, 1 + self.below(4000) as u32]),
+            size: self
+                .chance(4)
+                .then(|| [1 + self.below(4000) as u32, 1 + self.below(4000) as u32]),
             step: self.chance(4).then(|| 1 + self.below(4) as u32),
             camera,
             overrides,

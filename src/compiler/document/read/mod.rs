@@ -45,8 +45,8 @@ impl Document {
         }
     }
 
-    /// Reads a file that may hold any of them. Where the file cannot be read, the diagnostics of a look
-    /// say why.
+    /// Reads a file that may hold any of them. Where the file cannot be read, the diagnostics of a
+    /// look say why.
     pub fn load(files: &dyn Files, path: &Path) -> Self {
         match read_text(files, path) {
             Ok(text) => Self::read(&text, &path.display().to_string()),

@@ -20,6 +20,10 @@ use crate::ids::{LightGroup, LightId, NodeId, ObjectId};
 /// Fields that say what a document or a part is, and are no values.
 const IDENTITY: [&str; 4] = ["chiaro", "version", "$schema", "id"];
 
+/// Addresses of values of a look, in words.
+const LOOK_ADDRESSES: &str = "write `node.input`, `group/node.input`, `lights.light.field`, \
+                              `nodes.node.field` or `tier`";
+
 /// Way in which a value goes from key to key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BlendKind {
@@ -220,9 +224,8 @@ impl Look {
         let target = Target::parse(address).filter(|target| matches!(target, Target::Input { .. }));
         let Some(target) = target else {
             let problem = Diagnostic::error("bad-target", format!("`{address}` names no value"));
-            return Err(problem
-                .suggest(address, self.graph.nodes.keys().map(NodeId::as_str))
-                .hint("write `node.input`, `group/node.input`, `lights.light.field` or `nodes.node.field`"));
+            let problem = problem.suggest(address, self.graph.nodes.keys().map(NodeId::as_str));
+            return Err(problem.hint(LOOK_ADDRESSES));
         };
         if let Some(mut problem) = check::check_target(self, &target).into_iter().next() {
             problem.place = crate::diag::Place::default();
@@ -257,9 +260,7 @@ impl Look {
             }
             _ => {
                 let message = format!("`{first}` of a look is not changed from outside");
-                let hint = "write `node.input`, `group/node.input`, `lights.light.field`, \
-                            `nodes.node.field` or `tier`";
-                return Err(Diagnostic::error("bad-target", message).hint(hint));
+                return Err(Diagnostic::error("bad-target", message).hint(LOOK_ADDRESSES));
             }
         }
         Ok(part)
@@ -396,17 +397,17 @@ fn place<'j>(
     shape: &'static ObjectShape,
     address: &str,
 ) -> Result<Slot<'j>, Diagnostic> {
-    let mut at = At::Object(shape);
+    let mut at = AddressStep::Object(shape);
     let mut json = json;
     let mut so_far = "";
     for step in address.split('.') {
         let (next, kind) = match at {
-            At::Object(shape) => member(json, shape, step)?,
-            At::Kind(FieldKind::Map(item, _)) => (entry(json, item, step)?, *item),
-            At::Kind(FieldKind::List(item @ FieldKind::Object(shape), _)) => {
+            AddressStep::Object(shape) => member(json, shape, step)?,
+            AddressStep::Kind(FieldKind::Map(item, _)) => (entry(json, item, step)?, *item),
+            AddressStep::Kind(FieldKind::List(item @ FieldKind::Object(shape), _)) => {
                 (item_of(json, shape(), step)?, *item)
             }
-            At::Kind(_) => {
+            AddressStep::Kind(_) => {
                 let message = format!("`{so_far}` is one value, which has no `{step}`");
                 return Err(
                     Diagnostic::error("bad-target", message).hint(format!("write `{so_far}`"))
@@ -416,22 +417,22 @@ fn place<'j>(
         so_far = &address[..(so_far.len() + usize::from(!so_far.is_empty()) + step.len())];
         json = next;
         at = match kind {
-            FieldKind::Object(shape) => At::Object(shape()),
-            kind => At::Kind(kind),
+            FieldKind::Object(shape) => AddressStep::Object(shape()),
+            kind => AddressStep::Kind(kind),
         };
     }
     match at {
-        At::Kind(kind) if !matches!(kind, FieldKind::Map(..) | FieldKind::List(..)) => {
+        AddressStep::Kind(kind) if !matches!(kind, FieldKind::Map(..) | FieldKind::List(..)) => {
             Ok(Slot { json, kind })
         }
-        At::Object(shape) => {
+        AddressStep::Object(shape) => {
             let names = shape.fields().map(|field| field.name);
             let names: Vec<&str> = names.filter(|name| !IDENTITY.contains(name)).collect();
             let message = format!("`{address}` is many values");
             Err(Diagnostic::error("bad-target", message)
                 .hint(format!("name one of them: `{address}.` and {}", names.join(", "))))
         }
-        At::Kind(_) => {
+        AddressStep::Kind(_) => {
             let message = format!("`{address}` is a list, of which one value is named");
             Err(Diagnostic::error("bad-target", message)
                 .hint(format!("write `{address}.` and its id or name")))
@@ -440,7 +441,7 @@ fn place<'j>(
 }
 
 /// Kind of what an address has come to.
-enum At {
+enum AddressStep {
     Object(&'static ObjectShape),
     Kind(&'static FieldKind),
 }

@@ -156,7 +156,10 @@ impl Session {
             Document::Shot(mut loaded) => {
                 let hint = "open the scene that it changes; `chiaro render` draws the shot, and \
                             `chiaro shot` tells what it changes";
-                let problem = Diagnostic::error("wrong-document", "this is a shot, which the window does not edit");
+                let problem = Diagnostic::error(
+                    "wrong-document",
+                    "this is a shot, which the window does not edit",
+                );
                 loaded.diagnostics.push(problem.in_file(path.display().to_string()).hint(hint));
                 return Err(loaded.diagnostics);
             }

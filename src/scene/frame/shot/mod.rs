@@ -40,7 +40,7 @@ pub struct ValueChange {
     /// Path of the look that it is of; `None` for a value of the scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub look: Option<String>,
-    /// Its address in the look or the scene.
+    /// Address of the value in the look or the scene.
     pub target: String,
     /// The value before the document changed it; null for a node's own default.
     pub from: Json,
@@ -52,7 +52,7 @@ pub struct ValueChange {
     pub step: u32,
     /// File that changes it.
     pub by: PathBuf,
-    /// Where the file does.
+    /// JSON path of the change in that file.
     #[serde(skip)]
     pub json_path: String,
     /// True unless a nearer document changes the value again.

@@ -32,13 +32,13 @@ pub(in crate::frame) fn open_shot(
 ) -> Result<WithWarnings<Setup>, Vec<Diagnostic>> {
     let files = assets.source().clone();
     let (stack, mut problems) = ShotStack::over(&*files, path, loaded)?.into_parts();
-    let mut resolving = Resolving::new(&stack);
-    resolving.change_scene();
-    let scene = resolving.scene.clone();
+    let mut resolver = ShotResolver::new(&stack);
+    resolver.change_scene();
+    let scene = resolver.scene.clone();
     let (folder, source) = (stack.scene_folder(), &stack.scene_source);
     let mut setup = scene_setup(scene, folder, source, mesh, assets).tell(&mut problems);
-    resolving.change_looks(&*files, &mut setup);
-    let Resolving { changes, moving, clock, problems: of_shots, .. } = resolving;
+    resolver.change_looks(&*files, &mut setup);
+    let ShotResolver { changes, moving, clock, problems: of_shots, .. } = resolver;
     problems.extend(of_shots);
     if has_errors(&problems) {
         return Err(problems);
@@ -47,8 +47,8 @@ pub(in crate::frame) fn open_shot(
     Ok(WithWarnings::new(setup, problems))
 }
 
-/// State while overrides are put into a scene.
-struct Resolving<'s> {
+/// Resolver of a shot: the scene as far as overrides are put into it.
+struct ShotResolver<'s> {
     stack: &'s ShotStack,
     scene: Scene,
     changes: Vec<ValueChange>,
@@ -72,7 +72,7 @@ impl OverrideAt<'_> {
     }
 }
 
-impl<'s> Resolving<'s> {
+impl<'s> ShotResolver<'s> {
     fn new(stack: &'s ShotStack) -> Self {
         let (first, rate) = (stack.frames()[0], stack.rate());
         let clock = FrameClock { first, rate, shading_step: stack.step() };

@@ -150,7 +150,7 @@ impl ShotStack {
         self.nearest(|shot| shot.step).unwrap_or(1)
     }
 
-    /// What the nearest shot that says so says.
+    /// Value that the nearest shot has that says one.
     fn nearest<T>(&self, of: impl Fn(&Shot) -> Option<T>) -> Option<T> {
         self.shots.iter().find_map(|file| of(&file.shot))
     }
