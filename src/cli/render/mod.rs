@@ -340,9 +340,9 @@ fn blended_in<'l>(looks: impl Iterator<Item = &'l Look>) -> String {
     words.join(", ")
 }
 
-/// Size of a picture: the one that was asked for, or that of the shot, or else of the shape that the
-/// camera was placed for. A camera without an aspect was usually placed for a picture wider than
-/// high, which a square would cut.
+/// Size of a picture: the one that was asked for, or that of the shot, or else of the shape that
+/// the camera was placed for. A camera without an aspect was usually placed for a picture wider
+/// than high, which a square would cut.
 pub(super) fn size_of(asked: Option<&Size>, setup: &Setup) -> [u32; 2] {
     const SIDE: f64 = 800.0;
     let of_shot = || setup.shot.as_ref().and_then(|shot| shot.stack.size());

@@ -2,8 +2,8 @@
 //! written.
 //!
 //! [`Look::read`], [`Scene::read`] and [`Shot::read`] take JSON and give a value, a [`SourceMap`]
-//! and every problem at once; [`Look::to_text`] writes the canonical form, and an unchanged document
-//! is written back byte for byte. [`History`] applies every [`Edit`], [`SceneEdit`] and
+//! and every problem at once; [`Look::to_text`] writes the canonical form, and an unchanged
+//! document is written back byte for byte. [`History`] applies every [`Edit`], [`SceneEdit`] and
 //! [`HcbtfEdit`], and undoes it; a journal keeps unsaved work. docs/format.md documents the files.
 
 mod check;
