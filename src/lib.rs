@@ -64,6 +64,10 @@
 //!   `editor/panels/effects.rs`.
 //!
 //! Film:
+//! - Shots: `compiler/document/shot/mod.rs` (`Shot`); values by address:
+//!   `compiler/document/shot/place.rs` (`set_value`); put into a scene:
+//!   `scene/frame/shot/resolve.rs` (`change_scene`), at a time:
+//!   `scene/frame/shot/moving.rs` (`at`).
 //! - Frames of a scene: `film/frames.rs` (`FrameList`); drawn by `cli/render/frames.rs`.
 //! - EXR: `film/exr/mod.rs` (`encode`).
 //!

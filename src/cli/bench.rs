@@ -90,7 +90,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let mut assets = Assets::default();
     let (setup, warnings) =
         open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?.into_parts();
-    reads_all(&mut outputs, &arguments.document, &setup, &assets);
+    reads_all(&mut outputs, &setup, &assets);
     output.diagnostics(&warnings);
     let gpu = Gpu::headless().await.map_err(|error| vec![error.into()])?;
     let mut renderer = Renderer::new(gpu);

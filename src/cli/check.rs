@@ -1,4 +1,4 @@
-//! `chiaro check`: all problems and oddities of looks and scenes, without drawing anything.
+//! `chiaro check`: all problems and oddities of looks, scenes and shots, without drawing anything.
 
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -13,14 +13,14 @@ use crate::diag::{Diagnostic, Severity, WithWarnings, has_errors};
 use crate::document::{Document, LoadedDocument, Look, Scene, Value};
 use crate::figures::count;
 use crate::files::{self, WalkBounds};
-use crate::frame::{Assets, Rig, SHORTEN, missing_uvs, scene_setup, too_deep};
+use crate::frame::{Assets, Rig, SHORTEN, missing_uvs, open, scene_setup, too_deep};
 use crate::library::{Library, Type};
 use chiaro_scene::hcbtf::LayerOptions;
 
 const EXAMPLES: &str = "\
 Examples:
   chiaro check look.json
-  chiaro check examples/            every look and scene in a folder and below
+  chiaro check examples/            every look, scene and shot in a folder and below
   chiaro check scene.json --json    a list of objects, for a script or an editor
 
 Each problem has a severity, a code that stays the same between versions, a place (file, line, \
@@ -32,7 +32,7 @@ without --strict.";
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// Looks, scenes, or folders of them
+    /// Looks, scenes, shots, or folders of them
     #[arg(required = true)]
     files: Vec<PathBuf>,
     /// A folder of a project's own nodes; `nodes/` beside each document is found without it
@@ -93,12 +93,14 @@ struct Checker<'a> {
     assets: Assets,
     libraries: HashMap<PathBuf, Library>,
     looks: HashSet<PathBuf>,
+    /// Scenes that were checked with shots over them.
+    scenes: HashSet<PathBuf>,
     problems: Vec<Diagnostic>,
 }
 
 impl Checker<'_> {
-    /// Finds looks and scenes in a folder and below; other JSON files are left alone, broken ones
-    /// are not.
+    /// Finds looks, scenes and shots in a folder and below; other JSON files are left alone, broken
+    /// ones are not.
     fn folder(&mut self, folder: &Path, found: &mut Vec<PathBuf>) {
         // Folders are followed deep enough for any project.
         const BOUNDS: WalkBounds = WalkBounds { depth: 16, entries: 20_000 };
@@ -151,6 +153,39 @@ impl Checker<'_> {
         match Document::load(&crate::files::Disk, path) {
             Document::Look(loaded) => self.look(path, &loaded, &library),
             Document::Scene(loaded) => self.scene(path, &loaded, &library),
+            Document::Shot(_) => self.shot(path, &library),
+        }
+    }
+
+    /// Checks a shot, the scene under it, and the looks as it changes them.
+    fn shot(&mut self, path: &Path, library: &Library) {
+        let setup = match open(path, None, &mut self.assets) {
+            Ok(opened) => opened.tell(&mut self.problems),
+            Err(problems) => return self.problems.extend(problems),
+        };
+        let Some(shot) = &setup.shot else { return };
+        let values = scene::check_values(&setup, library);
+        self.problems.extend(values.unwrap_or_else(|problems| problems));
+        self.problems.extend(setup.light_warnings());
+        for (index, worn) in
+            setup.looks.iter().enumerate().filter(|(_, look)| shot.changes_look(look))
+        {
+            let mut found = match check_look(&worn.look, library, None) {
+                Ok(typed) => {
+                    let options =
+                        CompileOptions { live: Live::Exposed, ..CompileOptions::default() };
+                    let compiled = compile_typed(&typed.value, &options).err();
+                    compiled.unwrap_or(typed.warnings)
+                }
+                Err(problems) => problems,
+            };
+            found.iter_mut().for_each(|problem| shot.locate(&setup.looks[index], problem));
+            worn.source.locate_all(&mut found);
+            self.problems.extend(found);
+        }
+        let scene = shot.stack.scene_path.clone();
+        if self.scenes.insert(scene.clone()) {
+            self.document(&scene);
         }
     }
 

@@ -37,6 +37,7 @@ mod render;
 #[cfg(feature = "gpu")]
 mod samples;
 mod scene;
+mod shot;
 mod target;
 mod tier;
 #[cfg(feature = "gpu")]
@@ -92,17 +93,19 @@ enum Command {
         #[arg(short, long)]
         mesh: Option<String>,
     },
-    /// Write a look or a scene to begin with
+    /// Write a look, a scene or a shot to begin with
     New(new::Arguments),
-    /// Tell everything that is wrong or odd in looks and scenes
+    /// Tell everything that is wrong or odd in looks, scenes and shots
     Check(check::Arguments),
     /// Tell what is drawn, in which passes, on which data, and why
     Explain(explain::Arguments),
     /// List a scene's lights, and tell which of them reach which objects, by which rule
     Lights(lights::Arguments),
+    /// Tell what a shot changes, and by which file; take a change back
+    Shot(shot::Arguments),
     /// List the nodes that looks are made of, or tell all about one
     Nodes(nodes::Arguments),
-    /// Render a look or a scene to a PNG
+    /// Render a look, a scene or a shot to a PNG or an EXR, or to many
     Render(render::Arguments),
     /// Print a look's value, or any node's, at given surface samples
     #[cfg(feature = "gpu")]
@@ -224,6 +227,7 @@ async fn carry_out(command: &Command, output: &Output) -> Outcome {
         },
         Command::Explain(arguments) => explain::run(arguments, output).await,
         Command::Lights(arguments) => lights::run(arguments, output),
+        Command::Shot(arguments) => shot::run(arguments, output),
         Command::Nodes(arguments) => nodes::run(arguments, output).await,
         Command::Render(arguments) => render::run(arguments, output).await,
         #[cfg(feature = "gpu")]

@@ -1,4 +1,4 @@
-//! `chiaro new`: a new look or scene to begin with.
+//! `chiaro new`: a new look, scene or shot to begin with.
 
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,8 @@ const EXAMPLES: &str = "\
 Examples:
   chiaro new rim                      rim.json: five light layers over a base
   chiaro new flat --template minimal  light and shadow, two colors
-  chiaro new stage --template scene   stage.json, a scene, and stage-look.json, which it wears";
+  chiaro new stage --template scene   stage.json, a scene, and stage-look.json, which it wears
+  chiaro new sh010 --template shot    sh010.json, a shot over a new scene, which wears a look";
 
 /// Arguments of `chiaro new`.
 #[derive(Debug, clap::Args)]
@@ -38,11 +39,14 @@ enum Template {
     Minimal,
     /// Two objects that wear a look of layers
     Scene,
+    /// A shot of a second over such a scene: its camera and its key light move, shading on twos
+    Shot,
 }
 
 const LAYERS: &str = include_str!("templates/layers.json");
 const MINIMAL: &str = include_str!("templates/minimal.json");
 const SCENE: &str = include_str!("templates/scene.json");
+const SHOT: &str = include_str!("templates/shot.json");
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let files =
@@ -84,13 +88,20 @@ fn files(name: &Path, template: Template) -> Result<Vec<(PathBuf, String)>, Diag
     let path = name.with_file_name(format!("{stem}.json"));
     let title = in_json(&title(stem));
     let look = |text: &str| text.replace("{{name}}", &title);
+    let beside = |file: &str| name.with_file_name(file);
     Ok(match template {
         Template::Layers => vec![(path, look(LAYERS))],
         Template::Minimal => vec![(path, look(MINIMAL))],
         Template::Scene => {
             let worn = format!("{stem}-look.json");
-            let scene = SCENE.replace("{{look}}", &in_json(&worn)).replace("{{name}}", &title);
-            vec![(path, scene), (name.with_file_name(worn), look(LAYERS))]
+            let scene = look(SCENE).replace("{{look}}", &in_json(&worn));
+            vec![(path, scene), (beside(&worn), look(LAYERS))]
+        }
+        Template::Shot => {
+            let (worn, stage) = (format!("{stem}-look.json"), format!("{stem}-scene.json"));
+            let named = |text: &str| look(text).replace("{{look}}", &in_json(&worn));
+            let shot = named(SHOT).replace("{{scene}}", &in_json(&stage));
+            vec![(path, shot), (beside(&stage), named(SCENE)), (beside(&worn), look(LAYERS))]
         }
     })
 }
@@ -120,19 +131,16 @@ fn quoted(path: &Path) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Look, Scene};
+    use crate::document::Document;
 
     #[test]
     fn templates_are_sound_whatever_the_name() {
         for name in ["rim", "folder/rim.json", "odd \"name\" \\ here", "光", "v1.2"] {
-            for template in [Template::Layers, Template::Minimal, Template::Scene] {
-                for (path, text) in files(Path::new(name), template).unwrap() {
+            for template in Template::value_variants() {
+                for (path, text) in files(Path::new(name), *template).unwrap() {
                     let file = path.display().to_string();
-                    let problems = if text.contains("\"objects\"") {
-                        Scene::read(&text, &file).diagnostics
-                    } else {
-                        Look::read(&text, &file).diagnostics
-                    };
+                    let document = Document::read(&text, &file);
+                    let problems = document.diagnostics();
                     assert!(problems.is_empty(), "{file}: {problems:?}");
                     assert!(!text.contains("{{"), "{text}");
                 }

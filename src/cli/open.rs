@@ -5,17 +5,21 @@ use std::path::{Component, Path, PathBuf};
 use super::output::Output;
 use crate::diag::{Diagnostic, has_errors};
 use crate::document::{Document, Look, Scene};
-use crate::frame::SetupLook;
+use crate::frame::{SetupLook, scene_of};
 use crate::library::Library;
 
 /// The built-in library with a project's own nodes: those in the folder `nodes`, else those in
-/// `nodes/` beside the document.
+/// `nodes/` beside the document, or beside the scene that a shot changes.
 pub(super) fn library_for(document: &Path, nodes: Option<&Path>) -> Library {
-    let beside = document.parent().unwrap_or(Path::new("")).join("nodes");
+    let beside = |document: &Path| document.parent().unwrap_or(Path::new("")).join("nodes");
+    let mut beside = [document.to_path_buf(), scene_of(&crate::files::Disk, document)]
+        .map(|document| beside(&document))
+        .into_iter();
+    let beside = beside.find(|folder| nodes.is_none() && folder.is_dir()).unwrap_or_default();
     match nodes {
         Some(folder) => Library::built_in().with_project(&crate::files::Disk, folder),
-        None if beside.is_dir() => Library::built_in().with_project(&crate::files::Disk, &beside),
-        None => Library::built_in().clone(),
+        None if beside.as_os_str().is_empty() => Library::built_in().clone(),
+        None => Library::built_in().with_project(&crate::files::Disk, &beside),
     }
 }
 
@@ -61,7 +65,7 @@ pub(super) fn not_a_look(path: &Path, scene: Option<&Scene>) -> Diagnostic {
 }
 
 /// A path of a document in its shortest form: `scenes/../looks/a.json` is `looks/a.json`.
-fn beside(folder: &Path, path: &str) -> String {
+pub(super) fn beside(folder: &Path, path: &str) -> String {
     let mut short = PathBuf::new();
     for part in folder.join(path).components() {
         match (part, short.components().next_back()) {
@@ -77,6 +81,14 @@ pub(super) fn open_look(path: &Path, output: &Output) -> Result<SetupLook, Vec<D
     let loaded = match Document::load(&crate::files::Disk, path) {
         Document::Look(loaded) => loaded,
         Document::Scene(scene) => return Err(vec![not_a_look(path, scene.value.as_ref())]),
+        Document::Shot(_) => {
+            let problem = Diagnostic::error("not-a-look", "this is a shot, which changes a scene");
+            return Err(vec![
+                problem
+                    .in_file(path.display().to_string())
+                    .hint("name a look in its place: a file whose \"chiaro\" is \"look\""),
+            ]);
+        }
     };
     let Some(look) = loaded.value.clone().filter(|_: &Look| !has_errors(&loaded.diagnostics))
     else {

@@ -43,9 +43,9 @@ pub(super) struct Arguments {
     /// Width and height of the picture in pixels [default: as `chiaro render` has it]
     #[arg(short, long)]
     size: Option<Size>,
-    /// The time in seconds
-    #[arg(long, default_value_t = 0.0, value_parser = parse_time, allow_negative_numbers = true)]
-    time: f64,
+    /// The time in seconds [default: 0; of a shot its first frame's]
+    #[arg(long, value_parser = parse_time, allow_negative_numbers = true)]
+    time: Option<f64>,
     /// A folder of a project's own nodes; `nodes/` beside the document is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
@@ -73,8 +73,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let (setup, warnings) =
         open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?.into_parts();
     output.diagnostics(&warnings);
-    let size = size_of(arguments.size.as_ref(), &setup.scene.camera);
-    let options = PlanOptions { size, samples: 1, time: arguments.time };
+    let size = size_of(arguments.size.as_ref(), &setup);
+    let time = arguments.time.unwrap_or_else(|| setup.first_time());
+    let options = PlanOptions { size, samples: 1, time };
     let mut planner = Planner::for_probes(assets);
     let plan = planner.plan(&setup, &library, &Live::All, &options)?.value;
     let wires = probe_wires(&plan, arguments.at, &ReferenceOptions::default(), &Progress::new())
@@ -90,7 +91,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         let surfaces = planner.plan(&of_surface, &library, &Live::All, &options)?.value;
         let surface = probe_surface(&surfaces, arguments.at, &Progress::new());
         let surface = surface.map_err(|one| vec![one])?;
-        let moment = (&plan, arguments.time);
+        let moment = (&plan, time);
         let accounts = surface
             .map(|surface| light_accounts(&setup, &library, moment, &wires, &surface))
             .transpose();

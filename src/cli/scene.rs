@@ -48,7 +48,6 @@ pub(super) fn value_problems(
 /// All problems, if any is an error: the picture would not be what the scene says.
 pub(super) fn check_values(
     setup: &Setup,
-    file: &Path,
     library: &Library,
 ) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
     let Some(source) = &setup.source else { return Ok(Vec::new()) };
@@ -62,7 +61,7 @@ pub(super) fn check_values(
     if scene.objects.values().all(|object| object.values.is_empty()) {
         return Ok(Vec::new());
     }
-    let looks = looks(&scene, file.parent().unwrap_or(Path::new("")));
+    let looks = looks(&scene, &setup.folder);
     let mut found = value_problems(&scene, &looks, library);
     source.locate_all(&mut found);
     if has_errors(&found) { Err(found) } else { Ok(found) }

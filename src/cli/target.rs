@@ -36,9 +36,14 @@ pub(super) fn outputs<P: AsRef<Path>>(
     outputs
 }
 
-/// Adds the files that were opened with a document: the looks and meshes of a scene, and images.
-pub(super) fn reads_all(outputs: &mut Outputs, document: &Path, setup: &Setup, assets: &Assets) {
-    let folder = document.parent().unwrap_or(Path::new(""));
+/// Adds the files that were opened with a document: what a shot changes, the looks and meshes of a
+/// scene, and images.
+pub(super) fn reads_all(outputs: &mut Outputs, setup: &Setup, assets: &Assets) {
+    if let Some(shot) = &setup.shot {
+        shot.stack.shots.iter().for_each(|file| outputs.reads(&file.path));
+        outputs.reads(&shot.stack.scene_path);
+    }
+    let folder = &setup.folder;
     for object in setup.scene.objects.values() {
         let named = object.looks.values().chain([&object.mesh]);
         named.for_each(|name| outputs.reads(&folder.join(name)));

@@ -1,4 +1,4 @@
-//! Frames: which ones, when, and into which files.
+//! Frames: which ones, and into which files.
 
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -16,6 +16,14 @@ const MAX_DIGITS: usize = 8;
 pub struct FrameList(Vec<i32>);
 
 impl FrameList {
+    /// The frames from the first to the last one.
+    ///
+    /// # Errors
+    /// The reason, where there are too many.
+    pub fn of_range([first, last]: [i32; 2]) -> Result<Self, String> {
+        format!("{first}-{last}").parse()
+    }
+
     /// The numbers of the frames.
     pub fn frames(&self) -> &[i32] {
         &self.0
@@ -55,58 +63,6 @@ impl FromStr for FrameList {
         let mut seen = std::collections::HashSet::with_capacity(frames.len());
         frames.retain(|frame| seen.insert(*frame));
         Ok(Self(frames))
-    }
-}
-
-/// Frames per second: a whole number, or one of the rates of television, which are those times
-/// 1000 / 1001.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct FrameRate {
-    /// Frames in [`Self::seconds`] seconds.
-    pub frames: u32,
-    /// Seconds.
-    pub seconds: u32,
-}
-
-impl FrameRate {
-    /// The rate of film.
-    pub const FILM: Self = Self { frames: 24, seconds: 1 };
-
-    /// The time at which a frame begins, in seconds: frame 0 begins at 0.
-    pub fn time(self, frame: i32) -> f64 {
-        f64::from(frame) * f64::from(self.seconds) / f64::from(self.frames)
-    }
-
-    /// The number of frames that clocks count in a second.
-    pub fn nominal(self) -> u32 {
-        self.frames.div_ceil(self.seconds)
-    }
-}
-
-impl FromStr for FrameRate {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        /// Rates of television as people write them, and the whole number that each is near to.
-        const OF_TELEVISION: [(&str, u32); 6] = [
-            ("23.976", 24),
-            ("23.98", 24),
-            ("29.97", 30),
-            ("47.952", 48),
-            ("59.94", 60),
-            ("119.88", 120),
-        ];
-        if let Some((_, whole)) = OF_TELEVISION.iter().find(|(written, _)| *written == text) {
-            return Ok(Self { frames: whole * 1000, seconds: 1001 });
-        }
-        let (frames, seconds) = text.split_once('/').unwrap_or((text, "1"));
-        let number =
-            |text: &str| text.parse().ok().filter(|number| (1..=1_000_000).contains(number));
-        let rate = number(frames).zip(number(seconds));
-        rate.map(|(frames, seconds)| Self { frames, seconds }).ok_or_else(|| {
-            "write frames per second as 24, as 23.976, or as a fraction such as 24000/1001"
-                .to_owned()
-        })
     }
 }
 
@@ -183,20 +139,6 @@ mod tests {
             assert!(frames(wrong).is_err(), "{wrong}");
         }
         assert!(frames("1-999999999").is_err(), "no memory without bound");
-    }
-
-    #[test]
-    fn rates_are_exact() {
-        let rate = |text: &str| text.parse::<FrameRate>();
-        assert_eq!(rate("24"), Ok(FrameRate::FILM));
-        assert_eq!(rate("23.976"), Ok(FrameRate { frames: 24_000, seconds: 1001 }));
-        assert_eq!(rate("30000/1001"), rate("29.97"));
-        assert_eq!(rate("29.97").unwrap().nominal(), 30);
-        assert_eq!(FrameRate::FILM.time(36), 1.5);
-        assert_eq!(rate("24000/1001").unwrap().time(24_000), 1001.0);
-        for wrong in ["0", "-24", "24/0", "fast", "24.5", "1e3"] {
-            assert!(rate(wrong).is_err(), "{wrong}");
-        }
     }
 
     #[test]

@@ -13,5 +13,6 @@ pub mod exr;
 mod frames;
 mod plan_hash;
 
-pub use frames::{FrameList, FramePattern, FrameRate};
+pub use document::FrameRate;
+pub use frames::{FrameList, FramePattern};
 pub use plan_hash::PlanHasher;

@@ -6,7 +6,8 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use chiaro_compiler::document::{
-    Document, Look, Scene, Storage, field_tables, hcbtf_schema, look_schema, scene_schema,
+    Document, Look, Scene, Shot, Storage, field_tables, hcbtf_schema, look_schema, scene_schema,
+    shot_schema,
 };
 use chiaro_language::diag::has_errors;
 use serde_json::Value;
@@ -35,6 +36,7 @@ fn the_schemas_are_those_of_the_code() {
     for (file, schema) in [
         ("look.schema.json", look_schema()),
         ("scene.schema.json", scene_schema()),
+        ("shot.schema.json", shot_schema()),
         ("hcbtf.schema.json", hcbtf_schema()),
     ] {
         held(file, &(serde_json::to_string_pretty(&schema).unwrap() + "\n"));
@@ -161,13 +163,14 @@ fn objects(schema: &Value) -> Vec<(Vec<String>, Vec<String>)> {
 #[test]
 fn the_reader_knows_the_fields_of_the_schemas() {
     type Reader = fn(&str) -> Vec<chiaro_language::diag::Diagnostic>;
-    let read: [(Value, Reader); 2] = [
+    let read: [(Value, Reader); 3] = [
         (look_schema(), |text| Look::read(text, "").diagnostics),
         (scene_schema(), |text| Scene::read(text, "").diagnostics),
+        (shot_schema(), |text| Shot::read(text, "").diagnostics),
     ];
     for (schema, read) in read {
         let objects = objects(&schema);
-        assert!(objects.len() >= 7, "{objects:?}");
+        assert!(objects.len() >= 6, "{objects:?}");
         for (path, fields) in objects {
             // `by` of direction keys takes an object with one of several fields, and is no table of
             // fields.

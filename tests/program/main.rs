@@ -12,3 +12,4 @@ mod lights;
 #[cfg(target_os = "linux")]
 mod memory;
 mod outputs;
+mod shots;

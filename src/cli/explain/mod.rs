@@ -36,14 +36,14 @@ bytes of memory. `chiaro bench` measures nodes.";
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// A look or a scene
+    /// A look, a scene or a shot
     document: PathBuf,
     /// A mesh or an own shape (shape:knot) in place of the document's
     #[arg(short, long)]
     mesh: Option<String>,
-    /// The time in seconds
-    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true)]
-    time: f64,
+    /// The time in seconds [default: 0; of a shot its first frame's]
+    #[arg(long, allow_negative_numbers = true)]
+    time: Option<f64>,
     /// A folder of a project's own nodes; `nodes/` beside the document is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
@@ -73,7 +73,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let mut assets = Assets::default();
     let (mut setup, mut warnings) =
         open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?.into_parts();
-    warnings.extend(check_values(&setup, &arguments.document, &library)?);
+    warnings.extend(check_values(&setup, &library)?);
     output.diagnostics(&warnings);
     if let Some(tier) = arguments.tier {
         for worn in &mut setup.looks {
@@ -82,7 +82,8 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     }
     let live = if arguments.live { Live::All } else { Live::Keyed };
     // Options of `chiaro render` without arguments.
-    let options = PlanOptions { size: [800, 800], samples: 4, time: arguments.time };
+    let time = arguments.time.unwrap_or_else(|| setup.first_time());
+    let options = PlanOptions { size: [800, 800], samples: 4, time };
     let mut planner = Planner::new(assets);
     let (plan, warnings) = planner.plan(&setup, &library, &live, &options)?.into_parts();
     output.diagnostics(&warnings);

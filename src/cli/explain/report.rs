@@ -12,7 +12,7 @@ use crate::compile::{
 use crate::diag::Diagnostic;
 use crate::document::{DirectionKeys, Driver, KeyDirection, Look, Values};
 use crate::frame::{
-    Draw, DroppedEffect, Effect, FramePlan, Pass, PassId, Setup, TierCosts, effects,
+    Draw, DroppedEffect, Effect, FramePlan, Pass, PassId, Setup, TierCosts, ValueChange, effects,
     structural_look, tier_costs,
 };
 use crate::ids::{LightId, NodePath};
@@ -27,6 +27,9 @@ const MAX_FROM: usize = 32;
 /// Report on a frame plan: passes, effects, looks.
 #[derive(Debug, Serialize)]
 pub(super) struct ExplainReport {
+    /// Values that the shot changes; empty without a shot.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) changes: Vec<ValueChange>,
     pub(super) passes: Vec<Pass>,
     pub(super) dropped: Vec<DroppedEffect>,
     /// All effects that the picture may cost time for.
@@ -166,6 +169,8 @@ impl ExplainReport {
         plan: &FramePlan,
         library: &Library,
     ) -> Result<Self, Vec<Diagnostic>> {
+        let changes = setup.shot.iter().flat_map(|shot| &shot.changes);
+        let standing = changes.filter(|change| change.stands).cloned().collect();
         let mut looks: Vec<(usize, LookReport)> = Vec::new();
         for draw in &plan.draws {
             let Some((index, values)) = look_of(setup, draw) else { continue };
@@ -190,6 +195,7 @@ impl ExplainReport {
         looks.sort_by_key(|(index, _)| *index);
         Ok(Self {
             passes: plan.passes.clone(),
+            changes: standing,
             dropped: plan.dropped.clone(),
             effects: effects(plan, &HashMap::new()),
             view_bytes: plan.view.uniform_bytes().len(),

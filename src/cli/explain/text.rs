@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::super::shot::changes_text;
 use super::super::tier;
 use super::report::{DecidingDriver, ExplainReport, LookReport, LoopReport, names};
 use crate::compile::TierReason;
@@ -10,7 +11,11 @@ use crate::ids::LightId;
 use crate::library::Rate;
 
 pub(super) fn tell(report: &ExplainReport, document: &str) -> String {
-    let mut text = format!("{document}\n\nPasses, in order\n");
+    let mut text = format!("{document}\n");
+    if !report.changes.is_empty() {
+        let _ = writeln!(text, "\nChanged by shots\n{}", changes_text(&report.changes, true));
+    }
+    text += "\nPasses, in order\n";
     for pass in report.effects.iter().filter(|effect| effect.pass.is_some()) {
         let _ =
             writeln!(text, "  {:18} {}\n  {:18} costs {}", pass.what, pass.reason, "", pass.cost);

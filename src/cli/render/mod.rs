@@ -1,4 +1,4 @@
-//! `chiaro render`: a look or a scene as a picture, or frames of it.
+//! `chiaro render`: a look, a scene or a shot as a picture, or frames of it.
 
 mod format;
 mod frames;
@@ -22,7 +22,9 @@ use crate::diag::Diagnostic;
 use crate::document::{Camera, ColorSpace, Look, Scene, Tier, parse_hex};
 use crate::film::exr::{ExrEncoding, ExrHeader, LosslessCompression, SampleType};
 use crate::film::{FrameList, FramePattern, FrameRate};
-use crate::frame::{self, Assets, Executor, PassId, PlanOptions, PlanStyle, Planner, Setup, open};
+use crate::frame::{
+    self, Assets, Executor, PassId, PlanOptions, PlanStyle, Planner, Setup, ShotStack, open,
+};
 use crate::library::Library;
 use crate::milestones;
 use crate::reference::Reference;
@@ -37,15 +39,17 @@ Examples:
   chiaro render look.json -o close.png --camera 'eye=1,0.5,3;target=0,0.2,0;fov=20'
   chiaro render scene.json -o frame.png --time 1.5 --backdrop none --json
   chiaro render scene.json -o 'out/####.exr' --frames 1-240x2 --rate 24
+  chiaro render shot.json -o 'out/####.exr'        all frames of the shot, at its rate
   chiaro render look.json -o truth.png --on reference";
 
 /// Arguments of `chiaro render`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// A look or a scene
+    /// A look, a scene or a shot
     document: PathBuf,
-    /// The PNG or EXR to write; `####` stands for the number of each of the --frames
+    /// The PNG or EXR to write; `####` stands for the number of each of the --frames, or of the
+    /// shot's own
     #[arg(short, long)]
     output: OutputPath,
     /// A mesh (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:creature) in place of the
@@ -55,8 +59,8 @@ pub(super) struct Arguments {
     /// Stands up meshes whose z axis points up, as in many scans
     #[arg(long)]
     z_up: bool,
-    /// Width and height in pixels [default: 800x800; 1200x800 of a scene that has a camera of its
-    /// own, or as wide for 800 as that says]
+    /// Width and height in pixels [default: those of the shot; 800x800; 1200x800 of a scene that
+    /// has a camera of its own, or as wide for 800 as that says]
     #[arg(short, long)]
     size: Option<Size>,
     /// Samples a pixel: 1, or 4 for smooth edges
@@ -75,16 +79,17 @@ pub(super) struct Arguments {
     /// Backdrop behind the objects: `none` for transparent, or a color such as `#202428`
     #[arg(long)]
     backdrop: Option<String>,
-    /// The time in seconds
-    #[arg(long, default_value_t = 0.0, value_parser = parse_time, allow_negative_numbers = true)]
-    time: f64,
+    /// The time in seconds [default: 0; of a shot its first frame's]
+    #[arg(long, value_parser = parse_time, allow_negative_numbers = true)]
+    time: Option<f64>,
     /// Draws many frames: 1-240, every second one of them as 1-240x2, several joined by commas.
     /// Frames whose files are whole are kept; those that are equal are drawn once
     #[arg(long, allow_hyphen_values = true, conflicts_with = "time")]
     frames: Option<FrameList>,
-    /// Frames per second: 24, 23.976, 24000/1001; frame 0 is at 0 seconds
-    #[arg(long, default_value = "24", requires = "frames")]
-    rate: FrameRate,
+    /// Frames per second: 24, 23.976, 24000/1001; frame 0 is at 0 seconds [default: that of the
+    /// shot, or 24]
+    #[arg(long)]
+    rate: Option<FrameRate>,
     /// Numbers of an EXR: half, which has 16 bits, or float, which has 32
     #[arg(long, default_value = "half", value_parser = parse_depth)]
     depth: SampleType,
@@ -126,6 +131,13 @@ struct Stage {
     options: PlanOptions,
 }
 
+/// Frames to draw, when they are, and their files.
+struct FrameFiles {
+    frames: FrameList,
+    rate: FrameRate,
+    pattern: FramePattern,
+}
+
 /// Executor of the plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(super) enum ExecutorChoice {
@@ -161,7 +173,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let one = |problem: Diagnostic| vec![problem];
     check_nodes_folder(arguments.nodes.as_deref())?;
     let target = arguments.output.as_ref();
-    let sequence = arguments.sequence(target).map_err(one)?;
+    let sequence = arguments.sequence(target)?;
     let format = check_target(target, arguments.encoding()).map_err(one)?;
     let read = [
         Some(arguments.document.as_path()),
@@ -171,22 +183,22 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let mut outputs = outputs(arguments.force, read.into_iter().flatten());
     match &sequence {
         None => outputs.check(target, format.kind()).map_err(one)?,
-        Some((list, pattern)) => {
-            let mut files = list.frames().iter().map(|frame| pattern.path(*frame));
+        Some(FrameFiles { frames, pattern, .. }) => {
+            let mut files = frames.frames().iter().map(|frame| pattern.path(*frame));
             files.try_for_each(|file| outputs.check(&file, format.kind())).map_err(one)?;
         }
     }
     let clock = Clock::start();
     let mut warnings = Vec::new();
     let mut stage = arguments.open(&mut warnings)?;
-    if let Some((frames, pattern)) = &sequence {
+    if let Some(FrameFiles { frames, rate, pattern }) = &sequence {
         refuse_warnings(arguments.strict, &mut warnings)?;
         output.diagnostics(&warnings);
-        reads_all(&mut outputs, &arguments.document, &stage.setup, &stage.planner.assets);
+        reads_all(&mut outputs, &stage.setup, &stage.planner.assets);
         let mut executor = executor(arguments.on, output).await.map_err(one)?;
         let sequence = Sequence {
             frames,
-            rate: arguments.rate,
+            rate: *rate,
             pattern,
             format,
             is_strict: arguments.strict,
@@ -214,7 +226,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
         ..ExrHeader::default()
     };
     let bytes = format.encode(&picture, &header).map_err(one)?;
-    reads_all(&mut outputs, &arguments.document, setup, &planner.assets);
+    reads_all(&mut outputs, setup, &planner.assets);
     outputs.write(target, format.kind(), &bytes).map_err(one)?;
     let [width, height] = picture.size;
     let (file, adapter) = (target.display().to_string(), executor.name());
@@ -226,7 +238,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
             .collect();
         output.json(&json!({
             "file": file, "width": width, "height": height, "samples": arguments.samples,
-            "time": arguments.time,
+            "time": options.time,
             "adapter": adapter, "seconds": clock.seconds(), "passes": passes, "looks": looks,
             "warnings": once(warnings),
         }));
@@ -244,28 +256,42 @@ impl Arguments {
         ExrEncoding { samples: self.depth, compression: self.compression }
     }
 
-    /// The frames that were asked for, and their files.
-    fn sequence(&self, target: &Path) -> Result<Option<(&FrameList, FramePattern)>, Diagnostic> {
+    /// The frames that were asked for, or else those of the shot, and their files.
+    fn sequence(&self, target: &Path) -> Result<Option<FrameFiles>, Vec<Diagnostic>> {
+        let bad =
+            |message: &str, hint: &str| vec![Diagnostic::error("bad-argument", message).hint(hint)];
         let pattern = FramePattern::of(target).map_err(|message| {
-            let hint = "write one place for the number in the name of the file: out/####.exr";
-            Diagnostic::error("bad-argument", message).hint(hint)
+            bad(&message, "write one place for the number in the name of the file: out/####.exr")
         })?;
-        match (&self.frames, pattern) {
-            (Some(frames), Some(pattern)) => Ok(Some((frames, pattern))),
-            (Some(_), None) => {
+        let Some(pattern) = pattern else {
+            if self.frames.is_some() {
                 let ending = target.extension().unwrap_or_default().to_string_lossy();
                 let path = target.with_extension(format!("####.{ending}"));
-                let message = "all frames would be written into one file";
-                Err(Diagnostic::error("bad-argument", message)
-                    .hint(format!("let #### stand for the number: {}", path.display())))
+                let hint = format!("let #### stand for the number: {}", path.display());
+                return Err(bad("all frames would be written into one file", &hint));
             }
-            (None, Some(_)) => {
+            if self.rate.is_some() {
+                return Err(bad("--rate is the rate of frames", "name them, as --frames 1-48"));
+            }
+            return Ok(None);
+        };
+        let shot = ShotStack::load(&crate::files::Disk, &self.document).transpose()?;
+        let shot = shot.map(|shot| shot.value);
+        let frames = match (&self.frames, &shot) {
+            (Some(frames), _) => frames.clone(),
+            (None, Some(shot)) if self.time.is_none() => {
+                let told = |message: String| bad(&message, "name some of them, as --frames 1-48");
+                FrameList::of_range(shot.frames()).map_err(told)?
+            }
+            (None, _) => {
                 let message = "the name of the file has a place for the number of a frame";
-                Err(Diagnostic::error("bad-argument", message)
-                    .hint("name the frames, as --frames 1-48, or write a name without # and %"))
+                let hint = "name the frames, as --frames 1-48, or write a name without # and %";
+                return Err(bad(message, hint));
             }
-            (None, None) => Ok(None),
-        }
+        };
+        let of_shot = shot.map(|shot| shot.rate());
+        let rate = self.rate.or(of_shot).unwrap_or(FrameRate::FILM);
+        Ok(Some(FrameFiles { frames, rate, pattern }))
     }
 
     /// Opens what is drawn.
@@ -276,7 +302,7 @@ impl Arguments {
             open(&self.document, self.mesh.as_deref(), &mut assets)?.into_parts();
         warnings.append(&mut library.problems);
         warnings.extend(of_document);
-        warnings.extend(check_values(&setup, &self.document, &library)?);
+        warnings.extend(check_values(&setup, &library)?);
         if self.z_up {
             setup.stand_up();
         }
@@ -287,12 +313,13 @@ impl Arguments {
             let looks = setup.looks.iter_mut();
             looks.for_each(|worn| tier::set_every_tier(&mut worn.look, &mut library, tier));
         }
-        let size = size_of(self.size.as_ref(), &setup.scene.camera);
-        adjust(&mut setup.scene, self).map_err(|problem| vec![problem])?;
+        let size = size_of(self.size.as_ref(), &setup);
+        adjust(&mut setup, self).map_err(|problem| vec![problem])?;
+        let time = self.time.unwrap_or_else(|| setup.first_time());
         // Who asks for the reference by its name asks for the truth; else the reference stands in
         // for a GPU and draws what that would draw.
         let style = if is_truth { PlanStyle::AsWritten } else { PlanStyle::Specialized };
-        let options = PlanOptions { size, samples: self.samples, time: self.time };
+        let options = PlanOptions { size, samples: self.samples, time };
         let live = if self.live { Live::All } else { style.live() };
         Ok(Stage { setup, library, planner: style.planner(assets), live, options })
     }
@@ -313,14 +340,16 @@ fn blended_in<'l>(looks: impl Iterator<Item = &'l Look>) -> String {
     words.join(", ")
 }
 
-/// Size of a picture: the one that was asked for, or else of the shape that the camera was placed
-/// for. A camera without an aspect was usually placed for a picture wider than high, which a
-/// square would cut.
-pub(super) fn size_of(asked: Option<&Size>, camera: &Camera) -> [u32; 2] {
+/// Size of a picture: the one that was asked for, or that of the shot, or else of the shape that
+/// the camera was placed for. A camera without an aspect was usually placed for a picture wider
+/// than high, which a square would cut.
+pub(super) fn size_of(asked: Option<&Size>, setup: &Setup) -> [u32; 2] {
     const SIDE: f64 = 800.0;
-    if let Some(size) = asked {
-        return size.0;
+    let of_shot = || setup.shot.as_ref().and_then(|shot| shot.stack.size());
+    if let Some(size) = asked.map(|size| size.0).or_else(of_shot) {
+        return size;
     }
+    let camera = &setup.scene.camera;
     let unsaid = if *camera == Camera::default() { 1.0 } else { 1.5 };
     let aspect = if camera.aspect > 0.0 { camera.aspect.clamp(0.25, 4.0) } else { unsaid };
     [(SIDE * aspect).round() as u32, SIDE as u32]
@@ -395,7 +424,17 @@ fn other_ending(path: &Path, formats: &str) -> Diagnostic {
     Diagnostic::error("cannot-write", message).in_file(path.display().to_string()).hint(hint)
 }
 
-fn adjust(scene: &mut Scene, arguments: &Arguments) -> Result<(), Diagnostic> {
+/// Changes a scene as the command line says, which stands over keys of a shot.
+fn adjust(setup: &mut Setup, arguments: &Arguments) -> Result<(), Diagnostic> {
+    let options = [
+        (&arguments.camera, "camera"),
+        (&arguments.turn_lights, "illumination"),
+        (&arguments.backdrop, "backdrop"),
+    ];
+    for (_, address) in options.into_iter().filter(|(option, _)| option.is_some()) {
+        setup.hold(address);
+    }
+    let scene = &mut setup.scene;
     if let Some(text) = &arguments.camera {
         adjust_camera(scene, text)?;
     }

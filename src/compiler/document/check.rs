@@ -7,8 +7,8 @@ use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 
 use super::{
-    Camera, Definition, Endpoint, Graph, Light, LightField, LightKind, Look, OutputPort, Scene,
-    Target, Wire,
+    Camera, Definition, Endpoint, Graph, Light, LightField, LightKind, Look, OutputPort, Override,
+    Scene, Shot, Target, Wire,
 };
 use crate::diag::{Diagnostic, MAX_PROBLEMS, more_problems};
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NodePath};
@@ -52,6 +52,33 @@ impl Scene {
                 "time.end".to_owned(),
                 problem.hint(format!("write {} or more", self.time.start)),
             );
+        }
+        check.finish()
+    }
+}
+
+impl Shot {
+    /// All problems of the shot as a whole, whatever the scene has. Reading a shot reports the
+    /// same, with lines.
+    pub fn check(&self) -> Vec<Diagnostic> {
+        let mut check = Check::default();
+        if let Some([first, last]) = self.frames.filter(|[first, last]| first > last) {
+            let message = format!("the last frame, {last}, comes before the first, {first}");
+            let problem = Diagnostic::error("out-of-range", message);
+            check.push("frames".to_owned(), problem.hint("exchange them"));
+        }
+        if let Some(camera) = &self.camera {
+            check.camera(camera);
+        }
+        let mut seen = HashSet::new();
+        for (index, changed) in self.overrides.iter().enumerate() {
+            let path = format!("overrides[{index}]");
+            if !seen.insert((&changed.look, &changed.target)) {
+                let message = format!("`{}` is changed twice", changed.address());
+                let problem = Diagnostic::error("duplicate-id", message);
+                check.push(path.clone() + ".target", problem.hint("leave one of them"));
+            }
+            check.override_values(changed, &path);
         }
         check.finish()
     }
@@ -136,6 +163,39 @@ impl Check {
                 let problem = Diagnostic::error("out-of-range", message).hint(hint);
                 self.push(format!("lights.{id}.{name}"), problem);
             }
+        }
+    }
+
+    fn override_values(&mut self, changed: &Override, path: &str) {
+        let address = changed.address();
+        match (&changed.value, changed.keys.is_empty()) {
+            (None, true) => {
+                let message = format!("`{address}` is changed to nothing");
+                let problem = Diagnostic::error("missing-field", message);
+                let hint = "write \"value\", or \"keys\": [{\"frame\": 1, \"value\": ...}, ...]";
+                self.push(path.to_owned(), problem.hint(hint));
+            }
+            (Some(_), false) => {
+                let message = format!("`{address}` has a value and keys");
+                let problem = Diagnostic::error("two-values", message);
+                self.push(format!("{path}.value"), problem.hint("leave one of them out"));
+            }
+            (Some(_), true) if changed.step > 1 => {
+                let message = format!("`{address}` is set, and so has nothing to hold");
+                let problem = Diagnostic::warning("idle-step", message);
+                self.push(format!("{path}.step"), problem.hint("leave `step` out, or write keys"));
+            }
+            _ => {}
+        }
+        let pairs = changed.keys.windows(2).enumerate();
+        for (key, pair) in pairs.filter(|(_, pair)| pair[0].frame >= pair[1].frame) {
+            let (one, two) = (pair[0].frame, pair[1].frame);
+            let message = format!("frames must increase, but {two} follows {one}");
+            let problem = Diagnostic::error("not-increasing", message);
+            self.push(
+                format!("{path}.keys[{}].frame", key + 1),
+                problem.hint("sort the keys, and remove doubles"),
+            );
         }
     }
 

@@ -1,9 +1,10 @@
-//! Documents of an artist: looks, scenes and HCBTFs, and how they are read, edited and written.
+//! Documents of an artist: looks, scenes, shots and HCBTFs, and how they are read, edited and
+//! written.
 //!
-//! [`Look::read`] and [`Scene::read`] take JSON and give a value, a [`SourceMap`] and every problem
-//! at once; [`Look::to_text`] writes the canonical form, and an unchanged document is written back
-//! byte for byte. [`History`] applies every [`Edit`], [`SceneEdit`] and [`HcbtfEdit`], and undoes
-//! it; a journal keeps unsaved work. docs/format.md documents the files.
+//! [`Look::read`], [`Scene::read`] and [`Shot::read`] take JSON and give a value, a [`SourceMap`]
+//! and every problem at once; [`Look::to_text`] writes the canonical form, and an unchanged
+//! document is written back byte for byte. [`History`] applies every [`Edit`], [`SceneEdit`] and
+//! [`HcbtfEdit`], and undoes it; a journal keeps unsaved work. docs/format.md documents the files.
 
 mod check;
 mod color;
@@ -17,11 +18,13 @@ mod light;
 mod look;
 mod packed;
 mod problems;
+mod rate;
 mod read;
 mod rotation;
 mod scene;
 mod set;
 mod shape;
+mod shot;
 mod source;
 mod storage;
 mod structure;
@@ -49,10 +52,14 @@ pub use light::{
     ShadowLink,
 };
 pub use look::*;
+pub use rate::FrameRate;
 pub use read::Document;
 pub use scene::*;
 pub use set::{LightSet, MemberSet, ObjectSet, SetError, SetMember, SetTerm};
-pub use shape::{field_tables, hcbtf_schema, look_schema, scene_schema};
+pub use shape::{field_tables, hcbtf_schema, look_schema, scene_schema, shot_schema};
+pub use shot::{
+    BlendKind, Override, Shot, ShotKey, ValuePlace, json_of_value, keyed_target, value_address,
+};
 pub use source::{LoadedDocument, SourceMap};
 pub use storage::Storage;
 pub use structure::{GraphId, InnerNode};

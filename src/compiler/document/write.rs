@@ -5,7 +5,7 @@ use super::described::DescribedObject;
 use super::json::{JsonLayout, JsonWriter};
 use super::shape::ObjectShape;
 use super::source::SourceMap;
-use super::{HcbtfListing, HcbtfManifest, Look, Scene, UnknownFields, VERSION};
+use super::{HcbtfListing, HcbtfManifest, Look, Scene, Shot, UnknownFields, VERSION};
 
 /// Methods that write a document. They belong to the types themselves, not to a trait, so that a
 /// caller can write a document without importing anything.
@@ -15,12 +15,6 @@ macro_rules! written {
             /// Document as JSON in the canonical form, with a line end at its end.
             pub fn to_text(&self) -> String {
                 self.write(JsonWriter::new())
-            }
-
-            /// Document as [`to_text`](Self::to_text) writes it, but with numbers that are not
-            /// finite written as NaN, which no reader takes.
-            pub(super) fn to_trial_text(&self) -> String {
-                self.write(JsonWriter::trial())
             }
 
             /// Text that the document was read from, byte for byte, where the document is
@@ -45,6 +39,23 @@ macro_rules! written {
 
 written!(Look);
 written!(Scene);
+written!(Shot);
+
+/// Methods that write a document to see whether it can be read.
+macro_rules! tried {
+    ($document:ty) => {
+        impl $document {
+            /// Document as [`to_text`](Self::to_text) writes it, but with numbers that are not
+            /// finite written as NaN, which no reader takes.
+            pub(super) fn to_trial_text(&self) -> String {
+                self.write(JsonWriter::trial())
+            }
+        }
+    };
+}
+
+tried!(Look);
+tried!(Scene);
 
 macro_rules! written_whole {
     ($document:ty) => {

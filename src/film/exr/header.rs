@@ -6,7 +6,7 @@ use ::exr::prelude::{Text, Vec2};
 use glam::{DMat4, DVec3};
 
 use crate::frame::View;
-use crate::frames::FrameRate;
+use crate::FrameRate;
 
 /// Attribute of what Chiaro says of a picture: notes of the form `name=text`, joined by semicolons.
 /// One attribute, for the library writes several in no order, and equal pictures are equal files.

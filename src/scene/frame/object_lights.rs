@@ -105,6 +105,18 @@ impl Setup {
         draw: &Draw,
         time: f64,
     ) -> Result<IndexMap<LightId, LightValues>, Diagnostic> {
+        let moved = self.at(time);
+        moved.lights_now(plan, draw, self.shading_time(time))
+    }
+
+    /// Lights as [`object_lights`](Self::object_lights) has them, of a setup that is moved to the
+    /// time at which it shades, in seconds.
+    fn lights_now(
+        &self,
+        plan: &FramePlan,
+        draw: &Draw,
+        time: f64,
+    ) -> Result<IndexMap<LightId, LightValues>, Diagnostic> {
         let mut lights = IndexMap::new();
         let Some(number) = self.objects.iter().position(|object| object.id == draw.object) else {
             return Ok(lights);

@@ -8,6 +8,7 @@ use glam::{DMat4, DQuat, DVec3};
 use indexmap::IndexMap;
 
 use super::assets::Assets;
+use super::shot::{ResolvedShot, open_shot};
 use super::store::AssetStore;
 use crate::diag::{Diagnostic, WithWarnings, has_errors};
 use crate::document::{
@@ -79,6 +80,10 @@ pub struct Setup {
     pub scene: Scene,
     /// Text that the scene was read from, if any.
     pub source: Option<Arc<SourceMap>>,
+    /// Folder that names in the scene are relative to.
+    pub folder: PathBuf,
+    /// Shot that has changed the scene, if one has.
+    pub shot: Option<Arc<ResolvedShot>>,
     /// Every look that an object wears.
     pub looks: Vec<SetupLook>,
     /// Visible objects.
@@ -136,8 +141,8 @@ fn turn_within(object: &SetupObject, turn: DMat4) -> DMat4 {
     DMat4::from_translation(middle) * turn * DMat4::from_translation(-middle)
 }
 
-/// Opens a look or a scene. A look opened alone is worn by `mesh` (a path, or `shape:` and a name)
-/// in the default scene.
+/// Opens a look, a scene or a shot. A look opened alone is worn by `mesh` (a path, or `shape:` and
+/// a name) in the default scene.
 ///
 /// # Errors
 /// All errors of the file and of the files that it names.
@@ -172,6 +177,7 @@ pub fn open(
                 Ok(WithWarnings::new(setup, problems))
             }
         }
+        Document::Shot(loaded) => open_shot(path, loaded, mesh, assets),
     }
 }
 
@@ -212,7 +218,7 @@ pub fn object_matrix(transform: &Transform, mesh: &Mesh) -> DMat4 {
 }
 
 /// The matrix of an object whose mesh is fitted already.
-fn placed(transform: &Transform, fit: DMat4) -> DMat4 {
+pub(super) fn placed(transform: &Transform, fit: DMat4) -> DMat4 {
     let rotation = DQuat::from_array(transform.rotate);
     let rotation =
         if rotation.length_squared() > 1e-18 { rotation.normalize() } else { DQuat::IDENTITY };
@@ -238,7 +244,17 @@ pub fn scene_setup(
     let looks = looks.found.into_iter().map(|(_, look)| look).collect();
     let source = Some(source.clone().into());
     let assets = assets.store().clone();
-    placed.map(|objects| Setup { scene, source, looks, objects, edited: None, assets })
+    let folder = folder.to_path_buf();
+    placed.map(|objects| Setup {
+        scene,
+        source,
+        folder,
+        shot: None,
+        looks,
+        objects,
+        edited: None,
+        assets,
+    })
 }
 
 /// Source of the looks of a scene.

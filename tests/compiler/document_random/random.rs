@@ -4,8 +4,9 @@ use chiaro_compiler::document::{
     Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint,
     ExposedValue, Frame, Graph, GroupMaster, InterfacePort, Interpolation, KeyDirection, KeyScheme,
     LayerLink, Light, LightField, LightKind, LightQuantity, LightSet, LightSpace, Look, Node,
-    NodeLinks, Note, Object, ObjectSet, Projection, Ramp, RampStop, Scene, SceneOutlines, Target,
-    Tier, TimeKey, TimeKeys, TimeRange, Transform, UnknownFields, Value, Values, Wire,
+    NodeLinks, Note, Object, ObjectSet, Override, Projection, Ramp, RampStop, Scene, SceneOutlines,
+    Shot, ShotKey, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, UnknownFields, Value,
+    Values, Wire,
 };
 use chiaro_language::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
@@ -602,5 +603,63 @@ impl Random {
         }
         scene.unknown = unknown;
         scene
+    }
+
+    fn shot_keys(&mut self) -> Vec<ShotKey> {
+        let mut frame = self.below(2000) as f64 - 1000.0;
+        let mut key = || {
+            frame += 0.25 * (1 + self.below(100)) as f64;
+            ShotKey {
+                frame,
+                value: self.value(),
+                interpolation: self.interpolation(),
+                unknown: self.unknown(),
+            }
+        };
+        (0..3).map(|_| key()).collect()
+    }
+
+    fn change(&mut self) -> Override {
+        let address = [self.slug(), self.slug(), self.slug()].join(".");
+        let keys = if self.chance(5) { self.shot_keys() } else { Vec::new() };
+        let value = keys.is_empty().then(|| self.value());
+        Override {
+            look: self.chance(4).then(|| self.text()),
+            target: address,
+            value,
+            step: if keys.is_empty() { 1 } else { 1 + self.below(4) as u32 },
+            keys,
+            unknown: self.unknown(),
+        }
+    }
+
+    pub(crate) fn shot(&mut self) -> Shot {
+        let rates = ["24", "25", "24000/1001", "30000/1001"];
+        let mut overrides: Vec<Override> = (0..self.count()).map(|_| self.change()).collect();
+        overrides.sort_by(|a, b| a.target.cmp(&b.target));
+        overrides.dedup_by(|a, b| a.target == b.target);
+        let mut unknown = self.unknown();
+        let camera = self.chance(4).then(|| self.camera());
+        let extras = self.unknown();
+        if camera.is_some() && !extras.is_empty() {
+            unknown.insert("camera".to_owned(), extras.into());
+        }
+        Shot {
+            name: self.text(),
+            about: self.text(),
+            scene: self.text(),
+            frames: self.chance(6).then(|| {
+                let first = self.below(2000) as i32 - 1000;
+                [first, first + self.below(300) as i32]
+            }),
+            rate: self.chance(6).then(|| self.choose(&rates).parse().unwrap()),
+            size: self
+                .chance(4)
+                .then(|| [1 + self.below(4000) as u32, 1 + self.below(4000) as u32]),
+            step: self.chance(4).then(|| 1 + self.below(4) as u32),
+            camera,
+            overrides,
+            unknown,
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Documents are written and read without loss, and the schemas agree.
 
-use chiaro_compiler::document::{Document, Look, Scene};
+use chiaro_compiler::document::{Document, Look, Scene, Shot};
 use chiaro_language::diag::has_errors;
 use proptest::prelude::*;
 
@@ -36,6 +36,28 @@ proptest! {
         prop_assert!(matches!(Document::read(&text, ""), Document::Scene(_)));
     }
 
+    #[test]
+    fn shots_survive(seed: u64, size in 0..6usize) {
+        let shot = Random::new(seed, size).shot();
+        prop_assert_eq!(
+            shot.check().iter().map(ToString::to_string).collect::<Vec<_>>(), Vec::<String>::new()
+        );
+        let text = shot.to_text();
+        let loaded = Shot::read(&text, "random.json");
+        prop_assert!(!has_errors(&loaded.diagnostics), "{:?}\n{}", loaded.diagnostics, text);
+        let read = loaded.value.unwrap();
+        prop_assert_eq!(&read, &shot);
+        prop_assert_eq!(read.to_text(), text.clone());
+        prop_assert!(matches!(Document::read(&text, ""), Document::Shot(_)));
+        // Unchanged, it stays as it was written, and a field that nobody knows stays with it.
+        let spaced = text.replacen('{', "{\r\n\t\"later\": [1.50, null],", 1);
+        let loaded = Shot::read(&spaced, "own.json");
+        let mut read = loaded.value.unwrap();
+        prop_assert_eq!(read.to_text_like(&loaded.source), spaced);
+        read.name.push('!');
+        prop_assert!(read.to_text_like(&loaded.source).contains("\"later\": [1.5, null]"));
+    }
+
     /// White space, line ends, order of fields and spelling of numbers stay while nothing is
     /// changed.
     #[test]
@@ -60,6 +82,7 @@ proptest! {
         for (text, schema) in [
             (random.look().to_text(), chiaro_compiler::document::look_schema()),
             (random.scene().to_text(), chiaro_compiler::document::scene_schema()),
+            (random.shot().to_text(), chiaro_compiler::document::shot_schema()),
         ] {
             let validator = jsonschema::draft202012::new(&schema).unwrap();
             let json: serde_json::Value = serde_json::from_str(&text).unwrap();

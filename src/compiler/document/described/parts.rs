@@ -111,7 +111,7 @@ macro_rules! whole_numbers {
     )* };
 }
 
-whole_numbers!(u8, u32);
+whole_numbers!(u8, u32, i32);
 
 /// Two colors in bytes, between which something lies.
 impl FieldType for [[u8; 3]; 2] {

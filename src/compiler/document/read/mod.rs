@@ -16,32 +16,37 @@ use super::json::{self, JsonKind, ValueIndex};
 use super::problems::{LineIndex, Problems};
 use super::shape::{FieldKind, ObjectShape};
 use super::source::{LoadedDocument, SourceMap};
-use super::{HcbtfListing, HcbtfManifest, Look, Scene, UnknownFields, VERSION, read_text};
+use super::{HcbtfListing, HcbtfManifest, Look, Scene, Shot, UnknownFields, VERSION, read_text};
 use crate::diag::Diagnostic;
 use crate::files::Files;
 use reader::{PathStep, Reader, with_article};
 pub(super) use value::AxisAngle;
 
-/// Document of a file: a look or a scene.
+/// Document of a file: a look, a scene or a shot.
 #[derive(Clone, Debug)]
 pub enum Document {
     /// Look, with its source and diagnostics.
     Look(LoadedDocument<Look>),
     /// Scene, with its source and diagnostics.
     Scene(LoadedDocument<Scene>),
+    /// Shot, with its source and diagnostics.
+    Shot(LoadedDocument<Shot>),
 }
 
 impl Document {
-    /// Reads a text that may hold either: a scene where the text says so or has `objects`,
-    /// otherwise a look.
+    /// Reads a text that may hold any of them: a scene where the text says so or has `objects`, a
+    /// shot where the text says so or names a `scene`, otherwise a look.
     pub fn read(text: &str, file: &str) -> Self {
         let parsed = ParsedText::new(text, file);
-        let is_scene = parsed.kind() == Some("scene");
-        if is_scene { Self::Scene(parsed.scene()) } else { Self::Look(parsed.look()) }
+        match parsed.kind() {
+            Some("scene") => Self::Scene(parsed.scene()),
+            Some("shot") => Self::Shot(parsed.shot()),
+            _ => Self::Look(parsed.look()),
+        }
     }
 
-    /// Reads a file that may hold either. Where the file cannot be read, the diagnostics of a look
-    /// say why.
+    /// Reads a file that may hold any of them. Where the file cannot be read, the diagnostics of a
+    /// look say why.
     pub fn load(files: &dyn Files, path: &Path) -> Self {
         match read_text(files, path) {
             Ok(text) => Self::read(&text, &path.display().to_string()),
@@ -54,6 +59,7 @@ impl Document {
         match self {
             Self::Look(look) => &look.diagnostics,
             Self::Scene(scene) => &scene.diagnostics,
+            Self::Shot(shot) => &shot.diagnostics,
         }
     }
 }
@@ -85,6 +91,21 @@ impl Scene {
     }
 
     /// Reads a scene from a file.
+    pub fn load(files: &dyn Files, path: &Path) -> LoadedDocument<Self> {
+        match read_text(files, path) {
+            Ok(text) => Self::read(&text, &path.display().to_string()),
+            Err(problem) => failed(path, *problem),
+        }
+    }
+}
+
+impl Shot {
+    /// Reads a shot from JSON; `file` is its name in diagnostics. See docs/format.md.
+    pub fn read(text: &str, file: &str) -> LoadedDocument<Self> {
+        ParsedText::new(text, file).shot()
+    }
+
+    /// Reads a shot from a file.
     pub fn load(files: &dyn Files, path: &Path) -> LoadedDocument<Self> {
         match read_text(files, path) {
             Ok(text) => Self::read(&text, &path.display().to_string()),
@@ -140,6 +161,11 @@ pub(super) fn check_value<T: FieldType>(value: &T, kind: &'static FieldKind) -> 
     })
 }
 
+/// Reads a document without the problems that it has as a whole.
+pub(super) fn read_unchecked<T: DescribedObject>(text: &str) -> LoadedDocument<T> {
+    ParsedText::new(text, "").read()
+}
+
 /// Result for a file that could not be read.
 fn failed<T>(path: &Path, problem: Diagnostic) -> LoadedDocument<T> {
     let file = path.display().to_string();
@@ -149,7 +175,7 @@ fn failed<T>(path: &Path, problem: Diagnostic) -> LoadedDocument<T> {
     LoadedDocument { value: None, source, diagnostics: vec![problem] }
 }
 
-/// Parsed text before it becomes a look or a scene.
+/// Parsed text before it becomes a look, a scene or a shot.
 struct ParsedText {
     source: SourceMap,
     problems: Problems,
@@ -175,11 +201,13 @@ impl ParsedText {
         match said.as_deref() {
             Some("look") => Some("look"),
             Some("scene") => Some("scene"),
+            Some("shot") => Some("shot"),
             Some("hcbtf") => Some("hcbtf"),
             Some(_) => None,
             None if has("asset") && (has("meshes") || has("accessors")) => Some("glTF"),
             None if has("objects") && !has("nodes") => Some("scene"),
             None if has("nodes") && !has("objects") => Some("look"),
+            None if has("scene") && !has("nodes") => Some("shot"),
             None => None,
         }
     }
@@ -192,6 +220,11 @@ impl ParsedText {
     fn scene(self) -> LoadedDocument<Scene> {
         let loaded = self.read();
         with_structure(loaded, Scene::check)
+    }
+
+    fn shot(self) -> LoadedDocument<Shot> {
+        let loaded = self.read();
+        with_structure(loaded, Shot::check)
     }
 
     fn read<T: DescribedObject>(mut self) -> LoadedDocument<T> {
@@ -253,6 +286,7 @@ impl ParsedText {
             let hint = match kind {
                 "glTF" => "a scene names it as the `mesh` of an object",
                 "scene" => "open it as a scene",
+                "shot" => "open it as a shot, which changes a scene",
                 "hcbtf" => "it lies in an `.hcbtf` file, which a look names",
                 _ => "open it as a look, or name it in the `looks` of a scene's object",
             };

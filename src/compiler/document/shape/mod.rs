@@ -4,7 +4,7 @@
 mod schema;
 mod tables;
 
-pub use schema::{hcbtf_schema, look_schema, scene_schema};
+pub use schema::{hcbtf_schema, look_schema, scene_schema, shot_schema};
 pub use tables::field_tables;
 pub(super) use tables::kind_words;
 
@@ -93,6 +93,8 @@ pub(super) enum FieldKind {
     Target,
     /// Direction that decides between keys: `"view"` or `{"light": id}`, or drivers.
     KeyDirection,
+    /// Frames per second: a whole number, or a fraction as a text.
+    Rate,
     /// Value of an input.
     Value,
     /// Looks: a path, or an object of paths by material.

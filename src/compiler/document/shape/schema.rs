@@ -10,7 +10,7 @@ use super::{
 };
 use crate::document::described::DescribedObject as _;
 use crate::document::read::AxisAngle;
-use crate::document::{Curve, HcbtfManifest, Look, Ramp, Scene};
+use crate::document::{Curve, HcbtfManifest, Look, Ramp, Scene, Shot};
 
 const SLUG: &str = "^[A-Za-z_][A-Za-z0-9_-]{0,63}$";
 const INPUT: &str = r"^[A-Za-z_][A-Za-z0-9_-]{0,63}\.[A-Za-z_][A-Za-z0-9_-]{0,63}$";
@@ -19,6 +19,7 @@ const OUTPUT_IN_GROUPS: &str = concat!(
     r"^[A-Za-z_][A-Za-z0-9_-]{0,63}(/[A-Za-z_][A-Za-z0-9_-]{0,63})*",
     r"(\.[A-Za-z_][A-Za-z0-9_-]{0,63})?$"
 );
+const RATE: &str = r"^[0-9.]+(/[0-9]+)?$";
 const TARGET: &str = concat!(
     r"^(lights\.[A-Za-z_][A-Za-z0-9_-]{0,63}\.[a-z_]+",
     r"|[A-Za-z_][A-Za-z0-9_/-]*\.[A-Za-z_][A-Za-z0-9_-]{0,63})$"
@@ -32,6 +33,11 @@ pub fn look_schema() -> Value {
 /// JSON Schema of scenes, as `docs/scene.schema.json` has it.
 pub fn scene_schema() -> Value {
     schema(Scene::shape())
+}
+
+/// JSON Schema of shots, as `docs/shot.schema.json` has it.
+pub fn shot_schema() -> Value {
+    schema(Shot::shape())
 }
 
 /// JSON Schema of the manifests of HCBTFs, as `docs/hcbtf.schema.json` has it.
@@ -142,6 +148,10 @@ fn kind(of: &FieldKind, definitions: &mut Definitions) -> Value {
                 "required": ["drivers"],
                 "additionalProperties": false
             }
+        ] }),
+        FieldKind::Rate => json!({ "anyOf": [
+            { "type": "number", "exclusiveMinimum": 0, "maximum": 1_000_000 },
+            { "type": "string", "pattern": RATE }
         ] }),
         FieldKind::Value => refer("value", definitions, value),
         FieldKind::Looks => {

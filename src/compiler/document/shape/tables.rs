@@ -2,13 +2,13 @@
 
 use super::{ChoiceShape, FieldDefault, FieldKind, ObjectShape, number_name};
 use crate::document::described::DescribedObject as _;
-use crate::document::{Curve, HcbtfManifest, LightField, Look, Ramp, Scene};
+use crate::document::{Curve, HcbtfManifest, LightField, Look, Ramp, Scene, Shot};
 
 /// Tables in Markdown, one for each kind of object, by the object's name, as docs/format.md has
 /// them.
 pub fn field_tables() -> Vec<(&'static str, String)> {
     let mut found = Shapes::default();
-    for top in [Look::shape(), Scene::shape(), HcbtfManifest::shape()] {
+    for top in [Look::shape(), Scene::shape(), Shot::shape(), HcbtfManifest::shape()] {
         found.collect(top);
     }
     let choice = |choice: &'static ChoiceShape| match choice.name {
@@ -159,6 +159,7 @@ pub(in crate::document) fn kind_words(kind: &FieldKind) -> String {
         FieldKind::KeyDirection => {
             "`\"view\"`, `{\"light\": id}` or `{\"drivers\": [...]}`".to_owned()
         }
+        FieldKind::Rate => "a number, or a fraction such as `\"24000/1001\"`".to_owned(),
         FieldKind::Value => "a [value](#values)".to_owned(),
         FieldKind::Looks => "a path, or an object of paths".to_owned(),
         FieldKind::Object(shape) => format!("{}, an object", linked(shape())),

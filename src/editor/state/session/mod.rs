@@ -153,6 +153,16 @@ impl Session {
         let loaded = match Document::load(&**self.assets.source(), path) {
             Document::Look(loaded) => loaded,
             Document::Scene(loaded) => return self.load_scene(path, loaded),
+            Document::Shot(mut loaded) => {
+                let hint = "open the scene that it changes; `chiaro render` draws the shot, and \
+                            `chiaro shot` tells what it changes";
+                let problem = Diagnostic::error(
+                    "wrong-document",
+                    "this is a shot, which the window does not edit",
+                );
+                loaded.diagnostics.push(problem.in_file(path.display().to_string()).hint(hint));
+                return Err(loaded.diagnostics);
+            }
         };
         let is_partial = loaded.has_errors();
         let diagnostics = loaded.diagnostics;

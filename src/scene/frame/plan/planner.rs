@@ -91,7 +91,8 @@ impl Planner {
         self.shaders.insert(key, shaders);
     }
 
-    /// Plans one picture of `setup`; warns of oddities of the looks and objects in it.
+    /// Plans one picture of `setup`; warns of oddities of the looks and objects in it. Where a shot
+    /// is over it, that moves the scene to the time, and may hold what shades at a frame before.
     ///
     /// # Errors
     /// All errors that keep a look from being compiled or an image from being read.
@@ -103,6 +104,9 @@ impl Planner {
         options: &PlanOptions,
     ) -> Result<WithWarnings<FramePlan>, Vec<Diagnostic>> {
         self.assets.share(&setup.assets);
+        let moved = setup.at(options.time);
+        let (setup, time) = (&*moved, setup.shading_time(options.time));
+        let options = &PlanOptions { time, ..options.clone() };
         let mut dropped = Vec::new();
         let scene = self.place(setup, library, live, options);
         let visible = self.visible(&scene, &mut dropped);

@@ -1,0 +1,252 @@
+//! `chiaro shot`: what a shot changes, and by which document; and changes taken back.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value as Json, json};
+
+use super::open::beside;
+use super::output::Output;
+use super::target::outputs;
+use crate::diag::{Diagnostic, has_errors};
+use crate::document::{Document, Override, Shot, value_address};
+use crate::files::{Disk, OutputKind};
+use crate::frame::{Assets, ResolvedShot, Setup, ValueChange, open};
+
+const EXAMPLES: &str = "\
+Examples:
+  chiaro shot sh020.json                       its scene, frames, rate, and what it changes
+  chiaro shot sh020.json --diff                every change of the shot and of its sequence
+  chiaro shot sh020.json --diff --json         the same for a script
+  chiaro shot sh020.json --reset lights.rim.color
+  chiaro shot sh020.json --reset '../looks/hero.json#rim.offset'
+
+`chiaro render SHOT -o 'out/####.exr'` draws its frames.";
+
+/// Arguments of `chiaro shot`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// A shot
+    shot: PathBuf,
+    /// Tell every value that the shot changes, and every one that the shots under it change: from
+    /// what, to what, and by which file
+    #[arg(long)]
+    diff: bool,
+    /// Take a change of this file back, by its address as --diff tells it; `camera` for the shot's
+    /// own camera
+    #[arg(long, value_name = "ADDRESS", conflicts_with = "diff")]
+    reset: Vec<String>,
+    /// Print JSON
+    #[arg(long, conflicts_with = "reset")]
+    json: bool,
+}
+
+pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    if !arguments.reset.is_empty() {
+        return reset(&arguments.shot, &arguments.reset, output);
+    }
+    let (setup, warnings) = open(&arguments.shot, None, &mut Assets::default())?.into_parts();
+    output.diagnostics(&warnings);
+    let Some(shot) = &setup.shot else { return Err(vec![not_a_shot(&arguments.shot)]) };
+    match (arguments.diff, arguments.json) {
+        (true, true) => output.json(&json!(shot.changes)),
+        (true, false) => output.result(&diff(shot)),
+        (false, true) => output.json(&summary_json(&setup, shot)),
+        (false, false) => output.result(summary(shot).trim_end()),
+    }
+    Ok(())
+}
+
+fn not_a_shot(path: &Path) -> Diagnostic {
+    Diagnostic::error("wrong-document", "this is no shot")
+        .in_file(path.display().to_string())
+        .hint("a shot says \"chiaro\": \"shot\" and names a \"scene\"; see docs/format.md")
+}
+
+/// Every change, by the files that make them, the farthest first.
+fn diff(shot: &ResolvedShot) -> String {
+    let mut text = String::new();
+    for file in shot.stack.shots.iter().rev() {
+        let changes = shot.changes.iter().filter(|change| change.by == file.path);
+        let changes: Vec<ValueChange> = changes.cloned().collect();
+        let path = file.path.display();
+        let over = file.shot.scene.as_str();
+        if changes.is_empty() {
+            let _ = writeln!(text, "{path}, over {over}: changes nothing");
+        } else {
+            let _ = writeln!(text, "{path}, over {over}\n{}", changes_text(&changes, false));
+        }
+    }
+    text.trim_end().to_owned()
+}
+
+fn summary(shot: &ResolvedShot) -> String {
+    let stack = &shot.stack;
+    let [first, last] = stack.frames();
+    let mut text = String::new();
+    for file in &stack.shots {
+        let name = if file.shot.name.is_empty() { "" } else { ", " };
+        let _ = writeln!(text, "{}{name}{}", file.path.display(), file.shot.name);
+    }
+    let _ = writeln!(text, "over the scene {}", stack.scene_path.display());
+    let _ = writeln!(text, "frames {first} to {last}, at {} a second", stack.rate());
+    if let Some([width, height]) = stack.size() {
+        let _ = writeln!(text, "{width}x{height} pixels");
+    }
+    let _ = writeln!(text, "shading {}", stepping(stack.step()));
+    let standing = shot.changes.iter().filter(|change| change.stands);
+    let standing: Vec<ValueChange> = standing.cloned().collect();
+    if standing.is_empty() {
+        text += "changes nothing\n";
+    } else {
+        let _ = writeln!(text, "changes\n{}", changes_text(&standing, stack.shots.len() > 1));
+    }
+    text
+}
+
+fn summary_json(setup: &Setup, shot: &ResolvedShot) -> Json {
+    let stack = &shot.stack;
+    let files: Vec<String> =
+        stack.shots.iter().map(|file| file.path.display().to_string()).collect();
+    json!({
+        "shots": files,
+        "scene": stack.scene_path.display().to_string(),
+        "frames": stack.frames(),
+        "rate": stack.rate().to_string(),
+        "size": stack.size(),
+        "step": stack.step(),
+        "start": setup.first_time(),
+        "changes": shot.changes.iter().filter(|change| change.stands).collect::<Vec<_>>(),
+    })
+}
+
+/// A step in the words of animators.
+fn stepping(step: u32) -> String {
+    match step {
+        1 => "on ones".to_owned(),
+        2 => "on twos".to_owned(),
+        3 => "on threes".to_owned(),
+        4 => "on fours".to_owned(),
+        step => format!("held for {step} frames"),
+    }
+}
+
+/// Changes, one a line: address, from, to, and where it is asked for the file.
+pub(super) fn changes_text(changes: &[ValueChange], with_files: bool) -> String {
+    let addresses: Vec<String> = changes.iter().map(ValueChange::address).collect();
+    let width = addresses.iter().map(|address| address.chars().count()).max().unwrap_or_default();
+    let mut text = String::new();
+    for (change, address) in changes.iter().zip(&addresses) {
+        let from = value_text(&change.from);
+        let to = value_text(&change.to);
+        let _ = write!(text, "  {address:width$}  {from} -> {to}");
+        if change.step > 1 {
+            let _ = write!(text, " {}", stepping(change.step));
+        }
+        if !change.stands {
+            text += "  (changed again)";
+        }
+        if with_files {
+            let _ = write!(text, "  by {}", change.by.display());
+        }
+        text.push('\n');
+    }
+    text.truncate(text.trim_end().len());
+    text
+}
+
+/// A value on a line; keys by their frames.
+fn value_text(value: &Json) -> String {
+    let key =
+        |key: &Json| Some(format!("{} at {}", value_text(key.get("value")?), key.get("frame")?));
+    let keys = value.as_array().filter(|keys| !keys.is_empty());
+    let keys: Option<Vec<String>> = keys.and_then(|keys| keys.iter().map(key).collect());
+    match (keys, value) {
+        (Some(keys), _) => keys.join(", "),
+        (None, Json::Null) => "default".to_owned(),
+        (None, Json::Array(numbers)) => {
+            let numbers: Vec<String> = numbers.iter().map(number_text).collect();
+            format!("[{}]", numbers.join(", "))
+        }
+        (None, value) => number_text(value),
+    }
+}
+
+/// A number with as many digits as people read.
+fn number_text(value: &Json) -> String {
+    match value.as_f64() {
+        Some(number) => format!("{}", (number * 1e6).round() / 1e6),
+        None => value.to_string(),
+    }
+}
+
+/// Takes changes out of a shot, and writes it back.
+fn reset(path: &Path, addresses: &[String], output: &Output) -> Result<(), Vec<Diagnostic>> {
+    let mut outputs = outputs(false, std::iter::empty::<&Path>());
+    outputs.changes(path);
+    let Document::Shot(loaded) = Document::load(&Disk, path) else {
+        return Err(vec![not_a_shot(path)]);
+    };
+    let Some(mut shot) = loaded.value.filter(|_| !has_errors(&loaded.diagnostics)) else {
+        return Err(loaded.diagnostics);
+    };
+    output.diagnostics(&loaded.diagnostics);
+    for address in addresses {
+        take_back(path, &mut shot, address)
+            .map_err(|problem| vec![problem.in_file(path.display().to_string())])?;
+    }
+    let text = shot.to_text();
+    outputs.write(path, OutputKind::DOCUMENT, text.as_bytes()).map_err(|problem| vec![problem])?;
+    for address in addresses {
+        output.message(&format!("{}: `{address}` is as before", path.display()));
+    }
+    Ok(())
+}
+
+/// Takes the change of a value out of a shot.
+fn take_back(path: &Path, shot: &mut Shot, address: &str) -> Result<(), Diagnostic> {
+    if address == "camera" && shot.camera.take().is_some() {
+        return Ok(());
+    }
+    let folder = path.parent().unwrap_or(Path::new(""));
+    // Looks are named as the shot names them, or as --diff does.
+    let is_it = |changed: &Override| {
+        let told = changed.look.as_deref().map(|look| beside(folder, look));
+        changed.address() == address || value_address(told.as_deref(), &changed.target) == address
+    };
+    let before = shot.overrides.len();
+    shot.overrides.retain(|changed| !is_it(changed));
+    if shot.overrides.len() < before {
+        return Ok(());
+    }
+    let mut known: Vec<String> = shot.overrides.iter().map(|own| own.address()).collect();
+    known.extend(shot.camera.map(|_| "camera".to_owned()));
+    let problem =
+        Diagnostic::error("unknown-target", format!("this shot does not change `{address}`"));
+    let problem = problem.suggest(address, known.iter().map(String::as_str));
+    Err(if known.is_empty() {
+        problem.hint("it changes nothing by itself; what lies under it is changed by its own file")
+    } else {
+        problem.hint(format!("it changes {}", known.join(", ")))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_told_on_a_line() {
+        let told = |json: &str| value_text(&serde_json::from_str(json).unwrap());
+        assert_eq!(told("1"), "1");
+        assert_eq!(told("0.30000000000000004"), "0.3");
+        assert_eq!(told("[1, 0.5, 0]"), "[1, 0.5, 0]");
+        assert_eq!(told("\"#ff8800\""), "\"#ff8800\"");
+        assert_eq!(told("null"), "default");
+        assert_eq!(
+            told("[{\"frame\": 1, \"value\": 2}, {\"frame\": 9, \"value\": 3}]"),
+            "2 at 1, 3 at 9"
+        );
+    }
+}

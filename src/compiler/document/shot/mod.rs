@@ -1,0 +1,108 @@
+//! A shot: changes to a scene, or to another shot, for a range of frames.
+//!
+//! A shot names what it changes and holds nothing else of it. [`Override`]s address values in the
+//! words that looks and scenes have already: `lights.key.color`, `objects.hero.transform.translate`
+//! and `camera.fov` of a scene; `rim.offset`, `group/blur.radius` and `nodes.rim.muted` of a look.
+//! [`place`] finds and sets values by such words.
+
+mod place;
+
+use super::Camera;
+use super::described::described;
+use super::rate::FrameRate;
+use super::shape::{FieldKind, LINE, LONG, MAX_PATH, NumberBounds};
+use super::value::{Interpolation, Value};
+use super::word::WordChoice as _;
+
+pub use place::{BlendKind, ValuePlace, json_of_value, keyed_target};
+
+/// Greatest number of a frame.
+const MAX_FRAME: f64 = 99_999_999.0;
+
+/// Frames that a value is held for.
+const STEPS: NumberBounds = NumberBounds::whole(1.0, 1000.0);
+
+described! {
+    /// Changes to a scene, or to another shot, for a range of frames.
+    #[serde(default)]
+    pub struct Shot("shot", Lines) {
+        /// Type of the document.
+        "chiaro": FieldKind::Word(&[("shot", "a shot")]), words "what it is opened as";
+        /// The version of the format.
+        "version": FieldKind::Number(super::shape::FORMAT), json "1";
+        /// A JSON Schema for text editors; kept, and not looked at.
+        "$schema": FieldKind::Text(LINE), words "none";
+        /// Artist's name of the shot.
+        name: String = String::new(), FieldKind::Text(LINE);
+        /// Paragraph on the shot, for whoever finds it.
+        about: String = String::new(), FieldKind::Text(LONG);
+        /// Path of the scene that is changed, or of a shot, such as the sequence that this one is
+        /// part of; relative to the shot's file.
+        scene: String = String::new(), FieldKind::Text(MAX_PATH), required;
+        /// The first and the last frame. Frame `F` is at `F / rate` seconds.
+        frames: Option<[i32; 2]> = None,
+            FieldKind::Numbers(2, 2, NumberBounds::whole(-MAX_FRAME, MAX_FRAME)),
+            words "those of the shot it changes, or else the time range of the scene";
+        /// Frames per second.
+        rate: Option<FrameRate> = None, FieldKind::Rate,
+            words "that of the shot it changes, or else of the scene's time range";
+        /// Width and height of the picture, in pixels.
+        size: Option<[u32; 2]> = None,
+            FieldKind::Numbers(2, 2, NumberBounds::whole(1.0, 32_768.0)),
+            words "that of the shot it changes, or else by the camera";
+        /// Frames for which everything that shades is held: looks, their keys, lights and values of
+        /// objects. 1 is on ones, 2 on twos. Cameras and objects move on.
+        step: Option<u32> = None, FieldKind::Number(STEPS),
+            words "that of the shot it changes, or else 1";
+        /// Camera in place of that of what is changed.
+        camera: Option<Camera> = None, FieldKind::Object(Camera::shape), words "none";
+        /// Values that are changed.
+        overrides: Vec<Override> = Vec::new(),
+            FieldKind::List(&FieldKind::Object(Override::shape), 10_000);
+        unknown;
+    }
+}
+
+described! {
+    /// A value that a shot changes: set, or keyed.
+    pub struct Override("override", Line) {
+        /// Path of the look whose value it is, relative to the shot's file.
+        look: Option<String> = None, FieldKind::Text(MAX_PATH), words "none: a value of the scene";
+        /// The value: of a scene by its fields, `lights.key.color`; of a look by
+        /// [target](#targets), `rim.offset`, or by its fields, `nodes.rim.muted`.
+        target: String = String::new(), FieldKind::Text(LINE), required;
+        /// The value that stands in its place.
+        value: Option<Value> = None, FieldKind::Value, words "required, unless `keys` are given";
+        /// Values over frames, in increasing order.
+        keys: Vec<ShotKey> = Vec::new(),
+            FieldKind::List(&FieldKind::Object(ShotKey::shape), 100_000);
+        /// Frames for which a keyed value is held, counted from the shot's first.
+        step: u32 = 1, FieldKind::Number(STEPS);
+        unknown;
+    }
+}
+
+described! {
+    /// A value at one frame.
+    pub struct ShotKey("shot key", Line) {
+        /// The frame, or a place between two.
+        frame: f64, FieldKind::Number(NumberBounds::new(-MAX_FRAME, MAX_FRAME)), required;
+        /// The value then.
+        value: Value, FieldKind::Value, required;
+        /// Interpolation between neighbors; for a time key, on to the next.
+        interpolation: Interpolation = Interpolation::Linear, FieldKind::Word(Interpolation::WORDS);
+        unknown;
+    }
+}
+
+impl Override {
+    /// The value in words: the look that it is of, if any, and its place there.
+    pub fn address(&self) -> String {
+        value_address(self.look.as_deref(), &self.target)
+    }
+}
+
+/// A value in words, `looks/hero.json#rim.offset` of a look and `lights.key.color` of the scene.
+pub fn value_address(look: Option<&str>, target: &str) -> String {
+    look.map_or_else(|| target.to_owned(), |look| format!("{look}#{target}"))
+}
