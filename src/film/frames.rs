@@ -247,11 +247,8 @@ mod tests {
         }
         let list: FrameList = "1-8x3,20,7".parse().unwrap();
         assert_eq!(list.to_string().parse(), Ok(list));
-        let parts: Vec<String> = FrameList::from_str("1-25")
-            .unwrap()
-            .chunks(10)
-            .map(|part| part.to_string())
-            .collect();
+        let parts: Vec<String> =
+            FrameList::from_str("1-25").unwrap().chunks(10).map(|part| part.to_string()).collect();
         assert_eq!(parts, ["1-10", "11-20", "21-25"]);
     }
 

@@ -116,7 +116,8 @@ impl Edges {
             let is_down = y0 < y1;
             let (low, high) = if is_down { (y0, y1) } else { (y1, y0) };
             let is_crossed = *low <= y && y < *high;
-            is_crossed.then(|| (x0 + (x1 - x0) * (y - y0) / (y1 - y0), if is_down { 1 } else { -1 }))
+            is_crossed
+                .then(|| (x0 + (x1 - x0) * (y - y0) / (y1 - y0), if is_down { 1 } else { -1 }))
         });
         let mut crossings: Vec<(f32, i32)> = crossings.collect();
         crossings.sort_unstable_by(|(a, _), (b, _)| a.total_cmp(b));

@@ -61,6 +61,14 @@ impl StoredFrame {
         self.channels.iter().map(|(name, _)| name.as_str()).collect()
     }
 
+    /// What the frame is, without its numbers: its size and the names of its channels.
+    #[must_use]
+    pub fn without_numbers(&self) -> Self {
+        let channels = self.channels.iter().map(|(name, _)| (name.clone(), Vec::new())).collect();
+        let Self { size, is_sealed, is_light, .. } = *self;
+        Self { size, channels, plan: self.plan.clone(), is_sealed, is_light }
+    }
+
     /// The difference to another frame; `None` where all numbers are equal to the bit.
     ///
     /// # Errors
@@ -138,8 +146,7 @@ fn read_png(bytes: &[u8]) -> Result<StoredFrame, Diagnostic> {
     let failed = |message: String| Diagnostic::error("png", message);
     let limits = ::png::Limits { bytes: MAX_PNG_BYTES };
     let mut decoder = ::png::Decoder::new_with_limits(Cursor::new(bytes), limits);
-    decoder
-        .set_transformations(::png::Transformations::normalize_to_color8());
+    decoder.set_transformations(::png::Transformations::normalize_to_color8());
     let mut reader = decoder.read_info().map_err(|error| failed(error.to_string()))?;
     let length = reader.output_buffer_size().filter(|length| *length <= MAX_PNG_BYTES);
     let mut pixels = vec![0; length.ok_or_else(|| failed("the picture is too large".to_owned()))?];
@@ -154,10 +161,8 @@ fn read_png(bytes: &[u8]) -> Result<StoredFrame, Diagnostic> {
         bytes.map(|byte| f32::from(*byte) / 255.0).collect::<Vec<f32>>()
     };
     let place = |name: &str| ["R", "G", "B", "A"].iter().position(|known| *known == name);
-    let channels = names
-        .iter()
-        .filter_map(|name| Some(((*name).to_owned(), channel(place(name)?))))
-        .collect();
+    let channels =
+        names.iter().filter_map(|name| Some(((*name).to_owned(), channel(place(name)?)))).collect();
     Ok(StoredFrame {
         size: [info.width, info.height],
         channels,

@@ -48,11 +48,7 @@ const CRATES: &[(&str, &[&[&str]])] = &[
     ("render", &[]),
     (
         "film",
-        &[
-            &["frames", "label"],
-            &["animation", "exr", "farm", "plan_hash", "sheet"],
-            &["stored"],
-        ],
+        &[&["frames", "label"], &["animation", "exr", "farm", "plan_hash", "sheet"], &["stored"]],
     ),
     ("laboratory", &[&["accuracy", "fit"], &["gallery"]]),
     ("sweeps", &[]),

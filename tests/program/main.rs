@@ -5,6 +5,7 @@ use chiaro_test_drawing as support;
 mod bench;
 mod cli;
 mod desktop;
+mod film;
 mod fit;
 mod frames;
 mod gallery;
@@ -12,3 +13,5 @@ mod lights;
 #[cfg(target_os = "linux")]
 mod memory;
 mod outputs;
+#[cfg(target_os = "linux")]
+mod slurm;

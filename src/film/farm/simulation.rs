@@ -149,10 +149,7 @@ pub fn simulate(settings: FarmSettings) -> FarmFigures {
             } else {
                 figures.lost += (lost_at - ready).max(0.0);
             }
-            events.push(Reverse((
-                ticks(lost_at + settings.notice),
-                Event::Returned { chunk: at },
-            )));
+            events.push(Reverse((ticks(lost_at + settings.notice), Event::Returned { chunk: at })));
             events.push(Reverse((ticks(lost_at + settings.repair), Event::Free { worker })));
         }
         let Some(Reverse((ticks, event))) = events.pop() else { break };
