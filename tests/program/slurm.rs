@@ -5,7 +5,7 @@ use std::io::Write as _;
 use std::net::TcpListener;
 use std::os::unix::fs::PermissionsExt as _;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::time::{Duration, Instant};
 
 use crate::film::Stage;
@@ -14,7 +14,7 @@ use crate::support::validators::say;
 /// Time until the whole job must be done.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// Names of Debian's programs, which do not lie on everyone's path.
+/// Debian's programs, which lie in a folder that is not on everyone's path.
 const PROGRAMS: [&str; 4] = ["munged", "mungekey", "slurmctld", "slurmd"];
 
 /// A cluster of this machine alone. Its daemons end with it.
@@ -111,8 +111,7 @@ impl Drop for Cluster {
 }
 
 fn program(name: &str) -> Command {
-    let of_system = Path::new("/usr/sbin").join(name);
-    Command::new(if of_system.exists() { of_system } else { name.into() })
+    Command::new(Path::new("/usr/sbin").join(name))
 }
 
 #[track_caller]
@@ -156,10 +155,8 @@ fn process_in(folder: &Path) -> Option<String> {
 
 #[test]
 fn a_real_slurm_draws_every_frame_although_a_task_is_killed() {
-    let missing: Vec<&str> = PROGRAMS
-        .into_iter()
-        .filter(|name| program(name).arg("--version").stdout(Stdio::null()).status().is_err())
-        .collect();
+    let is_missing = |name: &&str| !Path::new("/usr/sbin").join(name).exists();
+    let missing: Vec<&str> = PROGRAMS.into_iter().filter(is_missing).collect();
     if !missing.is_empty() {
         say(&format!("SKIPPED: {} missing; scripts/setup farm installs Slurm", missing.join(", ")));
         return;
