@@ -375,3 +375,34 @@ fn seconds_from_now() -> impl Fn() -> f64 {
     let start = std::time::Instant::now();
     move || start.elapsed().as_secs_f64()
 }
+
+#[test]
+fn open_job_descriptions_own_tool_takes_the_template_and_runs_it() {
+    let openjd = std::env::var("OPENJD").unwrap_or_else(|_| "openjd".to_owned());
+    if Command::new(&openjd).arg("--version").output().is_err() {
+        let line = "SKIPPED: openjd is missing; pip install openjd-cli, and OPENJD names it";
+        crate::support::validators::say(line);
+        return;
+    }
+    let stage = Stage::new();
+    fs::create_dir(stage.path("out")).unwrap();
+    let program = env!("CARGO_BIN_EXE_chiaro");
+    let farm = ["farm", "-o", "out/####.exr", "--frames", "1-6", "--chunk", "3", "--to", "openjd"];
+    let more = ["--job", "job.json", "--program", program];
+    stage.done(&[&farm[..], &more[..], &RENDER[1..10]].concat());
+    let ran = |words: &[&str]| {
+        let mut command = Command::new(&openjd);
+        let ran = command.args(words).current_dir(stage.folder()).output().unwrap();
+        let said = [ran.stdout, ran.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+        assert!(ran.status.success(), "{words:?}: {said:?}");
+        said.join("\n")
+    };
+    ran(&["check", "job.json"]);
+    let folder = format!("Folder={}", stage.folder().display());
+    let said = ran(&["run", "job.json", "-p", &folder, "--step", "Check", "--run-dependencies"]);
+    assert!(said.contains("openjd_progress: 100.0"), "{said}");
+    assert!(
+        said.contains("6 frames, all whole") && stage.path("out/sheet.png").is_file(),
+        "{said}"
+    );
+}
