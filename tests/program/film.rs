@@ -23,7 +23,8 @@ impl Stage {
             "lights": {"key": {"direction": [-0.5, 0.8, 0.6]}},
             "nodes": [
                 {"id": "base", "kind": "base"},
-                {"id": "lit", "kind": "light_layer", "values": {"light": "key", "convex": "#f0d9b0"}},
+                {"id": "lit", "kind": "light_layer",
+                    "values": {"light": "key", "convex": "#f0d9b0"}},
                 {"id": "output", "kind": "output"}
             ],
             "wires": [

@@ -14,7 +14,8 @@ pub(super) fn write(job: &FarmJob) -> Result<String, Diagnostic> {
     let (frames, chunk) = (&job.frames, job.chunk);
     Ok(format!(
         r#"<?xml version="1.0"?>
-<!DOCTYPE spec PUBLIC "SPI Cue Specification Language" "http://localhost:8080/spcue/dtd/cjsl-1.12.dtd">
+<!DOCTYPE spec PUBLIC "SPI Cue Specification Language"
+    "http://localhost:8080/spcue/dtd/cjsl-1.12.dtd">
 <!-- {about}. Show, shot and user are yours to name. -->
 <spec>
   <facility>local</facility>

@@ -117,8 +117,8 @@ impl VariedTarget {
                 Place::Input { look, node, port } => {
                     let look = &mut setup.looks[*look].look;
                     let path = NodePath::root(node.clone());
-                    let is_it = |target: &Target| matches!(target, Target::Input { node, port: at } if *node == path && at == port);
-                    look.time_keys.retain(|keys| !is_it(&keys.target));
+                    let keyed = Target::Input { node: path, port: port.clone() };
+                    look.time_keys.retain(|keys| keys.target != keyed);
                     if let Some(node) = look.graph.nodes.get_mut(node) {
                         node.values.insert(port.clone(), value.clone());
                     }
@@ -129,7 +129,8 @@ impl VariedTarget {
 }
 
 fn is_field(target: &Target, light: &LightId, field: LightField) -> bool {
-    matches!(target, Target::Light { light: id, field: name } if id == light && name == field.name())
+    let Target::Light { light: id, field: name } = target else { return false };
+    id == light && name == field.name()
 }
 
 fn set_field(light: &mut Light, field: LightField, value: &Value, space: ColorSpace) {
