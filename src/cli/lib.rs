@@ -21,13 +21,16 @@ mod desktop;
 mod eval;
 mod explain;
 mod export;
+mod farm;
 mod fit;
+mod frame_files;
 #[cfg(feature = "gpu")]
 mod gallery;
 mod hcbtf;
 mod import;
 mod interrupt;
 mod lights;
+mod movie;
 mod new;
 mod nodes;
 mod open;
@@ -37,11 +40,13 @@ mod render;
 #[cfg(feature = "gpu")]
 mod samples;
 mod scene;
+mod sheet;
 mod shot;
 mod target;
 mod tier;
 #[cfg(feature = "gpu")]
 mod tune;
+mod verify;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -107,6 +112,16 @@ enum Command {
     Nodes(nodes::Arguments),
     /// Render a look, a scene or a shot to a PNG or an EXR, or to many
     Render(render::Arguments),
+    /// Draw one picture for each combination of values, on a sheet with labels
+    Wedge(render::wedge::Arguments),
+    /// Read frames again: whole or not, and equal to those of another run or not
+    Verify(verify::Arguments),
+    /// Show frames side by side
+    Sheet(sheet::Arguments),
+    /// Make a movie of frames, for review
+    Movie(movie::Arguments),
+    /// Write the job by which a render farm draws frames
+    Farm(farm::Arguments),
     /// Print a look's value, or any node's, at given surface samples
     #[cfg(feature = "gpu")]
     Eval(eval::Arguments),
@@ -230,6 +245,11 @@ async fn carry_out(command: &Command, output: &Output) -> Outcome {
         Command::Shot(arguments) => shot::run(arguments, output),
         Command::Nodes(arguments) => nodes::run(arguments, output).await,
         Command::Render(arguments) => render::run(arguments, output).await,
+        Command::Wedge(arguments) => render::wedge::run(arguments, output).await,
+        Command::Verify(arguments) => verify::run(arguments, output),
+        Command::Sheet(arguments) => sheet::run(arguments, output),
+        Command::Movie(arguments) => movie::run(arguments, output),
+        Command::Farm(arguments) => farm::run(arguments, output),
         #[cfg(feature = "gpu")]
         Command::Eval(arguments) => eval::run(arguments, output).await,
         #[cfg(feature = "gpu")]

@@ -30,6 +30,48 @@ impl FrameList {
     }
 }
 
+impl FrameList {
+    /// A list of these frames, in their order.
+    pub fn of(frames: Vec<i32>) -> Self {
+        Self(frames)
+    }
+
+    /// The list in parts of at most so many frames.
+    pub fn chunks(&self, length: usize) -> impl Iterator<Item = Self> {
+        self.0.chunks(length.max(1)).map(|part| Self(part.to_vec()))
+    }
+}
+
+impl std::fmt::Display for FrameList {
+    /// The shortest text that [`FromStr`] reads: ranges of equal steps.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mut rest = self.0.as_slice();
+        let mut comma = "";
+        while let [first, after @ ..] = rest {
+            let step = after.first().map_or(1, |next| next.saturating_sub(*first)).max(1);
+            let is_on = |at: usize| {
+                let wanted = i64::from(*first) + (at as i64 + 1) * i64::from(step);
+                i64::from(after[at]) == wanted
+            };
+            let mut more = (0..after.len()).take_while(|at| is_on(*at)).count();
+            // Two numbers with a gap are shorter by themselves.
+            if step > 1 && more < 2 {
+                more = 0;
+            }
+            write!(f, "{comma}{first}")?;
+            if more > 0 {
+                write!(f, "-{}", after[more - 1])?;
+                if step > 1 {
+                    write!(f, "x{step}")?;
+                }
+            }
+            comma = ",";
+            rest = &after[more..];
+        }
+        Ok(())
+    }
+}
+
 impl FromStr for FrameList {
     type Err = String;
 
@@ -102,6 +144,18 @@ impl FramePattern {
         let width = self.digits;
         format!("{}{sign}{number:0width$}{}", self.before, self.after).into()
     }
+
+    /// The folder of the files; empty for the current one.
+    pub fn folder(&self) -> PathBuf {
+        self.path(0).parent().map(Path::to_path_buf).unwrap_or_default()
+    }
+
+    /// The frame whose file has this path; `None` for every other path.
+    pub fn frame_of(&self, path: &Path) -> Option<i32> {
+        let number = path.to_str()?.strip_prefix(&self.before)?.strip_suffix(&self.after)?;
+        let frame = number.parse().ok()?;
+        (self.path(frame) == path).then_some(frame)
+    }
 }
 
 /// The text before the place of a number, the number of digits, and the text after it.
@@ -142,6 +196,19 @@ mod tests {
     }
 
     #[test]
+    fn lists_of_frames_are_written_as_they_are_read() {
+        for text in ["7", "1-4", "1-7x3", "1-8,20,7", "-3--1", "1,3", "5,4,3", "1-240"] {
+            let list: FrameList = text.parse().unwrap();
+            assert_eq!(list.to_string(), text);
+        }
+        let list: FrameList = "1-8x3,20,7".parse().unwrap();
+        assert_eq!(list.to_string().parse(), Ok(list));
+        let parts: Vec<String> =
+            FrameList::from_str("1-25").unwrap().chunks(10).map(|part| part.to_string()).collect();
+        assert_eq!(parts, ["1-10", "11-20", "21-25"]);
+    }
+
+    #[test]
     fn patterns_name_files() {
         let path = |pattern: &str, frame| {
             let pattern = FramePattern::of(Path::new(pattern)).unwrap().unwrap();
@@ -151,6 +218,16 @@ mod tests {
         assert_eq!(path("out/a.%04d.png", 12_345), "out/a.12345.png");
         assert_eq!(path("#.exr", -3), "-3.exr");
         assert_eq!(path("%d.exr", 42), "42.exr");
+        let read = |pattern: &str, path: &str| {
+            let pattern = FramePattern::of(Path::new(pattern)).unwrap().unwrap();
+            (pattern.folder().display().to_string(), pattern.frame_of(Path::new(path)))
+        };
+        assert_eq!(read("out/####.exr", "out/0007.exr"), ("out".to_owned(), Some(7)));
+        assert_eq!(read("out/a.####.exr", "out/a.12345.exr").1, Some(12_345));
+        assert_eq!(read("a.#.exr", "a.-3.exr"), (String::new(), Some(-3)));
+        for other in ["out/7.exr", "out/0007.png", "out/00007.exr", "out/000x.exr", "0007.exr"] {
+            assert_eq!(read("out/####.exr", other).1, None, "{other}");
+        }
         assert_eq!(FramePattern::of(Path::new("out/a.png")), Ok(None));
         assert_eq!(FramePattern::of(Path::new("100%.png")), Ok(None));
         for wrong in ["##/##.png", "####/a.png", "#########.png", "%0d#.png"] {

@@ -46,7 +46,10 @@ const CRATES: &[(&str, &[&[&str]])] = &[
     ),
     ("reference", &[]),
     ("render", &[]),
-    ("film", &[&["frames"], &["exr", "plan_hash"]]),
+    (
+        "film",
+        &[&["frames", "label"], &["animation", "exr", "farm", "plan_hash", "sheet"], &["stored"]],
+    ),
     ("laboratory", &[&["accuracy", "fit"], &["gallery"]]),
     ("sweeps", &[]),
     (
@@ -131,6 +134,8 @@ const KEPT_TO: &[(&str, &[&str])] = &[
     ("notify", &["editor", "cli"]),
     ("clap", &["cli"]),
     ("exr", &["film"]),
+    ("png", &["film"]),
+    ("skrifa", &["film"]),
     ("ctrlc", &["cli"]),
     ("zip", &["scene"]),
     ("faer", &["scene"]),

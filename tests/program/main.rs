@@ -5,6 +5,7 @@ use chiaro_test_drawing as support;
 mod bench;
 mod cli;
 mod desktop;
+mod film;
 mod fit;
 mod frames;
 mod gallery;
@@ -13,3 +14,5 @@ mod lights;
 mod memory;
 mod outputs;
 mod shots;
+#[cfg(target_os = "linux")]
+mod slurm;

@@ -113,6 +113,30 @@ const CASES: &[Case] = &[
         names: File(".png"),
     },
     Case {
+        output: ("wedge", "output"),
+        line: "wedge look.json --vary lit.offset=0,1 -o {} --mesh mesh.obj --nodes nodes",
+        inputs: &["look.json", "mesh.obj", "nodes/own.wgsl"],
+        names: File(".png"),
+    },
+    Case {
+        output: ("sheet", "output"),
+        line: "sheet target.png -o {}",
+        inputs: &["target.png"],
+        names: File(".png"),
+    },
+    Case {
+        output: ("movie", "output"),
+        line: "movie target.png -o {}",
+        inputs: &["target.png"],
+        names: File(".png"),
+    },
+    Case {
+        output: ("farm", "job"),
+        line: "farm look.json -o ####.exr --frames 1-4 --to slurm --job {}",
+        inputs: &["look.json"],
+        names: File(""),
+    },
+    Case {
         output: ("bench", "plot"),
         line: "bench look.json --plot {} --mesh mesh.obj --nodes nodes",
         inputs: &["look.json", "mesh.obj", "nodes/own.wgsl"],

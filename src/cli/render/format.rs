@@ -4,11 +4,9 @@ use std::path::Path;
 
 use crate::diag::Diagnostic;
 use crate::files::{OutputKind, png};
+use crate::film::PLAN_NOTE;
 use crate::film::exr::{self, ExrEncoding, ExrHeader, ExrLayer, LosslessCompression, SampleType};
 use crate::frame::Picture;
-
-/// Keyword of the note in a PNG that names the plan that was drawn.
-const PLAN: &str = "Chiaro plan";
 
 /// Format of a picture's file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,7 +43,7 @@ impl PictureFormat {
     ) -> Result<Vec<u8>, Diagnostic> {
         match self {
             Self::Png if header.plan.is_empty() => picture.to_png(),
-            Self::Png => Ok(png::with_note(&picture.to_png()?, PLAN, &header.plan)),
+            Self::Png => Ok(png::with_note(&picture.to_png()?, PLAN_NOTE, &header.plan)),
             Self::Exr(encoding) => {
                 let layers = [ExrLayer::of_picture(picture)];
                 exr::encode(picture.size, &layers, header, encoding)
@@ -57,7 +55,7 @@ impl PictureFormat {
     pub(super) fn plan_of(self, bytes: &[u8]) -> Option<String> {
         match self {
             Self::Png => {
-                let note = png::note(bytes, PLAN);
+                let note = png::note(bytes, PLAN_NOTE);
                 note.filter(|_| (OutputKind::PICTURE.is_own)(bytes))
             }
             Self::Exr(_) => {

@@ -11,6 +11,7 @@ use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use serde_json::{Value as Json, json};
 
 use super::format::PictureFormat;
+use super::progress::ProgressLines;
 use super::{Stage, blended_in};
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
@@ -31,6 +32,8 @@ pub(super) struct Sequence<'a> {
     pub(super) is_strict: bool,
     /// True if each frame is told as a line of JSON.
     pub(super) has_json: bool,
+    /// Lines that tell a farm how far the frames are.
+    pub(super) progress: Option<ProgressLines>,
 }
 
 /// Work on a frame: a plan, or the picture that is drawn of it.
@@ -232,6 +235,9 @@ fn write_all(
         } else {
             output.message(&frame.text());
         }
+        if let Some(lines) = sequence.progress {
+            lines.tell(frame.frame, summary.count(), sequence.frames.frames().len(), output);
+        }
     }
     Ok(summary)
 }
@@ -316,6 +322,10 @@ impl DrawnFrame {
 }
 
 impl Summary {
+    fn count(&self) -> usize {
+        self.drawn + self.equal + self.kept
+    }
+
     fn add(&mut self, frame: &DrawnFrame) {
         *match frame.state {
             FrameState::Kept => &mut self.kept,
@@ -334,7 +344,7 @@ impl Summary {
         let parts = [("planning", planning), ("drawing", drawing), ("writing", writing)];
         let most = parts.into_iter().max_by(|(_, a), (_, b)| a.total_cmp(b));
         let (bound, longest) = most.unwrap_or_default();
-        let frames = drawn + equal + kept;
+        let frames = self.count();
         let an_hour = 3600.0 * frames as f64 / seconds.max(1e-9);
         format!(
             "{frames} frames on {executor}: {drawn} drawn, {equal} equal to others, {kept} kept; \

@@ -2,6 +2,8 @@
 
 mod format;
 mod frames;
+mod progress;
+pub(super) mod wedge;
 
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -10,6 +12,7 @@ use serde_json::json;
 
 use format::{PictureFormat, parse_compression, parse_depth};
 use frames::Sequence;
+use progress::ProgressLines;
 
 use super::open::{check_nodes_folder, library_for};
 use super::output::{Output, once, refuse_warnings};
@@ -116,6 +119,9 @@ pub(super) struct Arguments {
     /// Replace a file that Chiaro did not render
     #[arg(long)]
     force: bool,
+    /// Lines on standard output that tell a farm how far the frames are: openjd
+    #[arg(long, value_enum, requires = "frames")]
+    progress: Option<ProgressLines>,
     /// Print what was done as JSON: size, seconds, adapter, passes that ran, tiers, warnings; of
     /// frames a line each, when the frame is on the disk
     #[arg(long)]
@@ -203,6 +209,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
             format,
             is_strict: arguments.strict,
             has_json: arguments.json,
+            progress: arguments.progress,
         };
         return frames::draw(sequence, stage, outputs, executor.as_mut(), output);
     }

@@ -5,8 +5,8 @@ use ::exr::meta::header::{ImageAttributes, LayerAttributes};
 use ::exr::prelude::{Text, Vec2};
 use glam::{DMat4, DVec3};
 
-use crate::frame::View;
 use crate::FrameRate;
+use crate::frame::View;
 
 /// Attribute of what Chiaro says of a picture: notes of the form `name=text`, joined by semicolons.
 /// One attribute, for the library writes several in no order, and equal pictures are equal files.

@@ -1,0 +1,235 @@
+//! `chiaro farm`: the job by which a render farm draws frames. Nothing is sent anywhere.
+
+use std::path::{Path, PathBuf};
+
+use clap::error::ErrorKind;
+use clap::parser::ValueSource;
+use clap::{ArgAction, ArgMatches, Args as _, FromArgMatches};
+
+use super::output::Output;
+use super::render;
+use super::target::{OutputPath, outputs};
+use crate::diag::Diagnostic;
+use crate::files::OutputKind;
+use crate::film::FrameList;
+use crate::film::farm::simulation::{FarmFigures, FarmSettings, simulate};
+use crate::film::farm::{FARMS, Farm, FarmJob};
+
+const EXAMPLES: &str = "\
+Examples:
+  chiaro farm scene.json -o 'out/####.exr' --frames 1-240 --to slurm --job scene.sh && sh scene.sh
+  chiaro farm scene.json -o 'out/####.exr' --frames 1-240 --chunk 5 --to openjd --job scene.job.json
+  chiaro farm scene.json -o 'out/####.exr' --frames 1-10000 --to slurm --simulate 1000
+
+A job has a task for each chunk of frames, and a last one that checks all frames and draws a contact
+sheet. All options of chiaro render are handed on. A frame that is whole is kept, so that any task
+may be done again, on any machine. docs/farm.md tells what a farm must give.";
+
+/// Arguments of `chiaro farm`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    #[command(flatten)]
+    render: RenderWords,
+    /// The farm: slurm, openjd, opencue or flamenco
+    #[arg(long, value_parser = parse_farm)]
+    to: Farm,
+    /// Greatest number of frames of a task
+    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    chunk: u32,
+    /// The file of the job; standard output without it
+    #[arg(long)]
+    job: Option<OutputPath>,
+    /// The contact sheet that the last task draws [default: sheet.png beside the frames]
+    #[arg(long)]
+    sheet: Option<PathBuf>,
+    /// Name of the program on the farm's machines
+    #[arg(long, default_value = "chiaro")]
+    program: String,
+    /// Instead of a job, tell how long so many machines would take, and what failures would cost
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    simulate: Option<u32>,
+    /// Seconds of a frame, for --simulate
+    #[arg(long, default_value_t = 60.0, value_parser = parse_positive, requires = "simulate")]
+    frame_seconds: f64,
+    /// Hours from one failure of a machine to its next, for --simulate
+    #[arg(long, default_value_t = 8.0, value_parser = parse_positive, requires = "simulate")]
+    failure_hours: f64,
+}
+
+fn parse_farm(word: &str) -> Result<Farm, String> {
+    let words = || FARMS.iter().map(|farm| farm.word).collect::<Vec<_>>().join(", ");
+    Farm::named(word).ok_or_else(|| format!("it is one of {}", words()))
+}
+
+fn parse_positive(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|number: &f64| number.is_finite() && *number > 0.0);
+    number.ok_or_else(|| "it is a number above 0".to_owned())
+}
+
+/// Arguments of `chiaro render`, as words to hand on, but for the frames.
+#[derive(Clone, Debug)]
+struct RenderWords {
+    words: Vec<String>,
+    document: PathBuf,
+    output: PathBuf,
+    frames: FrameList,
+    is_forced: bool,
+}
+
+/// Arguments that a job says by itself.
+const NOT_HANDED_ON: [&str; 2] = ["frames", "progress"];
+
+impl clap::Args for RenderWords {
+    fn augment_args(command: clap::Command) -> clap::Command {
+        // The frames' files are written by the tasks, and must not be missing in a job.
+        render::Arguments::augment_args(command)
+            .mut_arg("output", |output| output.value_parser(clap::value_parser!(PathBuf)))
+            .mut_arg("frames", |frames| frames.required(true))
+    }
+
+    fn augment_args_for_update(command: clap::Command) -> clap::Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for RenderWords {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let command = render::Arguments::augment_args(clap::Command::new("render"));
+        let mut words = Vec::new();
+        for argument in command.get_arguments() {
+            let id = argument.get_id().as_str();
+            let is_said = matches.value_source(id) == Some(ValueSource::CommandLine);
+            if !is_said || NOT_HANDED_ON.contains(&id) {
+                continue;
+            }
+            let flag = argument.get_long().map(|long| format!("--{long}"));
+            if let ArgAction::SetTrue = argument.get_action() {
+                words.extend(flag);
+                continue;
+            }
+            let values = matches.get_raw_occurrences(id).into_iter().flatten().flatten();
+            for value in values {
+                let value = value.to_str().ok_or_else(|| {
+                    let message = format!("`{}` is no text", value.display());
+                    super::command().error(ErrorKind::InvalidUtf8, message)
+                })?;
+                match &flag {
+                    // A value may begin with a sign.
+                    Some(flag) => words.push(format!("{flag}={value}")),
+                    None => words.push(value.to_owned()),
+                }
+            }
+        }
+        let get = |id: &str| {
+            let missing = || super::command().error(ErrorKind::MissingRequiredArgument, id);
+            matches.get_one::<PathBuf>(id).cloned().ok_or_else(missing)
+        };
+        let frames = matches.get_one::<FrameList>("frames").cloned();
+        let missing = || super::command().error(ErrorKind::MissingRequiredArgument, "--frames");
+        Ok(Self {
+            words,
+            document: get("document")?,
+            output: get("output")?,
+            frames: frames.ok_or_else(missing)?,
+            is_forced: matches.get_flag("force"),
+        })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    let one = |problem: Diagnostic| vec![problem];
+    let RenderWords { words, document, output: target, frames, is_forced } = &arguments.render;
+    let pattern = super::frame_files::pattern_of(target).map_err(one)?;
+    if let Some(workers) = arguments.simulate {
+        tell(arguments, workers, frames, output);
+        return Ok(());
+    }
+    let mut outputs = outputs(*is_forced, [document]);
+    if let Some(file) = &arguments.job {
+        outputs.check(file.as_ref(), OutputKind::DOCUMENT).map_err(one)?;
+    }
+    if !document.is_file() {
+        let message = "there is no such file: tasks would draw nothing";
+        return Err(one(Diagnostic::error("cannot-read", message)
+            .in_file(document.display().to_string())
+            .hint("name the look or the scene as it is called from this folder")));
+    }
+    let folder = pattern.folder();
+    if folder != Path::new("") && !folder.is_dir() {
+        let message = format!("there is no folder `{}`: no task could write", folder.display());
+        return Err(one(Diagnostic::error("cannot-write", message)
+            .hint(format!("make it: mkdir -p {}", folder.display()))));
+    }
+    let here = std::env::current_dir().map_err(|error| {
+        one(Diagnostic::error("cannot-read", format!("this folder is not known: {error}")))
+    })?;
+    let sheet = arguments.sheet.clone().unwrap_or_else(|| folder.join("sheet.png"));
+    let job = FarmJob {
+        name: name_of(document),
+        program: arguments.program.clone(),
+        render: words.clone(),
+        output: target.display().to_string(),
+        frames: frames.clone(),
+        chunk: arguments.chunk as usize,
+        folder: here.display().to_string(),
+        sheet: sheet.display().to_string(),
+    };
+    let text = arguments.to.job(&job).map_err(one)?;
+    let Some(file) = &arguments.job else {
+        output.result(text.trim_end());
+        return Ok(());
+    };
+    let file: &Path = file.as_ref();
+    outputs.write(file, OutputKind::DOCUMENT, text.as_bytes()).map_err(one)?;
+    let by = arguments.to.submitted_by.replace("FILE", &file.display().to_string());
+    output.message(&format!(
+        "{}: {} frames in {} tasks; submit it by {by}",
+        file.display(),
+        frames.frames().len(),
+        job.chunks().len()
+    ));
+    Ok(())
+}
+
+/// A name of letters, digits, `_` and `.`, which every farm takes.
+fn name_of(document: &Path) -> String {
+    let name = document.file_stem().unwrap_or_default().to_string_lossy();
+    let plain = |c: char| if c.is_ascii_alphanumeric() || c == '.' { c } else { '_' };
+    name.chars().map(plain).collect()
+}
+
+/// Tells what a farm of so many machines would do.
+fn tell(arguments: &Arguments, workers: u32, frames: &FrameList, output: &Output) {
+    let settings = FarmSettings {
+        frames: frames.frames().len(),
+        chunk: arguments.chunk as usize,
+        workers: workers as usize,
+        frame: arguments.frame_seconds,
+        between_failures: arguments.failure_hours * 3600.0,
+        ..FarmSettings::default()
+    };
+    let told = |what: &str, figures: FarmFigures| {
+        let FarmFigures { duration, useful, tasks, losses, lost, most_attempts } = figures;
+        output.result(&format!(
+            "{what}: {:.1} min, {:.1} % of all machines' time useful, {tasks} tasks, {losses} \
+             machines lost, {:.1} machine hours drawn again, a chunk begun {most_attempts} times \
+             at most",
+            duration / 60.0,
+            100.0 * useful,
+            lost / 3600.0
+        ));
+    };
+    told("frames that are whole are kept", simulate(settings));
+    told(
+        "a chunk is kept or lost whole",
+        simulate(FarmSettings { keeps_frames: false, ..settings }),
+    );
+    let calm = FarmSettings { between_failures: f64::INFINITY, ..settings };
+    told("no machine fails", simulate(calm));
+}

@@ -1,0 +1,89 @@
+//! Open Job Description: a job template of two steps.
+
+use serde_json::{Value as Json, json};
+
+use super::{FarmJob, no_job, refuse_more};
+use crate::diag::Diagnostic;
+
+/// Greatest number of values of a task's parameter.
+const MAX_TASKS: usize = 1024;
+
+/// Greatest length of a job's name.
+const MAX_NAME: usize = 128;
+
+/// Seconds from the request to end to the end by force: a frame is finished or dropped meanwhile.
+const NOTICE: u32 = 10;
+
+/// A template as JSON. Retries are the scheduler's, which begins a failed task again.
+pub(super) fn write(job: &FarmJob) -> Result<String, Diagnostic> {
+    let words = job.render.iter().chain([&job.program, &job.output, &job.sheet]);
+    if let Some(word) = words.into_iter().find(|word| word.contains("{{")) {
+        let message = format!("`{word}` has the signs of a template's own values, {{{{");
+        return Err(no_job(message).hint("choose a name without them"));
+    }
+    let chunks = refuse_more(job, MAX_TASKS, "a parameter of a template")?;
+    let render = format!("{} --progress openjd", job.render("'{{Task.Param.Frames}}'"));
+    let [verify, sheet] = job.check();
+    let name: String = job.name.chars().take(MAX_NAME).collect();
+    let template = json!({
+        "specificationVersion": "jobtemplate-2023-09",
+        "name": name,
+        "description": format!("{}.", job.about()),
+        "parameterDefinitions": [{
+            "name": "Folder", "type": "PATH", "objectType": "DIRECTORY", "dataFlow": "INOUT",
+            "description": format!("Folder that all paths are relative to, here {}.", job.folder),
+        }],
+        "steps": [
+            {
+                "name": "Render",
+                "parameterSpace": {"taskParameterDefinitions": [
+                    {"name": "Frames", "type": "STRING", "range": chunks}
+                ]},
+                "script": script(&render),
+            },
+            {
+                "name": "Check",
+                "dependencies": [{"dependsOn": "Render"}],
+                "script": script(&format!("{verify} &&\n    {sheet}")),
+            },
+        ],
+    });
+    Ok(format!("{template:#}\n"))
+}
+
+/// A script that runs commands in the job's folder. The shell takes the name of a frame's process,
+/// so that a request to end reaches it.
+fn script(commands: &str) -> Json {
+    let exec = if commands.contains('\n') { "" } else { "exec " };
+    json!({
+        "embeddedFiles": [{
+            "name": "Run", "type": "TEXT", "runnable": true,
+            "data": format!("#!/bin/sh\ncd '{{{{Param.Folder}}}}' || exit 1\n{exec}{commands}\n"),
+        }],
+        "actions": {"onRun": {
+            "command": "{{Task.File.Run}}",
+            "cancelation": {
+                "mode": "NOTIFY_THEN_TERMINATE", "notifyPeriodInSeconds": NOTICE
+            },
+        }},
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::job;
+    use super::*;
+
+    #[test]
+    fn a_template_has_a_step_for_frames_and_one_that_waits() {
+        let template: Json = serde_json::from_str(&write(&job()).unwrap()).unwrap();
+        let render = &template["steps"][0];
+        let frames = &render["parameterSpace"]["taskParameterDefinitions"][0]["range"];
+        assert_eq!(*frames, json!(["1-10", "11-20", "21-25"]));
+        let data = render["script"]["embeddedFiles"][0]["data"].as_str().unwrap();
+        assert!(data.contains("cd '{{Param.Folder}}'") && data.contains("--progress openjd"));
+        assert_eq!(template["steps"][1]["dependencies"], json!([{"dependsOn": "Render"}]));
+        let odd = FarmJob { output: "{{a}}/#.exr".to_owned(), ..job() };
+        assert_eq!(write(&odd).unwrap_err().code, "no-job");
+    }
+}
