@@ -4,14 +4,22 @@
 //! they are, and into which files. [`exr`] writes pictures as OpenEXR. A [`PlanHasher`] tells
 //! frames that would be the same picture, in this run and from run to run.
 
-use chiaro_compiler::{compile, document};
+use chiaro_compiler::{compile, document, library};
 use chiaro_files as files;
-use chiaro_language::diag;
+use chiaro_language::{diag, ids, progress};
 use chiaro_scene::{frame, geometry};
 
+mod cryptomatte;
 pub mod exr;
 mod frames;
+mod layers;
+mod naming;
 mod plan_hash;
 
+pub use cryptomatte::Cryptomatte;
 pub use frames::{FrameList, FramePattern, FrameRate};
+pub use layers::{
+    AskedLayers, Contributions, DrawnLayers, LayeredPlan, MatteKind, contributions, wire_request,
+};
+pub use naming::{Naming, free_name, is_legal, legal_name};
 pub use plan_hash::PlanHasher;

@@ -8,6 +8,7 @@ mod desktop;
 mod fit;
 mod frames;
 mod gallery;
+mod layers;
 mod lights;
 #[cfg(target_os = "linux")]
 mod memory;
