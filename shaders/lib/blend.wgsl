@@ -51,17 +51,17 @@ fn let_through(below: Composite, above: Composite, asked: vec3f) -> vec3f {
     return select(asked, left, above.xyz < asked * below.xyz);
 }
 
-/// What a step adds that lets this share of what is below through; 0 or more.
+/// The rest that a step adds which lets this share of what is below through; 0 or more.
 fn added_over(below: Composite, above: Composite, through: vec3f) -> vec3f {
     return max(above.xyz - through * below.xyz, vec3f(0.0));
 }
 
-/// What a stack's lowest color adds where this share of it is let through; 0 or more.
+/// The part that a stack's lowest color adds where this share of it is let through; 0 or more.
 fn held_back(color: Composite, through: vec3f) -> vec3f {
     return max(color.xyz, vec3f(0.0)) * through;
 }
 
-/// What is let through by both of two, or of a color by one.
+/// The share that both of two let through, or of a color the part that one does.
 fn both_through(a: vec3f, b: vec3f) -> vec3f {
     return a * b;
 }

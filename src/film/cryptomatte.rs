@@ -98,7 +98,7 @@ impl Cryptomatte {
         layers
     }
 
-    /// What the header says of the matte.
+    /// Statements of the header about the matte.
     pub fn attributes(&self) -> Vec<ExrAttribute> {
         let key = &format!("{:08x}", murmur3(self.name.as_bytes()))[..7];
         // Two names of one id are one matte, which has the first name of the alphabet.

@@ -15,7 +15,7 @@ use crate::frame::{
 };
 use crate::ids::{LightId, NodePath, PortName};
 use crate::library::Library;
-use crate::naming::{Naming, free_name, is_legal};
+use crate::naming::{LayerNaming, free_name, is_legal};
 use crate::progress::Progress;
 
 /// The most layers beside a picture: so many take 3 GB for a frame of HDTV.
@@ -72,7 +72,7 @@ impl MatteKind {
     }
 }
 
-/// What has no name goes by the one that Cryptomatte has for that.
+/// The name, or the one that Cryptomatte has for things without a name.
 fn named(name: &str) -> &str {
     if name.is_empty() { "default" } else { name }
 }
@@ -196,7 +196,7 @@ impl LayeredPlan {
         &self.first
     }
 
-    /// What the header of a file says of the layers.
+    /// Statements of a file's header about the layers.
     pub fn attributes(&self) -> Vec<ExrAttribute> {
         let matte = |names: &MatteNames| {
             let (name, names) = (names.kind.name(), names.names.clone());
@@ -321,7 +321,7 @@ impl Contributions {
     }
 
     /// Name of the layer that a part of a stack belongs to.
-    fn name(self, part: &StackPart, layer: &str, lights: &Groups, naming: Naming) -> String {
+    fn name(self, part: &StackPart, layer: &str, lights: &Groups, naming: LayerNaming) -> String {
         let light = match part.lights.iter().next() {
             None => UNLIT,
             Some(light) if part.lights.len() == 1 => light.as_str(),
@@ -373,7 +373,7 @@ pub fn contributions(
     library: &Library,
     time: f64,
     slices: &[Contributions],
-    naming: Naming,
+    naming: LayerNaming,
 ) -> Result<WithWarnings<Vec<AovRequest>>, Vec<Diagnostic>> {
     let mut warnings = Vec::new();
     let mut order: Vec<String> = Vec::new();

@@ -21,5 +21,5 @@ pub use frames::{FrameList, FramePattern, FrameRate};
 pub use layers::{
     AskedLayers, Contributions, DrawnLayers, LayeredPlan, MatteKind, contributions, wire_request,
 };
-pub use naming::{Naming, free_name, is_legal, legal_name};
+pub use naming::{LayerNaming, free_name, is_legal, legal_name};
 pub use plan_hash::PlanHasher;

@@ -8,7 +8,7 @@ const MAX_NAME: usize = 240;
 
 /// Scheme of names for contributions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Naming {
+pub enum LayerNaming {
     /// `light_key`, `layer_ground`: what scripts that rebuild a picture in Nuke look for.
     #[default]
     Nuke,
@@ -23,7 +23,7 @@ pub enum Naming {
 /// Row of a scheme.
 #[derive(Clone, Copy, Debug)]
 struct Scheme {
-    naming: Naming,
+    naming: LayerNaming,
     /// Name for people.
     name: &'static str,
     /// Beginning of the name of what lights add, alone, in groups, and to one layer.
@@ -36,22 +36,22 @@ struct Scheme {
 
 const SCHEMES: [Scheme; 4] = [
     Scheme {
-        naming: Naming::Nuke,
+        naming: LayerNaming::Nuke,
         name: "nuke",
         light: "light_",
         layer: "layer_",
         whole: "beauty",
     },
-    Scheme { naming: Naming::Karma, name: "karma", light: "C_", layer: "C_", whole: "C" },
+    Scheme { naming: LayerNaming::Karma, name: "karma", light: "C_", layer: "C_", whole: "C" },
     Scheme {
-        naming: Naming::Blender,
+        naming: LayerNaming::Blender,
         name: "blender",
         light: "Combined_",
         layer: "Combined_",
         whole: "Combined",
     },
     Scheme {
-        naming: Naming::Arnold,
+        naming: LayerNaming::Arnold,
         name: "arnold",
         light: "RGBA_",
         layer: "RGBA_",
@@ -59,7 +59,7 @@ const SCHEMES: [Scheme; 4] = [
     },
 ];
 
-impl Naming {
+impl LayerNaming {
     /// The schemes, each with its name for people.
     pub fn all() -> impl Iterator<Item = (&'static str, Self)> {
         SCHEMES.iter().map(|scheme| (scheme.name, scheme.naming))
@@ -122,9 +122,9 @@ mod tests {
 
     #[test]
     fn names_are_those_that_compositors_take() {
-        let names: Vec<_> = Naming::all().map(|(_, naming)| naming.of_light("key")).collect();
+        let names: Vec<_> = LayerNaming::all().map(|(_, naming)| naming.of_light("key")).collect();
         assert_eq!(names, ["light_key", "C_key", "Combined_key", "RGBA_key"]);
-        assert_eq!(Naming::Nuke.of_layer("rim.2 (soft)"), "layer_rim_2__soft_");
+        assert_eq!(LayerNaming::Nuke.of_layer("rim.2 (soft)"), "layer_rim_2__soft_");
         for name in ["12", "a.b", "", "ä", "é 1", "-x"] {
             assert!(!is_legal(name) && is_legal(&legal_name(name)), "{name}");
         }

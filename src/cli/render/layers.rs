@@ -8,7 +8,9 @@ use super::Arguments;
 use super::format::PictureFormat;
 use crate::compile::wire_outputs;
 use crate::diag::{Diagnostic, WithWarnings};
-use crate::film::{AskedLayers, Contributions, MatteKind, Naming, contributions, wire_request};
+use crate::film::{
+    AskedLayers, Contributions, LayerNaming, MatteKind, contributions, wire_request,
+};
 use crate::frame::Setup;
 use crate::library::Library;
 use crate::output::Output;
@@ -17,8 +19,8 @@ pub(super) fn parse_matte(text: &str) -> Result<MatteKind, String> {
     word(text, MatteKind::all())
 }
 
-pub(super) fn parse_naming(text: &str) -> Result<Naming, String> {
-    word(text, Naming::all())
+pub(super) fn parse_naming(text: &str) -> Result<LayerNaming, String> {
+    word(text, LayerNaming::all())
 }
 
 fn word<T>(text: &str, known: impl Iterator<Item = (&'static str, T)>) -> Result<T, String> {

@@ -23,7 +23,7 @@ use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Camera, ColorSpace, Look, Scene, Tier, parse_hex};
 use crate::film::exr::{ExrEncoding, ExrHeader, LosslessCompression, SampleType};
 use crate::film::{
-    AskedLayers, FrameList, FramePattern, FrameRate, LayeredPlan, MatteKind, Naming,
+    AskedLayers, FrameList, FramePattern, FrameRate, LayerNaming, LayeredPlan, MatteKind,
 };
 use crate::frame::{self, Assets, Executor, PassId, PlanOptions, PlanStyle, Planner, Setup, open};
 use crate::library::Library;
@@ -111,7 +111,7 @@ pub(super) struct Arguments {
     /// Names of the layers of what lights and layers add: nuke (light_key), karma (C_key), blender
     /// (Combined_key) or arnold (RGBA_key)
     #[arg(long, default_value = "nuke", value_parser = layers::parse_naming)]
-    naming: Naming,
+    naming: LayerNaming,
     /// The implementation to run in every node: exact, balanced, fast, or automatic, the cheapest
     /// that nobody can see; the document's without it
     #[arg(long, value_parser = tier::parse)]

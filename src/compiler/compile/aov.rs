@@ -73,7 +73,7 @@ pub struct StackParts {
     pub after: Vec<NodePath>,
 }
 
-/// What is written for a source.
+/// Value that is written for a source.
 #[derive(Clone, Debug)]
 pub struct TypedAov {
     pub(super) kind: TypedAovKind,
@@ -108,15 +108,15 @@ pub(super) struct Stack {
 /// The rule by which a step lets a share of what is below through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Passage {
-    /// That of a mode of *Blend*.
+    /// Share of a mode of *Blend*.
     Blend,
     /// All of it.
     All,
-    /// What a color's alpha leaves.
+    /// Share that a color's alpha leaves.
     Alpha,
     /// All or nothing: the greater one is seen.
     Greater,
-    /// That of a mode of *Mix colors*.
+    /// Share of a mode of *Mix colors*.
     Mix,
 }
 
@@ -166,7 +166,7 @@ impl AovSource {
 }
 
 impl TypedAov {
-    /// What is written for a source that [was found](AovSource::find).
+    /// Value that is written for a source that [was found](AovSource::find).
     ///
     /// # Errors
     /// That values of a type cannot be written.

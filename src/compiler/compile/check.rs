@@ -35,7 +35,7 @@ pub struct TypedGraph {
     pub params: Arc<[Param]>,
     /// The output that is drawn: a node and the index of its output.
     pub root: (usize, usize),
-    /// What is written beside the picture, a target each; an error where the look does not have it.
+    /// Values beside the picture, a target each; an error where the look does not have one.
     pub aovs: Vec<Result<Option<TypedAov>, Diagnostic>>,
     /// The look's lights.
     pub lights: IndexMap<LightId, Light>,

@@ -82,7 +82,8 @@ impl Builder<'_> {
         }
     }
 
-    /// What each step of a stack adds to its top, as `vec3f`. Steps that add nothing are left out.
+    /// Contribution of each step of a stack to its top, as `vec3f`. Steps that add nothing are left
+    /// out.
     fn contributions(&mut self, stack: &Stack) -> HashMap<StepId, ValueId> {
         let graph = self.graph;
         let mut found = HashMap::with_capacity(stack.steps.len() + 1);
