@@ -46,35 +46,67 @@ pub struct Cryptomatte {
     pub name: &'static str,
     /// All names, whether or not they are seen.
     pub names: Vec<String>,
-    /// For each sample of a pixel, what is seen, pixel by pixel in rows from the top: an index
-    /// among the names, or nothing.
-    pub samples: Vec<Vec<Option<usize>>>,
+    /// Coverage of the names.
+    pub coverage: MatteCoverage,
+}
+
+/// Coverage of names, pixel by pixel in rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MatteCoverage {
+    /// For each sample of a pixel, the name that is seen: an index among the names, or nothing.
+    Samples(Vec<Vec<Option<usize>>>),
+    /// For each name, its share of each pixel.
+    Shares(Vec<Vec<f32>>),
+}
+
+impl MatteCoverage {
+    /// Number of pixels.
+    fn pixels(&self) -> usize {
+        match self {
+            Self::Samples(samples) => samples.first().map_or(0, Vec::len),
+            Self::Shares(shares) => shares.first().map_or(0, Vec::len),
+        }
+    }
+
+    /// Ids of a pixel with the coverage of each; equal ids are one.
+    fn of_pixel(&self, pixel: usize, ids: &[f32], seen: &mut Vec<(f32, f32)>) {
+        seen.clear();
+        let mut add = |name: usize, share: f32| {
+            let is_same = |(id, _): &&mut (f32, f32)| id.to_bits() == ids[name].to_bits();
+            match seen.iter_mut().find(is_same) {
+                Some((_, sum)) => *sum += share,
+                None => seen.push((ids[name], share)),
+            }
+        };
+        match self {
+            Self::Samples(samples) => {
+                let share = 1.0 / samples.len().max(1) as f32;
+                samples.iter().filter_map(|sample| sample[pixel]).for_each(|name| add(name, share));
+            }
+            Self::Shares(shares) => {
+                let shares = shares.iter().map(|share| share[pixel]).enumerate();
+                shares.filter(|(_, share)| *share > 0.0).for_each(|(name, share)| add(name, share));
+            }
+        }
+        seen.sort_by_key(|(id, share)| (std::cmp::Reverse(share.to_bits()), id.to_bits()));
+    }
 }
 
 impl Cryptomatte {
     /// The layers: a preview in colors, and ids with coverage.
     pub fn layers(&self) -> Vec<ExrLayer> {
         let ids: Vec<f32> = self.names.iter().map(|name| f32::from_bits(id_of(name))).collect();
-        let count = self.samples.first().map_or(0, Vec::len);
-        let share = 1.0 / self.samples.len().max(1) as f32;
+        let count = self.coverage.pixels();
         let mut ranks = vec![vec![0.0_f32; count]; 2 * RANKS];
         let mut preview = vec![vec![0.0_f32; count]; 3];
-        let mut seen: Vec<(f32, usize)> = Vec::new();
+        let mut seen = Vec::new();
         for pixel in 0..count {
-            seen.clear();
-            for name in self.samples.iter().filter_map(|sample| sample[pixel]) {
-                match seen.iter_mut().find(|(id, _)| id.to_bits() == ids[name].to_bits()) {
-                    Some((_, samples)) => *samples += 1,
-                    None => seen.push((ids[name], 1)),
-                }
-            }
-            seen.sort_by_key(|(id, samples)| (std::cmp::Reverse(*samples), id.to_bits()));
-            for (rank, (id, samples)) in seen.iter().take(RANKS).enumerate() {
-                let coverage = *samples as f32 * share;
-                ranks[2 * rank][pixel] = *id;
+            self.coverage.of_pixel(pixel, &ids, &mut seen);
+            for (rank, &(id, coverage)) in seen.iter().take(RANKS).enumerate() {
+                ranks[2 * rank][pixel] = id;
                 ranks[2 * rank + 1][pixel] = coverage;
                 for (channel, sum) in preview.iter_mut().enumerate() {
-                    sum[pixel] += coverage * preview_of(*id, channel);
+                    sum[pixel] += coverage * preview_of(id, channel);
                 }
             }
         }
@@ -162,12 +194,12 @@ mod tests {
         let matte = Cryptomatte {
             name: "CryptoObject",
             names: vec!["key\"".to_owned(), "Würfel".to_owned()],
-            samples: vec![
+            coverage: MatteCoverage::Samples(vec![
                 vec![Some(0), None],
                 vec![Some(1), None],
                 vec![Some(1), Some(0)],
                 vec![Some(1), None],
-            ],
+            ]),
         };
         let layers = matte.layers();
         let names: Vec<_> = layers.iter().map(|layer| layer.name.as_str()).collect();

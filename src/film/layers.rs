@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use crate::compile::{AovSource, Live, StackPart, StackParts, StepId, check};
-use crate::cryptomatte::Cryptomatte;
+use crate::cryptomatte::{Cryptomatte, MatteCoverage};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::Look;
 use crate::exr::{ExrAttribute, ExrLayer};
@@ -30,6 +30,8 @@ pub enum MatteKind {
     Looks,
     /// Materials of meshes, by their names in the files.
     Materials,
+    /// Lights, each by its share of what is seen: the strongest first.
+    Lights,
 }
 
 /// Row of a kind of mattes.
@@ -41,10 +43,11 @@ struct MatteRow {
     name: &'static str,
 }
 
-const MATTES: [MatteRow; 3] = [
+const MATTES: [MatteRow; 4] = [
     MatteRow { kind: MatteKind::Objects, word: "objects", name: "CryptoObject" },
     MatteRow { kind: MatteKind::Looks, word: "looks", name: "CryptoLook" },
     MatteRow { kind: MatteKind::Materials, word: "materials", name: "CryptoMaterial" },
+    MatteRow { kind: MatteKind::Lights, word: "lights", name: "CryptoLight" },
 ];
 
 impl MatteKind {
@@ -68,6 +71,7 @@ impl MatteKind {
                 named(&setup.looks.get(look)?.look.name)
             }
             Self::Materials => named(&object.mesh.parts.get(part.material)?.material),
+            Self::Lights => return None,
         })
     }
 }
@@ -84,6 +88,8 @@ pub struct AskedLayers {
     pub aovs: Vec<AovRequest>,
     /// Mattes.
     pub mattes: Vec<MatteKind>,
+    /// Contributions of lights for their matte, by the lights' names.
+    pub lights: Vec<AovRequest>,
 }
 
 impl AskedLayers {
@@ -159,6 +165,10 @@ pub struct LayeredPlan {
     /// Plans of mattes, one for each sample of the picture.
     mattes: Vec<FramePlan>,
     names: Vec<MatteNames>,
+    /// Number of layers that are written; those that follow are for the matte of lights.
+    written: usize,
+    /// Lights of the matte of lights, each with the number of its layer.
+    lights: Vec<(String, usize)>,
 }
 
 impl LayeredPlan {
@@ -173,7 +183,16 @@ impl LayeredPlan {
         asked: &AskedLayers,
         most: usize,
     ) -> Result<WithWarnings<Self>, Vec<Diagnostic>> {
-        let mut batches = asked.aovs.chunks(most.max(1));
+        let mut aovs = asked.aovs.clone();
+        let mut lights = Vec::with_capacity(asked.lights.len());
+        for light in &asked.lights {
+            let known = aovs.iter().position(|layer| layer.sources == light.sources);
+            lights.push((light.name.clone(), known.unwrap_or(aovs.len())));
+            if known.is_none() {
+                aovs.push(light.clone());
+            }
+        }
+        let mut batches = aovs.chunks(most.max(1));
         planner.aovs = batches.next().unwrap_or_default().to_vec();
         let (first, warnings) = planner.plan(setup, library, live, options)?.into_parts();
         let mut further = Vec::new();
@@ -182,13 +201,15 @@ impl LayeredPlan {
             further.push(planner.plan(setup, library, live, options)?.value);
         }
         planner.aovs.clear();
-        let mattes = if asked.mattes.is_empty() {
+        let kinds = asked.mattes.iter().filter(|kind| **kind != MatteKind::Lights);
+        let mattes = if kinds.clone().next().is_none() {
             Vec::new()
         } else {
             planner.plan_mattes(setup, library, live, options)?
         };
-        let names = asked.mattes.iter().map(|kind| MatteNames::new(*kind, setup)).collect();
-        Ok(WithWarnings::new(Self { first, further, mattes, names }, warnings))
+        let names = kinds.map(|kind| MatteNames::new(*kind, setup)).collect();
+        let written = asked.aovs.len();
+        Ok(WithWarnings::new(Self { first, further, mattes, names, written, lights }, warnings))
     }
 
     /// The plan of the picture.
@@ -200,14 +221,16 @@ impl LayeredPlan {
     pub fn attributes(&self) -> Vec<ExrAttribute> {
         let matte = |names: &MatteNames| {
             let (name, names) = (names.kind.name(), names.names.clone());
-            Cryptomatte { name, names, samples: Vec::new() }.attributes()
+            Cryptomatte { name, names, coverage: MatteCoverage::Samples(Vec::new()) }.attributes()
         };
-        self.names.iter().flat_map(matte).collect()
+        let of_lights = (!self.lights.is_empty()).then(|| self.matte_of_lights(&[], &[]));
+        let of_lights = of_lights.iter().flat_map(Cryptomatte::attributes);
+        self.names.iter().flat_map(matte).chain(of_lights).collect()
     }
 
     /// True if values of looks are among the layers.
     pub fn has_values(&self) -> bool {
-        !self.first.aovs.is_empty()
+        self.written > 0
     }
 
     /// All plans.
@@ -216,9 +239,34 @@ impl LayeredPlan {
     }
 
     /// Everything that decides on mattes but their plans; `None` where there are none.
-    pub(super) fn mattes_key(&self) -> Option<Vec<(MatteKind, &[String])>> {
+    pub(super) fn mattes_key(&self) -> Option<impl std::hash::Hash + '_> {
         let names = self.names.iter().map(|names| (names.kind, names.names.as_slice()));
-        (!self.names.is_empty()).then(|| names.collect())
+        let has_mattes = !(self.names.is_empty() && self.lights.is_empty());
+        has_mattes.then(|| (names.collect::<Vec<_>>(), &self.lights, self.written))
+    }
+
+    /// The matte of lights: of each pixel, each light's share of all contributions.
+    fn matte_of_lights(
+        &self,
+        layers: &[(AovLayer, Vec<[f32; 3]>)],
+        coverage: &[f32],
+    ) -> Cryptomatte {
+        let strengths = self.lights.iter().map(|(_, layer)| {
+            let known = layers.get(*layer);
+            let numbers = known.map(|(_, numbers)| numbers.as_slice()).unwrap_or_default();
+            numbers.iter().map(|&[r, g, b]| 0.2126 * r + 0.7152 * g + 0.0722 * b).collect()
+        });
+        let mut shares: Vec<Vec<f32>> = strengths.collect();
+        for (pixel, covered) in coverage.iter().enumerate() {
+            let all: f32 = shares.iter().map(|share| share[pixel]).sum();
+            let scale = if all > 0.0 { covered / all } else { 0.0 };
+            shares.iter_mut().for_each(|share| share[pixel] *= scale);
+        }
+        Cryptomatte {
+            name: MatteKind::Lights.name(),
+            names: self.lights.iter().map(|(name, _)| name.clone()).collect(),
+            coverage: MatteCoverage::Shares(shares),
+        }
     }
 
     /// Draws the picture and the layers.
@@ -253,10 +301,17 @@ impl LayeredPlan {
             Cryptomatte {
                 name: names.kind.name(),
                 names: names.names.clone(),
-                samples: samples.iter().map(|seen| seen.iter().map(index).collect()).collect(),
+                coverage: MatteCoverage::Samples(
+                    samples.iter().map(|seen| seen.iter().map(index).collect()).collect(),
+                ),
             }
         };
         drawn.mattes = self.names.iter().map(matte).collect();
+        if !self.lights.is_empty() {
+            let coverage: Vec<f32> = drawn.picture.rgba.iter().map(|pixel| pixel[3]).collect();
+            drawn.mattes.push(self.matte_of_lights(&drawn.layers, &coverage));
+        }
+        drawn.layers.truncate(self.written);
         Ok(drawn)
     }
 }
@@ -425,6 +480,22 @@ fn cannot_be_parted(look: &Look, node: &NodePath) -> Diagnostic {
     Diagnostic::warning("not-parted", message)
         .node(node.clone())
         .hint("grade the layers before they are laid over one another, or grade in the compositor")
+}
+
+/// The contributions of lights by the lights' names, for a matte of them.
+///
+/// # Errors
+/// As [`contributions`].
+pub fn light_shares(
+    setup: &Setup,
+    library: &Library,
+    time: f64,
+) -> Result<Vec<AovRequest>, Vec<Diagnostic>> {
+    let slices = [Contributions::Lights];
+    let mut made = contributions(setup, library, time, &slices, LayerNaming::Bare)?.value;
+    // All but the sum.
+    made.remove(0);
+    Ok(made)
 }
 
 /// The layer of an output of a node, from `NAME=NODE.OUTPUT` or `NAME=LOOK:NODE.OUTPUT`.

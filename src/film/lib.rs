@@ -16,10 +16,11 @@ mod layers;
 mod naming;
 mod plan_hash;
 
-pub use cryptomatte::Cryptomatte;
+pub use cryptomatte::{Cryptomatte, MatteCoverage};
 pub use frames::{FrameList, FramePattern, FrameRate};
 pub use layers::{
-    AskedLayers, Contributions, DrawnLayers, LayeredPlan, MatteKind, contributions, wire_request,
+    AskedLayers, Contributions, DrawnLayers, LayeredPlan, MatteKind, contributions, light_shares,
+    wire_request,
 };
 pub use naming::{LayerNaming, free_name, is_legal, legal_name};
 pub use plan_hash::PlanHasher;

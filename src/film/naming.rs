@@ -18,6 +18,8 @@ pub enum LayerNaming {
     Blender,
     /// `RGBA_key`, as Arnold names them.
     Arnold,
+    /// `key` alone: for mattes, in which names are no names of layers.
+    Bare,
 }
 
 /// Row of a scheme.
@@ -34,7 +36,7 @@ struct Scheme {
     whole: &'static str,
 }
 
-const SCHEMES: [Scheme; 4] = [
+const SCHEMES: [Scheme; 5] = [
     Scheme {
         naming: LayerNaming::Nuke,
         name: "nuke",
@@ -57,12 +59,14 @@ const SCHEMES: [Scheme; 4] = [
         layer: "RGBA_",
         whole: "RGBA",
     },
+    Scheme { naming: LayerNaming::Bare, name: "", light: "", layer: "", whole: "all" },
 ];
 
 impl LayerNaming {
     /// The schemes, each with its name for people.
     pub fn all() -> impl Iterator<Item = (&'static str, Self)> {
-        SCHEMES.iter().map(|scheme| (scheme.name, scheme.naming))
+        let named = SCHEMES.iter().filter(|scheme| scheme.naming != Self::Bare);
+        named.map(|scheme| (scheme.name, scheme.naming))
     }
 
     fn scheme(self) -> &'static Scheme {

@@ -46,7 +46,7 @@ const CRATES: &[(&str, &[&[&str]])] = &[
     ),
     ("reference", &[]),
     ("render", &[]),
-    ("film", &[&["frames"], &["exr", "plan_hash"]]),
+    ("film", &[&["frames", "naming"], &["exr"], &["cryptomatte"], &["layers"], &["plan_hash"]]),
     ("laboratory", &[&["accuracy", "fit"], &["gallery"]]),
     ("sweeps", &[]),
     (

@@ -1,6 +1,5 @@
 //! Layers beside the picture: outputs of nodes, contributions that add up, mattes.
 
-#[cfg(unix)]
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -161,8 +160,8 @@ fn contributions_of_layers_and_lights_are_the_picture() {
 
 #[test]
 fn contributions_of_examples_add_up() {
-    // Clamps, every mode, lights in a group that runs for each, a limit after them.
-    for look in ["figure6-comics", "figure6-glossy-jade", "lights-summed", "oil-portrait"] {
+    // Clamps, modes of both kinds of blends, lights in a group that runs for each, a limit.
+    for look in ["figure6-comics", "lights-summed", "hatching", "room-walls"] {
         let folder = RenderFolder::new();
         let drawn = folder.layers(&example(&format!("{look}.json")), &["--aov", "layers"]);
         let worst = drawn.worst_sum("layer_", "beauty");
@@ -246,7 +245,7 @@ fn wrong_layers_are_told_before_anything_is_drawn() {
     refused(&["-o", "a.exr", "--aov", "a.b=key.tone"], "no name that compositors take");
     refused(&["-o", "a.exr", "--aov", "a=key.tone", "--aov", "a=rim.tone"], "two layers");
     refused(&["-o", "a.png", "--aov", "tone=key.tone"], "a.exr");
-    refused(&["-o", "a.exr", "--matte", "lamps"], "objects, looks, materials");
+    refused(&["-o", "a.exr", "--matte", "lamps"], "objects, looks, materials, lights");
     let listed = folder.run(Path::new("scene.json"), &["--list-aovs"]);
     let listed = String::from_utf8(listed.stdout).unwrap();
     assert!(listed.lines().any(|line| line.starts_with("Two:key.tone  ")), "{listed}");
@@ -278,7 +277,7 @@ fn mattes_cover_what_the_picture_covers_and_frames_are_kept() {
     };
     assert!(drawn.names().iter().zip(&drawn.0.samples).all(is_float));
 
-    let frames = ["-o", "a.#.exr", "--frames", "1-2", "--json"];
+    let frames = ["-o", "a.#.exr", "--frames", "1-2", "--json", "--samples", "1"];
     let states = |layers: &[&str]| {
         let output = folder.run(Path::new("scene.json"), &[&frames[..], layers].concat());
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
@@ -294,6 +293,36 @@ fn mattes_cover_what_the_picture_covers_and_frames_are_kept() {
     fs::remove_file(folder.path("a.1.exr")).unwrap();
     assert_eq!(states(&layers), ["drawn", "equal"]);
     assert_eq!(fs::read(folder.path("a.1.exr")).unwrap(), first, "equal runs are equal files");
+}
+
+#[test]
+fn the_matte_of_lights_tells_the_strongest() {
+    let folder = RenderFolder::with_scene();
+    let asked = ["--matte", "lights", "--aov", "lights", "--samples", "1"];
+    let drawn = folder.layers(&folder.path("scene.json"), &asked);
+    let strength = |light: &str, pixel: usize| {
+        let of = |channel| f64::from(drawn.channel(&format!("light_{light}.{channel}"))[pixel]);
+        0.2126 * of("R") + 0.7152 * of("G") + 0.0722 * of("B")
+    };
+    let lights = ["key", "rim", "unlit"];
+    let mut ids = BTreeMap::new();
+    for pixel in (0..drawn.channel("A").len()).filter(|pixel| drawn.channel("A")[*pixel] == 1.0) {
+        let strengths = lights.map(|light| strength(light, pixel));
+        let all: f64 = strengths.iter().sum();
+        let greatest = strengths.iter().copied().fold(0.0, f64::max);
+        let (id, share) = (drawn.channel("CryptoLight00.R"), drawn.channel("CryptoLight00.G"));
+        assert!((f64::from(share[pixel]) - greatest / all).abs() < 2e-3);
+        // Where one is stronger by far, the id is its own.
+        let strongest = strengths.iter().position(|x| *x == greatest).unwrap();
+        if greatest > 0.6 * all {
+            let known = *ids.entry(strongest).or_insert(id[pixel].to_bits());
+            assert_eq!(known, id[pixel].to_bits(), "{}", lights[strongest]);
+        }
+    }
+    assert!(ids.len() > 1, "several lights are the strongest somewhere");
+    // Layers that nobody asked for are not written.
+    let alone = folder.layers(&folder.path("scene.json"), &["--matte", "lights"]);
+    assert!(alone.names().iter().all(|name| !name.contains("key")), "{:?}", alone.names());
 }
 
 /// Python with the packages that judge layers, if this machine has them.

@@ -9,7 +9,7 @@ use super::format::PictureFormat;
 use crate::compile::wire_outputs;
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::film::{
-    AskedLayers, Contributions, LayerNaming, MatteKind, contributions, wire_request,
+    AskedLayers, Contributions, LayerNaming, MatteKind, contributions, light_shares, wire_request,
 };
 use crate::frame::Setup;
 use crate::library::Library;
@@ -67,6 +67,9 @@ pub(super) fn asked(
     if !slices.is_empty() {
         let made = contributions(setup, library, arguments.time, &slices, arguments.naming)?;
         asked.aovs.splice(0..0, made.tell(&mut warnings));
+    }
+    if asked.mattes.contains(&MatteKind::Lights) {
+        asked.lights = light_shares(setup, library, arguments.time)?;
     }
     asked.check().map_err(one)?;
     Ok(WithWarnings::new(asked, warnings))

@@ -104,8 +104,8 @@ pub(super) struct Arguments {
     /// Lists the outputs that --aov can name, and ends
     #[arg(long)]
     list_aovs: bool,
-    /// Mattes of an EXR as Cryptomatte has them: objects, looks, materials, several joined by
-    /// commas
+    /// Mattes of an EXR as Cryptomatte has them: objects, looks, materials, lights (by their share
+    /// of what is seen), several joined by commas
     #[arg(long = "matte", value_delimiter = ',', value_parser = layers::parse_matte)]
     mattes: Vec<MatteKind>,
     /// Names of the layers of what lights and layers add: nuke (light_key), karma (C_key), blender

@@ -351,6 +351,23 @@ impl TypedGraph {
         }
     }
 
+    /// The outputs of groups that can be written beside the picture, by their paths and names.
+    fn group_wires(&self) -> Vec<WireOutput> {
+        let outputs = self.group_outputs.iter().flat_map(|(path, outputs)| {
+            outputs.iter().map(move |(port, source)| (path, port, *source))
+        });
+        let wire = |(path, port, (node, output)): (&NodePath, &PortName, (usize, usize))| {
+            let ty = self.output_type(node, output);
+            let name = self.nodes[node].group.as_ref().map(|group| group.name.clone());
+            let name = name.unwrap_or_else(|| path.to_string());
+            let is_named = !port.as_str().is_empty() && is_writable(&ty);
+            is_named.then(|| WireOutput { path: path.clone(), name, port: port.clone(), ty })
+        };
+        let mut wires: Vec<WireOutput> = outputs.filter_map(wire).collect();
+        wires.sort_by(|a, b| (&a.path, &a.port).cmp(&(&b.path, &b.port)));
+        wires
+    }
+
     /// The stack with the names and lights of its steps.
     pub fn stack_parts(&self) -> StackParts {
         let stack = self.stack();
@@ -379,15 +396,16 @@ impl TypedGraph {
     }
 }
 
-/// The outputs of a look's nodes that can be written beside the picture, in the order of the
-/// document.
+/// The outputs of a look's groups and nodes that can be written beside the picture: groups by their
+/// paths, then nodes in the order of the document.
 ///
 /// # Errors
 /// Everything that is wrong with the look.
 pub fn wire_outputs(look: &Look, library: &Library) -> Result<Vec<WireOutput>, Vec<Diagnostic>> {
     let graph = check(look, library, None)?.value;
-    let mut seen = HashSet::new();
-    let mut found = Vec::new();
+    let mut found = graph.group_wires();
+    let mut seen: HashSet<(NodePath, PortName)> =
+        found.iter().map(|wire| (wire.path.clone(), wire.port.clone())).collect();
     for (index, node) in graph.nodes.iter().enumerate() {
         // A node that could not be typed has no inputs, and Output shows the picture itself.
         if node.def.special == Treatment::Output || node.inputs.len() != node.def.inputs.len() {
