@@ -75,6 +75,10 @@ impl LayerNaming {
 
     /// The name of what a light or a group of lights adds.
     pub fn of_light(self, light: &str) -> String {
+        // Names in mattes are the things' own.
+        if self == Self::Bare {
+            return light.to_owned();
+        }
         legal_name(&format!("{}{light}", self.scheme().light))
     }
 
@@ -93,14 +97,12 @@ impl LayerNaming {
 /// digit, for Nuke takes no layer that is a number, and a point ends the layer's name.
 pub fn is_legal(name: &str) -> bool {
     let begins = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
-    begins
-        && name.len() <= MAX_NAME
-        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-')
+    begins && name.len() <= MAX_NAME && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
 /// The nearest [legal](is_legal) name.
 pub fn legal_name(name: &str) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let mut legal: String = name.chars().map(|c| if is_plain(c) { c } else { '_' }).collect();
     if !legal.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') {
         legal.insert(0, '_');
@@ -132,7 +134,9 @@ mod tests {
         for name in ["12", "a.b", "", "ä", "é 1", "-x"] {
             assert!(!is_legal(name) && is_legal(&legal_name(name)), "{name}");
         }
-        assert!(is_legal(&legal_name(&"long".repeat(1000))) && is_legal("key-2"));
+        assert!(
+            is_legal(&legal_name(&"long".repeat(1000))) && is_legal("key_2") && !is_legal("key-2")
+        );
         let mut taken = HashSet::new();
         let mut free = |name: &str| free_name(name.to_owned(), &mut taken);
         assert_eq!([free("a"), free("a"), free("a_2"), free("a")], ["a", "a_2", "a_2_2", "a_3"]);
