@@ -15,3 +15,58 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), alpha);
     return select(mixed, clamp(mixed, vec4f(0.0), vec4f(1.0)), clamped);
 }
+
+// Contributions of a stack's steps. A step that turns `below` into `above` lets a share of what is
+// below through and adds the rest: channel by channel `above` is `through * below` and what is
+// added. The step's mode says what is let through; where that would be more than what is left, as
+// under a clamp or where a step darkens, what is let through is what is left. So nothing that is
+// added is negative, and sums give back `above`.
+
+/// The share of what is below that a layer of *Blend* lets through in its mode: 0 add, 1 multiply,
+/// 2 subtract, 3 alpha, 4 shade.
+fn blend_passage(mode: i32, color: Color, tone: f32, opacity: f32) -> vec3f {
+    let a = clamp(opacity * color.w, 0.0, 1.0);
+    if mode == 1 {
+        return mix(vec3f(1.0), clamp(tone * color.xyz, vec3f(0.0), vec3f(1.0)), a);
+    }
+    if mode == 3 {
+        return vec3f(clamp(1.0 - a * tone, 0.0, 1.0));
+    }
+    if mode == 4 {
+        let shade = mix(vec3f(1.0), color.xyz, tone);
+        return mix(vec3f(1.0), clamp(shade, vec3f(0.0), vec3f(1.0)), a);
+    }
+    return vec3f(1.0);
+}
+
+/// All of what is below where it is at least as great, else nothing of it.
+fn greater_passage(below: Composite, above: Composite) -> vec3f {
+    return select(vec3f(1.0), vec3f(0.0), above.xyz > below.xyz);
+}
+
+/// The share of what is below that a step lets through: `asked`, or less where less is left.
+fn let_through(below: Composite, above: Composite, asked: vec3f) -> vec3f {
+    let some = max(below.xyz, vec3f(1e-30));
+    let left = clamp(above.xyz / some, vec3f(0.0), vec3f(1.0));
+    return select(asked, left, above.xyz < asked * below.xyz);
+}
+
+/// The rest that a step adds which lets this share of what is below through; 0 or more.
+fn added_over(below: Composite, above: Composite, through: vec3f) -> vec3f {
+    return max(above.xyz - through * below.xyz, vec3f(0.0));
+}
+
+/// The part that a stack's lowest color adds where this share of it is let through; 0 or more.
+fn held_back(color: Composite, through: vec3f) -> vec3f {
+    return max(color.xyz, vec3f(0.0)) * through;
+}
+
+/// The share that both of two let through, or of a color the part that one does.
+fn both_through(a: vec3f, b: vec3f) -> vec3f {
+    return a * b;
+}
+
+/// Two contributions together.
+fn sum_of_both(a: vec3f, b: vec3f) -> vec3f {
+    return a + b;
+}

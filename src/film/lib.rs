@@ -8,22 +8,31 @@
 //! backdrop. [`sheet`] lays pictures side by side with labels, [`animated`] makes them move, and
 //! [`farm`] writes the jobs of render farms.
 
-use chiaro_compiler::{compile, document};
+use chiaro_compiler::{compile, document, library};
 use chiaro_files as files;
-use chiaro_language::diag;
+use chiaro_language::{diag, ids, progress};
 use chiaro_scene::{frame, geometry};
 
 mod animation;
+mod cryptomatte;
 pub mod exr;
 pub mod farm;
 mod frames;
 mod label;
+mod layers;
+mod naming;
 mod plan_hash;
 pub mod sheet;
 mod stored;
 
 pub use animation::{animated, rgb8};
+pub use cryptomatte::{Cryptomatte, MatteCoverage};
 pub use document::FrameRate;
 pub use frames::{FrameList, FramePattern};
+pub use layers::{
+    AskedLayers, Contributions, DrawnLayers, LayeredPlan, MatteKind, contributions, light_shares,
+    wire_request,
+};
+pub use naming::{LayerNaming, free_name, is_legal, legal_name};
 pub use plan_hash::PlanHasher;
 pub use stored::{FrameDifference, PLAN_NOTE, StoredFrame};

@@ -9,6 +9,7 @@ use siphasher::sip128::{Hasher128 as _, SipHasher13};
 use crate::compile::CompiledShader;
 use crate::frame::{Casters, FramePlan};
 use crate::geometry::Mesh;
+use crate::layers::LayeredPlan;
 
 /// Hasher of frame plans. It keeps what it has read of meshes and modules, for most frames have the
 /// same.
@@ -37,6 +38,9 @@ impl PlanHasher {
         plan.view.uniform_bytes().hash(&mut hasher);
         plan.passes.iter().for_each(|pass| pass.id.hash(&mut hasher));
         plan.deferral.is_ok().hash(&mut hasher);
+        if !plan.aovs.is_empty() {
+            plan.aovs.hash(&mut hasher);
+        }
         for draw in &plan.draws {
             self.mesh(&draw.mesh).hash(&mut hasher);
             (&draw.indices, draw.two_sided, draw.is_mirrored).hash(&mut hasher);
@@ -66,6 +70,17 @@ impl PlanHasher {
             }
         }
         format!("{:032x}", hasher.finish128().as_u128())
+    }
+
+    /// The hash of a plan with layers.
+    pub fn hash_layered(&mut self, plan: &LayeredPlan) -> String {
+        let parts: Vec<String> = plan.plans().map(|plan| self.hash(plan)).collect();
+        let mattes = plan.mattes_key();
+        if parts.len() == 1 && mattes.is_none() {
+            return parts.concat();
+        }
+        let of_all = hash_of(|hasher| (&parts, &mattes).hash(hasher));
+        format!("{of_all:032x}")
     }
 
     fn mesh(&mut self, mesh: &Arc<Mesh>) -> u128 {

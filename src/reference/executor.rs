@@ -6,7 +6,7 @@ use super::fullscreen::shade_all;
 use super::geometry::Triangles;
 use super::options::{ImageRounding, ReferenceOptions};
 use super::picture::ReferencePicture;
-use super::raster::{check_size, rasterize};
+use super::raster::{Raster, check_size, rasterize};
 use super::setup::Sides;
 use super::shader::Shader;
 use super::texels::Texels;
@@ -115,16 +115,41 @@ pub fn execute(
     progress: &Progress,
 ) -> Result<ReferencePicture, Diagnostic> {
     check_size(plan.size, plan.samples)?;
-    run(plan, &mut PassImages::default(), shaders, options, progress)?.ok_or_else(|| {
-        Diagnostic::error("reference-plan", "the plan has no pass that makes the picture")
-    })
+    execute_layered(plan, shaders, options, progress).map(|(picture, _)| picture)
 }
 
-/// Runs the passes of `plan`, and adds what they make for later passes to `images`. Returns the
-/// picture, if a pass draws it.
+/// Draws the picture of `plan`, and the plan's layers, premultiplied with four channels each.
+///
+/// # Errors
+/// As [`execute`].
+pub fn execute_layered(
+    plan: &FramePlan,
+    shaders: &dyn ShaderFactory,
+    options: &ReferenceOptions,
+    progress: &Progress,
+) -> Result<(ReferencePicture, Vec<Texels>), Diagnostic> {
+    check_size(plan.size, plan.samples)?;
+    let mut layers = Vec::new();
+    let mut images = PassImages::default();
+    let picture = run(plan, (&mut images, &mut layers), shaders, options, progress)?;
+    let missing =
+        || Diagnostic::error("reference-plan", "the plan has no pass that makes the picture");
+    Ok((picture.ok_or_else(missing)?, layers))
+}
+
+/// The picture of a raster, whose layers are added to `layers`.
+fn parted(raster: Raster, layers: &mut Vec<Texels>) -> Raster {
+    let all = &raster.texels;
+    let part = |number: usize| all.channels(4 * number..4 * number + 4);
+    layers.extend((1..all.channels / 4).map(part));
+    Raster { texels: part(0), ..raster }
+}
+
+/// Runs the passes of `plan`, and adds what they make for later passes to `images`, and the plan's
+/// layers to `layers`. Returns the picture, if a pass draws it.
 fn run(
     plan: &FramePlan,
-    images: &mut PassImages,
+    (images, layers): (&mut PassImages, &mut Vec<Texels>),
     shaders: &dyn ShaderFactory,
     options: &ReferenceOptions,
     progress: &Progress,
@@ -139,6 +164,7 @@ fn run(
         let made = match id.stage() {
             Some(stage) if id.writes_picture() => {
                 let raster = draw(plan, (id, stage), images, shaders, options, &progress)?;
+                let raster = if plan.aovs.is_empty() { raster } else { parted(raster, layers) };
                 let objects = plan.draws.iter().map(|draw| draw.object.clone()).collect();
                 let mut drawn = ReferencePicture::new(raster, plan.samples, objects);
                 let over = plan.passes.iter().filter(|pass| pass.id.is_over());
@@ -174,7 +200,7 @@ pub fn execute_screens(
     options: &ReferenceOptions,
     progress: &Progress,
 ) -> Result<(), Diagnostic> {
-    run(plan, images, shaders, options, progress).map(drop)
+    run(plan, (images, &mut Vec::new()), shaders, options, progress).map(drop)
 }
 
 /// Draws what lights see: layers one below the other.
@@ -220,7 +246,7 @@ fn draw(
     shaders: &dyn ShaderFactory,
     options: &ReferenceOptions,
     progress: &Progress,
-) -> Result<super::raster::Raster, Diagnostic> {
+) -> Result<Raster, Diagnostic> {
     let made = |draw| shaders.draw(plan, draw, pass, images);
     // A draw without a module for the stage leaves a gap, so that draws keep their indices.
     let wanted = |draw: &&Draw| draw.module(stage).is_some();
@@ -234,7 +260,12 @@ fn draw(
     let triangles: Vec<_> = triangles.collect();
     let (target, samples) = if pass.writes_picture() {
         let [r, g, b, a] = plan.backdrop.unwrap_or([0.0; 4]);
-        (PassTarget::Picture([r * a, g * a, b * a, a]), plan.samples)
+        let background = [r * a, g * a, b * a, a];
+        let target = match plan.aovs.len() {
+            0 => PassTarget::Picture(background),
+            layers => PassTarget::Layered(background, layers),
+        };
+        (target, plan.samples)
     } else {
         (PassTarget::Numbers(channels(pass)), 1)
     };

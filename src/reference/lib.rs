@@ -57,7 +57,7 @@ mod tiles;
 mod uniform;
 
 pub use eval::evaluate;
-pub use executor::{PassImages, ShaderFactory, execute, execute_screens};
+pub use executor::{PassImages, ShaderFactory, execute, execute_layered, execute_screens};
 pub use fullscreen::shade_all;
 pub use gather::{GatheredFragments, GatheredPixel, PixelSheet};
 pub use geometry::Triangles;

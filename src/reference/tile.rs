@@ -11,6 +11,9 @@ pub enum PassTarget {
     /// A picture that is cleared to this premultiplied color; straight colors are blended over it,
     /// and samples averaged.
     Picture([f64; 4]),
+    /// A picture with this many layers beside it, four channels each, which are cleared to 0 and
+    /// otherwise drawn as the picture is.
+    Layered([f64; 4], usize),
     /// Numbers, this many a pixel, which are cleared to 0 and are replaced; one sample a pixel.
     Numbers(usize),
 }
@@ -20,6 +23,7 @@ impl PassTarget {
     pub(super) fn channels(&self) -> usize {
         match self {
             Self::Picture(_) => 4,
+            Self::Layered(_, layers) => 4 * (1 + layers),
             Self::Numbers(channels) => *channels,
         }
     }
@@ -72,6 +76,11 @@ impl TileSamples {
         match target {
             PassTarget::Picture(background) => {
                 self.colors.chunks_exact_mut(4).for_each(|color| color.copy_from_slice(background));
+            }
+            PassTarget::Layered(background, _) => {
+                self.colors.fill(0.0);
+                let pixels = self.colors.chunks_exact_mut(self.channels);
+                pixels.for_each(|pixel| pixel[..4].copy_from_slice(background));
             }
             PassTarget::Numbers(_) => self.colors.fill(0.0),
         }
@@ -165,10 +174,10 @@ impl TileSamples {
 fn write(sample: &mut [f64], fragment: impl Fn(usize) -> f64, target: &PassTarget) {
     match target {
         // Straight color is blended over premultiplied.
-        PassTarget::Picture(_) => {
-            let alpha = fragment(3);
+        PassTarget::Picture(_) | PassTarget::Layered(..) => {
             for (channel, number) in sample.iter_mut().enumerate() {
-                let factor = if channel == 3 { 1.0 } else { alpha };
+                let alpha = fragment(channel / 4 * 4 + 3);
+                let factor = if channel % 4 == 3 { 1.0 } else { alpha };
                 *number = fragment(channel) * factor + *number * (1.0 - alpha);
             }
         }

@@ -1,7 +1,7 @@
 //! The renderer as an executor of frame plans.
 
 use crate::diag::Diagnostic;
-use crate::frame::{Executor, FramePlan, PictureFuture};
+use crate::frame::{Executor, FramePlan, LayersFuture, PictureFuture};
 use crate::progress::Progress;
 use crate::{Gpu, Renderer};
 
@@ -26,6 +26,20 @@ impl Executor for Renderer {
             progress.add(1);
             Ok(picture)
         })
+    }
+
+    fn layered<'a>(&'a mut self, plan: &'a FramePlan, progress: &'a Progress) -> LayersFuture<'a> {
+        Box::pin(async move {
+            progress.begin(1);
+            progress.check()?;
+            let picture = Self::layered(self, plan).await?;
+            progress.add(1);
+            Ok(picture)
+        })
+    }
+
+    fn most_layers(&self) -> usize {
+        self.gpu().most_layers()
     }
 
     fn warnings(&self, plan: &FramePlan) -> Vec<Diagnostic> {

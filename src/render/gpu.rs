@@ -185,6 +185,15 @@ impl Gpu {
         }
     }
 
+    /// The most layers that one draw can write beside the picture.
+    pub fn most_layers(&self) -> usize {
+        let limits = self.device.limits();
+        let texel = self.picture.target_pixel_byte_cost().unwrap_or(8);
+        let targets =
+            limits.max_color_attachments.min(limits.max_color_attachment_bytes_per_sample / texel);
+        targets.saturating_sub(1) as usize
+    }
+
     /// Waits until the GPU has finished all submitted work.
     pub(super) fn wait(&self) -> Result<(), RenderError> {
         let waited = self.device.poll(wgpu::PollType::wait_indefinitely());

@@ -27,7 +27,7 @@ mod timer;
 
 use std::collections::HashMap;
 
-use crate::frame::{FramePlan, PassId};
+use crate::frame::{FramePlan, LayeredPicture, PassId};
 
 pub use crate::frame::Picture;
 
@@ -164,6 +164,23 @@ impl Renderer {
             .picture()
             .ok_or(RenderError::Lost { message: "the picture has no target".to_owned() })?;
         readback::read_picture(&self.gpu, texture).await
+    }
+
+    /// Runs `plan` and reads the picture and its layers back.
+    ///
+    /// # Errors
+    /// As [`draw`](Self::draw), and more layers than the device can draw at once.
+    pub async fn layered(&mut self, plan: &FramePlan) -> Result<LayeredPicture, RenderError> {
+        let (size, limit) = (plan.aovs.len() as u64, self.gpu.most_layers() as u64);
+        if size > limit {
+            return Err(RenderError::TooLarge { what: "the layers".to_owned(), size, limit });
+        }
+        let picture = self.picture(plan).await?;
+        let mut layers = Vec::with_capacity(plan.aovs.len());
+        for layer in self.targets.layers() {
+            layers.push(readback::read_layer(&self.gpu, layer).await?);
+        }
+        Ok(LayeredPicture { picture, layers })
     }
 
     /// The picture that [`draw`](Self::draw) drew: `rgba16float`, premultiplied.

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::error::RenderError;
 use super::gpu::Gpu;
 use super::target::{DEPTH, format_of};
-use crate::compile::{BindingKind, CompiledShader, Stage, VertexAttribute};
+use crate::compile::{BindingKind, CompiledShader, VertexAttribute};
 use crate::frame::{PassId, PassOutput, TexelFormat, stack_of};
 
 /// Stack that any thread has to spare, in bytes; the smallest of our threads have 2 MiB.
@@ -228,7 +228,7 @@ fn make(
             module: no_color.as_ref().unwrap_or(&module),
             entry_point: Some("fs_main"),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &targets(shader.stage, gpu, depth),
+            targets: &targets(shader, gpu, depth),
         }),
         multiview_mask: None,
         cache: None,
@@ -236,11 +236,15 @@ fn make(
     LookPipeline { pipeline, layout, attributes }
 }
 
-fn targets(stage: Stage, gpu: &Gpu, depth: DepthUse) -> Vec<Option<wgpu::ColorTargetState>> {
+fn targets(
+    shader: &CompiledShader,
+    gpu: &Gpu,
+    depth: DepthUse,
+) -> Vec<Option<wgpu::ColorTargetState>> {
     let plain = |format| {
         Some(wgpu::ColorTargetState { format, blend: None, write_mask: wgpu::ColorWrites::ALL })
     };
-    let Some(pass) = PassId::of_stage(stage) else {
+    let Some(pass) = PassId::of_stage(shader.stage) else {
         // Values of samples.
         return vec![plain(wgpu::TextureFormat::Rgba32Float)];
     };
@@ -255,7 +259,10 @@ fn targets(stage: Stage, gpu: &Gpu, depth: DepthUse) -> Vec<Option<wgpu::ColorTa
             DepthUse::Together | DepthUse::Before => plain(format),
         }
     };
-    pass.row().writes.iter().map(target).collect()
+    let written = pass.row().writes;
+    // Layers beside the picture are drawn as the picture is.
+    let beside = shader.aovs.iter().filter_map(|_| written.first());
+    written.iter().chain(beside).map(target).collect()
 }
 
 /// The target of the picture. The shader outputs straight color; the target is premultiplied, so

@@ -13,28 +13,43 @@ pub(super) async fn read_picture(
     texture: &wgpu::Texture,
 ) -> Result<Picture, RenderError> {
     let size = [texture.width(), texture.height()];
+    let texels = read_numbers(gpu, texture).await?;
+    let straight = |[r, g, b, alpha]: [f32; 4]| {
+        // The target is premultiplied, and the picture straight.
+        let scale = if alpha > 0.0 { 1.0 / alpha } else { 0.0 };
+        [r * scale, g * scale, b * scale, alpha]
+    };
+    Ok(Picture { size, rgba: texels.into_iter().map(straight).collect() })
+}
+
+/// The numbers of a layer beside the picture.
+pub(super) async fn read_layer(
+    gpu: &Gpu,
+    texture: &wgpu::Texture,
+) -> Result<Vec<[f32; 3]>, RenderError> {
+    let texels = read_numbers(gpu, texture).await?;
+    Ok(texels.into_iter().map(|[x, y, z, _]| [x, y, z]).collect())
+}
+
+/// The texels of a target of the picture's format.
+async fn read_numbers(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<[f32; 4]>, RenderError> {
     let is_precise = texture.format() == wgpu::TextureFormat::Rgba32Float;
     let texel = if is_precise { 16 } else { 8 };
     let bytes = read_texture(gpu, texture, texel).await?;
-    let rgba = bytes
-        .chunks_exact(texel as usize)
-        .map(|pixel| {
-            let channel = |i: usize| match is_precise {
-                true => f32::from_le_bytes([
-                    pixel[4 * i],
-                    pixel[4 * i + 1],
-                    pixel[4 * i + 2],
-                    pixel[4 * i + 3],
-                ]),
-                false => f16::from_le_bytes([pixel[2 * i], pixel[2 * i + 1]]).to_f32(),
-            };
-            // The target is premultiplied, and the picture straight.
-            let alpha = channel(3);
-            let scale = if alpha > 0.0 { 1.0 / alpha } else { 0.0 };
-            [channel(0) * scale, channel(1) * scale, channel(2) * scale, alpha]
-        })
-        .collect();
-    Ok(Picture { size, rgba })
+    let texels = bytes.chunks_exact(texel as usize);
+    let numbers = texels.map(|pixel| {
+        let channel = |i: usize| match is_precise {
+            true => f32::from_le_bytes([
+                pixel[4 * i],
+                pixel[4 * i + 1],
+                pixel[4 * i + 2],
+                pixel[4 * i + 3],
+            ]),
+            false => f16::from_le_bytes([pixel[2 * i], pixel[2 * i + 1]]).to_f32(),
+        };
+        [channel(0), channel(1), channel(2), channel(3)]
+    });
+    Ok(numbers.collect())
 }
 
 /// The texels of a texture, without the padding that GPUs put between rows.

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::gpu::Gpu;
 use super::passes::cleared;
-use crate::frame::{FramePlan, PassId, PassImage, TexelFormat};
+use crate::frame::{AovLayer, FramePlan, PassId, PassImage, TexelFormat};
 
 /// Format of the picture: half floats, so that nothing is rounded to eight bits before the picture
 /// is shown or written.
@@ -21,6 +21,8 @@ pub(super) const FAR_PLANE: f32 = 1.0;
 pub(super) struct Targets {
     key: Option<([u32; 2], u32)>,
     picture: Option<wgpu::Texture>,
+    /// Layers beside the picture, each with its samples where a pixel has several.
+    layers: Vec<(wgpu::Texture, Option<wgpu::TextureView>)>,
     pub(super) multisampled: Option<wgpu::TextureView>,
     pub(super) depth: Option<wgpu::TextureView>,
     /// Numbers of triangles, where looks are drawn deferred.
@@ -44,6 +46,7 @@ impl Targets {
             *self = Self {
                 key: Some(key),
                 picture: Some(texture(gpu, plan.size, gpu.picture, 1, usage)),
+                layers: Vec::new(),
                 multisampled: (plan.samples > 1)
                     .then(|| view(gpu, plan.size, gpu.picture, plan.samples)),
                 depth: Some(view(gpu, plan.size, DEPTH, plan.samples)),
@@ -52,6 +55,16 @@ impl Targets {
                 buffers: HashMap::new(),
             };
             is_new = true;
+        }
+        if self.layers.len() != plan.aovs.len() {
+            is_new = true;
+            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+            let layer = |_: &AovLayer| {
+                let samples =
+                    (plan.samples > 1).then(|| view(gpu, plan.size, gpu.picture, plan.samples));
+                (texture(gpu, plan.size, gpu.picture, 1, usage), samples)
+            };
+            self.layers = plan.aovs.iter().map(layer).collect();
         }
         if plan.deferral.is_ok() && self.triangles.is_none() {
             is_new = true;
@@ -76,6 +89,19 @@ impl Targets {
 
     pub(super) fn picture(&self) -> Option<&wgpu::Texture> {
         self.picture.as_ref()
+    }
+
+    /// The layers beside the picture.
+    pub(super) fn layers(&self) -> impl Iterator<Item = &wgpu::Texture> {
+        self.layers.iter().map(|(layer, _)| layer)
+    }
+
+    /// Views of the layers beside the picture, each with that of its samples where a pixel has
+    /// several.
+    pub(super) fn layer_views(&self) -> Vec<(wgpu::TextureView, Option<wgpu::TextureView>)> {
+        let view =
+            |layer: &wgpu::Texture| layer.create_view(&wgpu::TextureViewDescriptor::default());
+        self.layers.iter().map(|(layer, samples)| (view(layer), samples.clone())).collect()
     }
 
     /// An image of a pass.

@@ -48,7 +48,14 @@ const CRATES: &[(&str, &[&[&str]])] = &[
     ("render", &[]),
     (
         "film",
-        &[&["frames", "label"], &["animation", "exr", "farm", "plan_hash", "sheet"], &["stored"]],
+        &[
+            &["frames", "label", "naming"],
+            &["exr"],
+            &["cryptomatte"],
+            &["layers"],
+            &["animation", "farm", "plan_hash", "sheet"],
+            &["stored"],
+        ],
     ),
     ("laboratory", &[&["accuracy", "fit"], &["gallery"]]),
     ("sweeps", &[]),

@@ -9,6 +9,7 @@ mod film;
 mod fit;
 mod frames;
 mod gallery;
+mod layers;
 mod lights;
 #[cfg(target_os = "linux")]
 mod memory;

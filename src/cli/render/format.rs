@@ -4,9 +4,8 @@ use std::path::Path;
 
 use crate::diag::Diagnostic;
 use crate::files::{OutputKind, png};
-use crate::film::PLAN_NOTE;
-use crate::film::exr::{self, ExrEncoding, ExrHeader, ExrLayer, LosslessCompression, SampleType};
-use crate::frame::Picture;
+use crate::film::exr::{self, ExrEncoding, ExrHeader, LosslessCompression, SampleType};
+use crate::film::{DrawnLayers, PLAN_NOTE};
 
 /// Format of a picture's file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,15 +37,14 @@ impl PictureFormat {
     /// The bytes of a file. A PNG holds of the header the plan alone.
     pub(super) fn encode(
         self,
-        picture: &Picture,
+        drawn: &DrawnLayers,
         header: &ExrHeader,
     ) -> Result<Vec<u8>, Diagnostic> {
         match self {
-            Self::Png if header.plan.is_empty() => picture.to_png(),
-            Self::Png => Ok(png::with_note(&picture.to_png()?, PLAN_NOTE, &header.plan)),
+            Self::Png if header.plan.is_empty() => drawn.picture.to_png(),
+            Self::Png => Ok(png::with_note(&drawn.picture.to_png()?, PLAN_NOTE, &header.plan)),
             Self::Exr(encoding) => {
-                let layers = [ExrLayer::of_picture(picture)];
-                exr::encode(picture.size, &layers, header, encoding)
+                exr::encode(drawn.picture.size, &drawn.exr_layers(), header, encoding)
             }
         }
     }

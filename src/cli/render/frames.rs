@@ -12,13 +12,13 @@ use serde_json::{Value as Json, json};
 
 use super::format::PictureFormat;
 use super::progress::ProgressLines;
-use super::{Stage, blended_in};
+use super::{Stage, blended_in, layers_in};
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::files::{self, Outputs};
 use crate::film::exr::{ExrHeader, FrameStamp};
-use crate::film::{FrameList, FramePattern, FrameRate, PlanHasher};
-use crate::frame::{Executor, FramePlan, Picture, PlanOptions};
+use crate::film::{DrawnLayers, FrameList, FramePattern, FrameRate, LayeredPlan, PlanHasher};
+use crate::frame::{Executor, PlanOptions};
 use crate::output::{Output, refuse_warnings};
 use crate::threads;
 
@@ -55,8 +55,8 @@ enum FrameState<T> {
     New(T),
 }
 
-type PlannedFrame = Frame<Box<FramePlan>>;
-type DrawnFrame = Frame<Picture>;
+type PlannedFrame = Frame<Box<LayeredPlan>>;
+type DrawnFrame = Frame<DrawnLayers>;
 
 /// Time that was spent on a frame, or on all, in seconds.
 #[derive(Clone, Copy, Debug, Default)]
@@ -142,18 +142,19 @@ fn plan_all(
         let file = sequence.pattern.path(frame);
         let options = PlanOptions { time: sequence.rate.time(frame), ..stage.options.clone() };
         let mut warnings = Vec::new();
-        let plan = stage.planner.plan(&stage.setup, &stage.library, &stage.live, &options)?;
-        let plan = plan.tell(&mut warnings);
+        let plan = stage.plan(&options)?.tell(&mut warnings);
         refuse_warnings(sequence.is_strict, &mut warnings)?;
         warnings.retain(|warning| told.insert(warning.to_string()));
         output.diagnostics(&warnings);
-        let content = hasher.hash(&plan);
+        let content = hasher.hash_layered(&plan);
         let stamp = FrameStamp { frame, rate: sequence.rate };
         let header = ExrHeader {
-            view: Some(plan.view),
+            view: Some(plan.picture().view),
             stamp: Some(stamp),
             plan: key(&content, sequence),
             blended_in: blended_in.clone(),
+            layers_in: layers_in(&plan, &blended_in),
+            attributes: plan.attributes(),
         };
         let is_whole =
             |bytes: Vec<u8>| sequence.format.plan_of(&bytes) == Some(header.plan.clone());
@@ -199,12 +200,11 @@ fn draw_all(
             FrameState::Equal { frame, file } => FrameState::Equal { frame, file },
             FrameState::New(plan) => {
                 let clock = Clock::start();
-                let mut warnings = executor.warnings(&plan);
+                let mut warnings = executor.warnings(plan.picture());
                 warnings.retain(|warning| told.insert(warning.to_string()));
                 output.diagnostics(&warnings);
-                let picture = output.watch_async("drawing", async |progress| {
-                    executor.picture(&plan, progress).await
-                });
+                let picture = output
+                    .watch_async("drawing", async |progress| plan.draw(executor, progress).await);
                 let picture = crate::wait(picture).map_err(|problem| vec![problem])?;
                 seconds.drawing = clock.seconds();
                 FrameState::New(picture)

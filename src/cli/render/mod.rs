@@ -2,6 +2,7 @@
 
 mod format;
 mod frames;
+mod layers;
 mod progress;
 pub(super) mod wedge;
 
@@ -21,10 +22,12 @@ use super::target::{OutputPath, outputs, reads_all};
 use super::tier::{self, TierChoice};
 use crate::clock::Clock;
 use crate::compile::Live;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Camera, ColorSpace, Look, Scene, Tier, parse_hex};
 use crate::film::exr::{ExrEncoding, ExrHeader, LosslessCompression, SampleType};
-use crate::film::{FrameList, FramePattern, FrameRate};
+use crate::film::{
+    AskedLayers, FrameList, FramePattern, FrameRate, LayerNaming, LayeredPlan, MatteKind,
+};
 use crate::frame::{
     self, Assets, Executor, PassId, PlanOptions, PlanStyle, Planner, Setup, ShotStack, open,
 };
@@ -43,6 +46,8 @@ Examples:
   chiaro render scene.json -o frame.png --time 1.5 --backdrop none --json
   chiaro render scene.json -o 'out/####.exr' --frames 1-240x2 --rate 24
   chiaro render shot.json -o 'out/####.exr'        all frames of the shot, at its rate
+  chiaro render look.json -o layers.exr --aov layers --aov depth_key=key.tone --matte objects
+  chiaro render look.json --list-aovs
   chiaro render look.json -o truth.png --on reference";
 
 /// Arguments of `chiaro render`.
@@ -53,8 +58,8 @@ pub(super) struct Arguments {
     document: PathBuf,
     /// The PNG or EXR to write; `####` stands for the number of each of the --frames, or of the
     /// shot's own
-    #[arg(short, long)]
-    output: OutputPath,
+    #[arg(short, long, required_unless_present = "list_aovs")]
+    output: Option<OutputPath>,
     /// A mesh (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:creature) in place of the
     /// document's; one that lies on its back wants --z-up
     #[arg(short, long)]
@@ -99,6 +104,22 @@ pub(super) struct Arguments {
     /// Compression of an EXR, which loses nothing: zip, zips, piz, rle or none
     #[arg(long, default_value = "zip", value_parser = parse_compression)]
     compression: LosslessCompression,
+    /// A layer of an EXR beside the picture: `NAME=NODE.OUTPUT` for an output of a node (of one
+    /// look alone `NAME=LOOK:NODE.OUTPUT`), or `layers`, `lights`, `groups` or `lights-by-layer`
+    /// for what each of them adds to the picture; may be given several times
+    #[arg(long = "aov", value_name = "NAME=NODE.OUTPUT")]
+    aovs: Vec<String>,
+    /// Lists the outputs that --aov can name, and ends
+    #[arg(long)]
+    list_aovs: bool,
+    /// Mattes of an EXR as Cryptomatte has them: objects, looks, materials, lights (by their share
+    /// of what is seen), several joined by commas
+    #[arg(long = "matte", value_delimiter = ',', value_parser = layers::parse_matte)]
+    mattes: Vec<MatteKind>,
+    /// Names of the layers of what lights and layers add: nuke (light_key), karma (C_key), blender
+    /// (Combined_key) or arnold (RGBA_key)
+    #[arg(long, default_value = "nuke", value_parser = layers::parse_naming)]
+    naming: LayerNaming,
     /// The implementation to run in every node: exact, balanced, fast, or automatic, the cheapest
     /// that nobody can see; the document's without it
     #[arg(long, value_parser = tier::parse)]
@@ -135,6 +156,20 @@ struct Stage {
     planner: Planner,
     live: Live,
     options: PlanOptions,
+    asked: AskedLayers,
+    /// The most layers that one draw writes.
+    most_layers: usize,
+}
+
+impl Stage {
+    /// Plans the picture with its layers.
+    fn plan(
+        &mut self,
+        options: &PlanOptions,
+    ) -> Result<WithWarnings<LayeredPlan>, Vec<Diagnostic>> {
+        let drawn = (&self.setup, &self.library, &self.live);
+        LayeredPlan::new(&mut self.planner, drawn, options, &self.asked, self.most_layers)
+    }
 }
 
 /// Frames to draw, when they are, and their files.
@@ -178,9 +213,11 @@ pub(super) fn parse_samples(text: &str) -> Result<u32, String> {
 pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
     check_nodes_folder(arguments.nodes.as_deref())?;
-    let target = arguments.output.as_ref();
+    let Some(target) = &arguments.output else { return layers::list(arguments, output) };
+    let target = target.as_ref();
     let sequence = arguments.sequence(target)?;
     let format = check_target(target, arguments.encoding()).map_err(one)?;
+    layers::check(arguments, format, target).map_err(one)?;
     let read = [
         Some(arguments.document.as_path()),
         arguments.mesh.as_deref().map(Path::new),
@@ -197,11 +234,21 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let clock = Clock::start();
     let mut warnings = Vec::new();
     let mut stage = arguments.open(&mut warnings)?;
+    // How many layers one draw can write is the executor's to say.
+    let mut early = None;
+    if !stage.asked.is_empty() {
+        let executor = executor(arguments.on, output).await.map_err(one)?;
+        stage.most_layers = executor.most_layers();
+        early = Some(executor);
+    }
     if let Some(FrameFiles { frames, rate, pattern }) = &sequence {
         refuse_warnings(arguments.strict, &mut warnings)?;
         output.diagnostics(&warnings);
         reads_all(&mut outputs, &stage.setup, &stage.planner.assets);
-        let mut executor = executor(arguments.on, output).await.map_err(one)?;
+        let mut executor = match early {
+            Some(executor) => executor,
+            None => executor(arguments.on, output).await.map_err(one)?,
+        };
         let sequence = Sequence {
             frames,
             rate: *rate,
@@ -213,32 +260,39 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
         };
         return frames::draw(sequence, stage, outputs, executor.as_mut(), output);
     }
-    let Stage { setup, library, planner, live, options } = &mut stage;
-    let plan = planner.plan(setup, library, live, options)?.tell(&mut warnings);
+    let options = stage.options.clone();
+    let plan = stage.plan(&options)?.tell(&mut warnings);
+    let Stage { setup, library, planner, .. } = &mut stage;
     milestones::reached("first shaders");
     refuse_warnings(arguments.strict, &mut warnings)?;
     output.diagnostics(&warnings);
-    let mut executor = executor(arguments.on, output).await.map_err(one)?;
-    let of_device = executor.warnings(&plan);
-    let picture = output
-        .watch_async("drawing", async |progress| executor.picture(&plan, progress).await)
+    let mut executor = match early {
+        Some(executor) => executor,
+        None => executor(arguments.on, output).await.map_err(one)?,
+    };
+    let of_device = executor.warnings(plan.picture());
+    let drawn = output
+        .watch_async("drawing", async |progress| plan.draw(executor.as_mut(), progress).await)
         .await
         .map_err(one)?;
     milestones::reached("first picture");
     output.diagnostics(&of_device);
     warnings.extend(of_device);
+    let blended_in = blended_in(setup.looks.iter().map(|worn| &worn.look));
     let header = ExrHeader {
-        view: Some(plan.view),
-        blended_in: blended_in(setup.looks.iter().map(|worn| &worn.look)),
+        view: Some(plan.picture().view),
+        layers_in: layers_in(&plan, &blended_in),
+        blended_in,
+        attributes: plan.attributes(),
         ..ExrHeader::default()
     };
-    let bytes = format.encode(&picture, &header).map_err(one)?;
+    let bytes = format.encode(&drawn, &header).map_err(one)?;
     reads_all(&mut outputs, setup, &planner.assets);
     outputs.write(target, format.kind(), &bytes).map_err(one)?;
-    let [width, height] = picture.size;
+    let [width, height] = drawn.picture.size;
     let (file, adapter) = (target.display().to_string(), executor.name());
     if arguments.json {
-        let passes: Vec<PassId> = plan.passes.iter().map(|pass| pass.id).collect();
+        let passes: Vec<PassId> = plan.picture().passes.iter().map(|pass| pass.id).collect();
         let looks = setup.looks.iter().map(|worn| &worn.look);
         let looks: Vec<_> = looks
             .map(|look| json!({"name": look.name, "tiers": tier::counts(look, library)}))
@@ -328,7 +382,9 @@ impl Arguments {
         let style = if is_truth { PlanStyle::AsWritten } else { PlanStyle::Specialized };
         let options = PlanOptions { size, samples: self.samples, time };
         let live = if self.live { Live::All } else { style.live() };
-        Ok(Stage { setup, library, planner: style.planner(assets), live, options })
+        let asked = layers::asked(self, &setup, &library)?.tell(warnings);
+        let planner = style.planner(assets);
+        Ok(Stage { setup, library, planner, live, options, asked, most_layers: 0 })
     }
 }
 
@@ -345,6 +401,11 @@ fn blended_in<'l>(looks: impl Iterator<Item = &'l Look>) -> String {
         }
     }
     words.join(", ")
+}
+
+/// The space of layers of values, which is that of the looks; empty where there are none.
+fn layers_in(plan: &LayeredPlan, blended_in: &str) -> String {
+    if plan.has_values() { blended_in.to_owned() } else { String::new() }
 }
 
 /// Size of a picture: the one that was asked for, or that of the shot, or else of the shape that

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use indexmap::IndexMap;
 use petgraph::graph::{DiGraph, NodeIndex};
 
+use super::aov::{AovSource, TypedAov};
 use super::drivers::{self, TypedDriver};
 use super::flatten::{
     FlatGraph, FlatInput, FlatNode, GroupLabel, GroupOutputs, Param, ParamId, RegionCopy,
@@ -34,6 +35,8 @@ pub struct TypedGraph {
     pub params: Arc<[Param]>,
     /// The output that is drawn: a node and the index of its output.
     pub root: (usize, usize),
+    /// Values beside the picture, a target each; an error where the look does not have one.
+    pub aovs: Vec<Result<Option<TypedAov>, Diagnostic>>,
     /// The look's lights.
     pub lights: IndexMap<LightId, Light>,
     /// The parameters that may be set by name.
@@ -153,9 +156,23 @@ pub fn check(
     library: &Library,
     root: Option<&(NodePath, PortName)>,
 ) -> Result<WithWarnings<TypedGraph>, Vec<Diagnostic>> {
-    let checked = check_all(look, library, root, &HashSet::new()).and_then(|checked| {
+    check_with(look, library, root, &[])
+}
+
+/// [`check`] with values that are written beside the picture, which depends on their nodes too.
+///
+/// # Errors
+/// As [`check`].
+pub(super) fn check_with(
+    look: &Look,
+    library: &Library,
+    root: Option<&(NodePath, PortName)>,
+    aovs: &[AovSource],
+) -> Result<WithWarnings<TypedGraph>, Vec<Diagnostic>> {
+    let check_all = |exact: &HashSet<NodePath>| check_all(look, library, (root, aovs), exact);
+    let checked = check_all(&HashSet::new()).and_then(|checked| {
         let seen = tiers::seen(&checked.value, look);
-        if seen.is_empty() { Ok(checked) } else { check_all(look, library, root, &seen) }
+        if seen.is_empty() { Ok(checked) } else { check_all(&seen) }
     });
     match checked {
         Ok(warned) => Ok(WithWarnings::new(warned.value, bounded(warned.warnings))),
@@ -168,18 +185,22 @@ pub fn check(
 fn check_all(
     look: &Look,
     library: &Library,
-    root: Option<&(NodePath, PortName)>,
+    (root, aovs): (Option<&(NodePath, PortName)>, &[AovSource]),
     exact: &HashSet<NodePath>,
 ) -> Result<WithWarnings<TypedGraph>, Vec<Diagnostic>> {
     let mut problems = Vec::new();
     let Some(flat) = flatten(look, library, exact, &mut problems) else { return Err(problems) };
     let order = order(&flat, &mut problems);
     let root = find_root(&flat, root, &mut problems);
+    let found: Vec<_> = aovs.iter().map(|source| source.find(&flat)).collect();
     let mut wrong_drivers = Vec::new();
     let driving = drivers::find(look, &flat, &mut wrong_drivers);
     // The picture depends on what drives its keys, too.
-    let roots =
-        |(node, _)| std::iter::once(node).chain(driving.iter().map(|(_, node, _)| *node)).collect();
+    let roots = |(node, _)| {
+        let beside = found.iter().filter_map(|found| found.as_ref().ok().copied().flatten());
+        let driving = driving.iter().map(|(_, node, _)| *node);
+        std::iter::once(node).chain(driving).chain(beside.map(|(node, _)| node)).collect()
+    };
     let reached =
         root.map_or_else(|| vec![true; flat.nodes.len()], |root| reach(&flat, roots(root)));
     let mut typer = Typer::new(look, &flat);
@@ -218,6 +239,7 @@ fn check_all(
             .collect(),
         params: with_defaults(flat.params, &typed_inputs).into(),
         root,
+        aovs: Vec::new(),
         lights: look.lights.clone(),
         exposed: look.exposed.clone(),
         keyed,
@@ -227,6 +249,8 @@ fn check_all(
         color_space: look.color_space,
         name: look.name.clone(),
     };
+    let typed = |(source, found): (&AovSource, Result<_, _>)| TypedAov::of(&graph, source, found?);
+    graph.aovs = aovs.iter().zip(found).map(typed).collect();
     let mut wrong_targets = wrong_drivers;
     let (drivers, mut found) = drivers::typed(&graph, look, driving);
     wrong_targets.append(&mut found);

@@ -191,7 +191,9 @@ impl FlatGraph {
             });
         }
         let Some(&node) = self.by_path.get(path) else {
-            let known: Vec<_> = self.nodes.iter().map(|node| node.path.to_string()).collect();
+            let nodes = self.nodes.iter().map(|node| &node.path);
+            let paths = nodes.chain(self.group_outputs.keys()).map(ToString::to_string);
+            let known: BTreeSet<String> = paths.collect();
             let problem = Diagnostic::error("unknown-node", format!("there is no node `{path}`"));
             return Err(problem.suggest(&path.to_string(), known.iter().map(String::as_str)));
         };

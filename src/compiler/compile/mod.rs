@@ -5,6 +5,7 @@
 //! own type, so none can be left out.
 
 mod about;
+mod aov;
 mod check;
 mod drivers;
 mod emit;
@@ -34,6 +35,8 @@ use crate::wgsl::{self, ValidModule};
 
 pub use crate::document::{LightValues, MAX_INTENSITY, MIN_LIGHT_DISTANCE};
 pub use crate::library::Stage;
+pub use aov::{AovSource, StackPart, StackParts, StepId, TypedAov, WireOutput, wire_outputs};
+use check::check_with;
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
 pub use drivers::TypedDriver;
 pub use emit::{Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap, VertexAttribute};
@@ -95,6 +98,10 @@ pub struct CompileOptions {
     pub stage: Stage,
     /// The output to show in place of the look's own.
     pub root: Option<(NodePath, PortName)>,
+    /// Values that the module writes beside the picture, a target each.
+    pub aovs: Vec<AovSource>,
+    /// True if the module draws which object and material are seen, in place of colors.
+    pub mattes: bool,
     /// True if colors of a look in linear light are encoded for display where they leave the
     /// shader.
     pub display: bool,
@@ -151,6 +158,9 @@ pub struct CompiledShader {
     pub is_opaque: bool,
     /// The type of what the module shows.
     pub root_type: crate::library::Type,
+    /// The type of each value that is written beside the picture; `None` for nothing. An error
+    /// tells why the look does not have what was asked for, and 0 is written for it.
+    pub aovs: Vec<Result<Option<Type>, Diagnostic>>,
 }
 
 /// Lights that a module goes through in a loop.
@@ -227,7 +237,8 @@ pub fn compile(
         .unspecialized
         .then(|| Look { tier: Some(look.tier.unwrap_or(Tier::Exact)), ..look.clone() });
     let look = exact.as_ref().unwrap_or(look);
-    let (typed, warnings) = check(look, library, options.root.as_ref())?.into_parts();
+    let (typed, warnings) =
+        check_with(look, library, options.root.as_ref(), &options.aovs)?.into_parts();
     Ok(WithWarnings::new(compile_typed(&typed, options)?, warnings))
 }
 
@@ -287,6 +298,7 @@ pub fn compile_typed(
             AlphaCutoff::of(typed, options.stage)
         },
         is_opaque,
+        aovs: typed.aovs.iter().map(|aov| Ok(aov.clone()?.map(|aov| aov.ty))).collect(),
         root_type: emitted.root_type,
     })
 }

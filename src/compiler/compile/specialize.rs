@@ -8,9 +8,11 @@
 
 mod bounds;
 mod bypass;
+mod contributions;
 mod loops;
 mod opacity;
 
+use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
@@ -204,11 +206,17 @@ impl Needs {
 }
 
 /// An output of a look that its module computes beside the root, by its name: `color` and `cutoff`
-/// where fragments are cut away, and `id` where edges tell ids apart.
-#[derive(Clone, Copy, Debug)]
+/// where fragments are cut away, `id` where edges tell ids apart, and `aov_1` and on where values
+/// are written beside the picture.
+#[derive(Clone, Debug)]
 pub(super) struct NamedOutput {
-    pub(super) name: &'static str,
+    pub(super) name: Cow<'static, str>,
     pub(super) value: ValueId,
+}
+
+/// Name of a value beside the picture, by its number from 0 on.
+pub(super) fn aov_name(number: usize) -> String {
+    format!("aov_{}", number + 1)
 }
 
 /// A look as values, ready to be written down.
@@ -874,6 +882,10 @@ impl<'a> Builder<'a> {
         };
         let color = self.outputs[node][output];
         let root = root.unwrap_or(color);
+        let aovs = if stage.is_picture() { self.aovs() } else { Vec::new() };
+        let aovs = aovs
+            .into_iter()
+            .map(|(number, value)| NamedOutput { name: aov_name(number).into(), value });
         let zero = |value: &ComputedValue| {
             let Operation::Constant(constant) = &value.operation else { return false };
             constant.as_f64() <= Some(0.0)
@@ -884,6 +896,11 @@ impl<'a> Builder<'a> {
         let cutoff = cutoff.filter(|_| is_own_root && stage.draws_meshes());
         let cutoff = cutoff.filter(|&id| cutout || !self.never_cuts(color, id));
         let is_picture = stage.draws_meshes() && matches!(stage.row().value, StageValue::Output);
+        let root = if self.options.mattes && cutoff.is_none() && !cutout {
+            self.without_color(root)
+        } else {
+            root
+        };
         let opaque_with =
             if is_picture && cutoff.is_none() && !cutout { self.opaque_with(root) } else { None };
         let drivers = self.drivers();
@@ -892,7 +909,8 @@ impl<'a> Builder<'a> {
         let beside = [("color", cutoff.and(Some(color))), ("cutoff", cutoff), ("id", id)];
         let beside: Vec<NamedOutput> = beside
             .into_iter()
-            .filter_map(|(name, value)| Some(NamedOutput { name, value: value? }))
+            .filter_map(|(name, value)| Some(NamedOutput { name: name.into(), value: value? }))
+            .chain(aovs)
             .collect();
         let mut roots = vec![Some(root)];
         roots.extend(beside.iter().map(|output| Some(output.value)));
@@ -909,6 +927,17 @@ impl<'a> Builder<'a> {
             removed: self.removed,
         };
         specialized.with_loops(self.joined, self.options.loops)
+    }
+
+    /// The root of a module that draws mattes: nothing where the picture is opaque everywhere.
+    fn without_color(&mut self, root: ValueId) -> ValueId {
+        let alpha = self.values[root].ranges.as_ref().and_then(|ranges| ranges.get(3)).copied();
+        let is_opaque = matches!(alpha, Some(intervals::Range::Float(x)) if x.is_within(1.0, 1.0));
+        if !is_opaque && matches!(self.values[root].ty, Type::Color | Type::Vec4 | Type::Composite)
+        {
+            return root;
+        }
+        self.constant(self.graph.root.0, Type::Float, interp::Value::Float(1.0))
     }
 
     /// The values that drive keys, as numbers. Modules that draw normals leave keys to the look's

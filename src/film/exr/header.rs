@@ -9,14 +9,17 @@ use crate::FrameRate;
 use crate::frame::View;
 
 /// Attribute of what Chiaro says of a picture: notes of the form `name=text`, joined by semicolons.
-/// One attribute, for the library writes several in no order, and equal pictures are equal files.
 const NOTES: &str = "chiaro";
+/// Place of the first attribute: after the number that all files begin with, and the version.
+const FIRST_ATTRIBUTE: usize = 8;
 /// Note of the hash of the plan that was drawn.
 pub(super) const PLAN: &str = "plan";
 /// Note of the checksum of all numbers.
 pub(super) const SEAL: &str = "seal";
 /// Note of the space in which layers were blended.
 const BLENDED_IN: &str = "blendedIn";
+/// Note of the space that layers of contributions and values of looks are in.
+const LAYERS_IN: &str = "layersIn";
 /// Attribute of the space of the colors, by the names of the Color Interop Forum.
 const COLOR_SPACE: &str = "colorInteropID";
 
@@ -63,6 +66,19 @@ pub struct ExrHeader {
     /// The space in which layers were blended: `display`, `linear`, or both where looks differ;
     /// empty where there is no look.
     pub blended_in: String,
+    /// The space of layers that hold contributions, where there are some.
+    pub layers_in: String,
+    /// Other statements, such as the manifests of mattes.
+    pub attributes: Vec<ExrAttribute>,
+}
+
+/// Statement in a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ExrAttribute {
+    /// Name of the attribute.
+    pub name: String,
+    /// Text of the attribute.
+    pub text: String,
 }
 
 impl ExrHeader {
@@ -85,11 +101,21 @@ impl ExrHeader {
             software_name: Some(Text::from(concat!("Chiaro ", env!("CARGO_PKG_VERSION")))),
             ..LayerAttributes::default()
         };
-        let notes = [(SEAL, seal), (BLENDED_IN, &self.blended_in), (PLAN, &self.plan)];
+        let notes = [
+            (SEAL, seal),
+            (BLENDED_IN, &self.blended_in),
+            (LAYERS_IN, &self.layers_in),
+            (PLAN, &self.plan),
+        ];
         let notes = notes.iter().filter(|(_, text)| !text.is_empty());
         let notes: Vec<String> = notes.map(|(name, text)| format!("{name}={text}")).collect();
         if let Some(text) = Text::new_or_none(notes.join(";")) {
             attributes.other.insert(Text::from(NOTES), AttributeValue::Text(text));
+        }
+        for ExrAttribute { name, text } in &self.attributes {
+            if let (Some(name), Some(text)) = (Text::new_or_none(name), Text::new_or_none(text)) {
+                attributes.other.insert(name, AttributeValue::Text(text));
+            }
         }
         attributes.frames_per_second =
             self.stamp.map(|FrameStamp { rate, .. }| (rate.frames as i32, rate.seconds));
@@ -106,6 +132,27 @@ impl ExrHeader {
         }
         attributes
     }
+}
+
+/// Sorts the attributes of a file of one part by their names, for the library writes those that it
+/// does not know in no order, and equal pictures are equal files. `None` for what is no whole
+/// header.
+pub(super) fn sort_attributes(bytes: &mut [u8]) -> Option<()> {
+    let text = |from: usize| Some(from + bytes.get(from..)?.iter().position(|byte| *byte == 0)?);
+    let mut attributes = Vec::new();
+    let mut at = FIRST_ATTRIBUTE;
+    while *bytes.get(at)? != 0 {
+        let name = text(at)?;
+        let kind = text(name + 1)?;
+        let length = bytes.get(kind + 1..kind + 5)?.try_into().ok()?;
+        let end = kind + 5 + usize::try_from(i32::from_le_bytes(length)).ok()?;
+        attributes.push((bytes.get(at..name)?.to_vec(), bytes.get(at..end)?.to_vec()));
+        at = end;
+    }
+    attributes.sort();
+    let sorted: Vec<u8> = attributes.into_iter().flat_map(|(_, bytes)| bytes).collect();
+    bytes.get_mut(FIRST_ATTRIBUTE..at)?.copy_from_slice(&sorted);
+    Some(())
 }
 
 /// From the world to the camera as EXR has it: x right, y up, z away from the viewer.

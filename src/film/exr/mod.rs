@@ -15,7 +15,7 @@ use ::exr::prelude::{
 use half::f16;
 use siphasher::sip::SipHasher13;
 
-pub use header::{ExrHeader, FrameStamp};
+pub use header::{ExrAttribute, ExrHeader, FrameStamp};
 
 use crate::diag::Diagnostic;
 use crate::document::srgb_to_linear;
@@ -36,6 +36,12 @@ pub enum SampleType {
     Half,
     /// 32 bits.
     Float,
+}
+
+impl SampleType {
+    fn of(samples: &FlatSamples) -> Self {
+        if matches!(samples, FlatSamples::F16(_)) { Self::Half } else { Self::Float }
+    }
 }
 
 /// Compression, of which none loses anything.
@@ -91,6 +97,8 @@ pub struct ExrLayer {
     pub name: String,
     /// Names of the channels, such as `R`, each with its numbers, row by row from the top.
     pub channels: Vec<(String, Vec<f32>)>,
+    /// Numbers of the channels, where they are not those of the file.
+    pub samples: Option<SampleType>,
 }
 
 impl ExrLayer {
@@ -105,7 +113,7 @@ impl ExrLayer {
         };
         let names = ["R", "G", "B", "A"].into_iter().enumerate();
         let channels = names.map(|(channel, name)| (name.to_owned(), of(channel))).collect();
-        Self { name: String::new(), channels }
+        Self { name: String::new(), channels, samples: None }
     }
 }
 
@@ -136,7 +144,7 @@ pub fn encode(
             let name = if is_alone { channel.clone() } else { format!("{}.{channel}", layer.name) };
             let text = Text::new_or_none(&name)
                 .ok_or_else(|| failure(&format!("`{name}` is no name that EXR can hold")))?;
-            let samples = match encoding.samples {
+            let samples = match layer.samples.unwrap_or(encoding.samples) {
                 SampleType::Half => FlatSamples::F16(numbers.iter().map(|x| half_of(*x)).collect()),
                 SampleType::Float => FlatSamples::F32(numbers.clone()),
             };
@@ -155,7 +163,9 @@ pub fn encode(
     header.mark(&mut image.attributes);
     let mut bytes = Cursor::new(Vec::new());
     image.write().to_buffered(&mut bytes).map_err(|error| failure(&error.to_string()))?;
-    Ok(bytes.into_inner())
+    let mut bytes = bytes.into_inner();
+    header::sort_attributes(&mut bytes).ok_or_else(|| failure("its header is cut off"))?;
+    Ok(bytes)
 }
 
 /// The nearest number of 16 bits; what is too great becomes the greatest.
@@ -171,6 +181,8 @@ pub struct ExrContent {
     /// Full names of the channels, such as `R` or `key.R`, in the order of the alphabet, each with
     /// its numbers, row by row from the top.
     pub channels: Vec<(String, Vec<f32>)>,
+    /// Type of each channel's numbers.
+    pub samples: Vec<SampleType>,
     /// The hash of the plan that the picture was drawn of, if Chiaro wrote the file.
     pub plan: Option<String>,
     /// True if the numbers are those that Chiaro wrote.
@@ -193,6 +205,7 @@ pub fn decode(bytes: &[u8]) -> Result<ExrContent, Diagnostic> {
     Ok(ExrContent {
         size: [layer.size.x() as u32, layer.size.y() as u32],
         channels: list.iter().map(numbers).collect(),
+        samples: list.iter().map(|channel| SampleType::of(&channel.sample_data)).collect(),
         plan: header::note_of(&layer.attributes, header::PLAN),
         is_sealed: header::note_of(&layer.attributes, header::SEAL) == Some(seal),
     })
@@ -207,8 +220,14 @@ pub fn stamped(
     header: &ExrHeader,
     encoding: ExrEncoding,
 ) -> Result<Vec<u8>, Diagnostic> {
-    let ExrContent { size, channels, .. } = decode(bytes)?;
-    encode(size, &[ExrLayer { name: String::new(), channels }], header, encoding)
+    let ExrContent { size, channels, samples, .. } = decode(bytes)?;
+    let layer = |(channel, samples)| ExrLayer {
+        name: String::new(),
+        channels: vec![channel],
+        samples: Some(samples),
+    };
+    let layers: Vec<ExrLayer> = channels.into_iter().zip(samples).map(layer).collect();
+    encode(size, &layers, header, encoding)
 }
 
 /// Checksum of all numbers, of whatever type they are: names, and bits in order of the names.
@@ -314,6 +333,7 @@ mod tests {
         let layer = ExrLayer {
             name: String::new(),
             channels: vec![("Z".to_owned(), vec![1e9, -1e9, f32::INFINITY, 0.0])],
+            samples: None,
         };
         let bytes =
             encode([2, 2], &[layer], &ExrHeader::default(), ExrEncoding::default()).unwrap();

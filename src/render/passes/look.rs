@@ -17,6 +17,21 @@ pub(crate) fn cleared(
     }
 }
 
+/// A color attachment that is cleared to one color, and whose samples, if it has several, are
+/// averaged into `view`.
+fn resolved<'a>(
+    view: &'a wgpu::TextureView,
+    samples: Option<&'a wgpu::TextureView>,
+    color: wgpu::Color,
+) -> wgpu::RenderPassColorAttachment<'a> {
+    let Some(samples) = samples else { return cleared(view, color) };
+    let mut attachment = cleared(samples, color);
+    attachment.resolve_target = Some(view);
+    // The samples are not needed once they are resolved.
+    attachment.ops.store = wgpu::StoreOp::Discard;
+    attachment
+}
+
 /// A depth attachment that is cleared to the far plane.
 pub(crate) fn depth_attachment(
     view: &wgpu::TextureView,
@@ -47,19 +62,15 @@ impl Renderer {
             return Ok(());
         };
         let background = background(plan);
-        let color = match &self.targets.multisampled {
-            Some(multisampled) => {
-                let mut attachment = cleared(multisampled, background);
-                attachment.resolve_target = Some(&picture);
-                // The samples are not needed once they are resolved into the picture.
-                attachment.ops.store = wgpu::StoreOp::Discard;
-                attachment
-            }
-            None => cleared(&picture, background),
-        };
+        let layers = self.targets.layer_views();
+        let color = resolved(&picture, self.targets.multisampled.as_ref(), background);
+        let beside = layers.iter().map(|(layer, samples)| {
+            Some(resolved(layer, samples.as_ref(), wgpu::Color::TRANSPARENT))
+        });
+        let colors: Vec<_> = std::iter::once(Some(color)).chain(beside).collect();
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("look"),
-            color_attachments: &[Some(color)],
+            color_attachments: &colors,
             depth_stencil_attachment: Some(depth_attachment(depth, wgpu::StoreOp::Discard)),
             timestamp_writes: Self::stamps(&mut self.timer),
             ..wgpu::RenderPassDescriptor::default()

@@ -159,6 +159,19 @@ impl View {
         (f64::from(self.viewport[1]) / 800.0).round().max(1.0) as u32
     }
 
+    /// The view of a picture that is moved to the right and down, in pixels.
+    #[must_use]
+    pub(super) fn shifted(self, pixels: [f64; 2]) -> Self {
+        // The view stays what it is to the bit.
+        if pixels == [0.0; 2] {
+            return self;
+        }
+        let [width, height] = self.viewport.map(|side| f64::from(side.max(1)));
+        let shift = DVec3::new(2.0 * pixels[0] / width, -2.0 * pixels[1] / height, 0.0);
+        let clip_from_world = DMat4::from_translation(shift) * self.clip_from_world;
+        Self { clip_from_world, ..self }
+    }
+
     /// The bytes of the shader's `View` uniform.
     pub fn uniform_bytes(&self) -> Vec<u8> {
         self.uniform_numbers().into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect()

@@ -2,6 +2,7 @@
 
 use std::pin::Pin;
 
+use super::aovs::LayeredPicture;
 use super::picture::Picture;
 use super::plan::FramePlan;
 use crate::diag::Diagnostic;
@@ -9,6 +10,9 @@ use crate::progress::Progress;
 
 /// Future of a picture, or of the error that prevents it.
 pub type PictureFuture<'a> = Pin<Box<dyn Future<Output = Result<Picture, Diagnostic>> + 'a>>;
+
+/// Future of a picture with its layers, or of the error that prevents it.
+pub type LayersFuture<'a> = Pin<Box<dyn Future<Output = Result<LayeredPicture, Diagnostic>> + 'a>>;
 
 /// Maker of the picture of a frame plan: a GPU, or the reference. All executors take the same plans
 /// and give the same pictures, so that callers that only want a picture need not ask which one they
@@ -22,6 +26,15 @@ pub trait Executor {
     /// # Errors
     /// Where the plan cannot be drawn, and where the work was stopped.
     fn picture<'a>(&'a mut self, plan: &'a FramePlan, progress: &'a Progress) -> PictureFuture<'a>;
+
+    /// Makes the picture of `plan` with the plan's [layers](FramePlan::aovs), in one draw.
+    ///
+    /// # Errors
+    /// As [`picture`](Self::picture), and more layers than [`most_layers`](Self::most_layers).
+    fn layered<'a>(&'a mut self, plan: &'a FramePlan, progress: &'a Progress) -> LayersFuture<'a>;
+
+    /// The most layers beside the picture that one plan may have.
+    fn most_layers(&self) -> usize;
 
     /// Warnings about parts of a plan that will not be drawn as asked for.
     fn warnings(&self, _plan: &FramePlan) -> Vec<Diagnostic> {

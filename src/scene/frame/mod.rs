@@ -7,6 +7,7 @@
 //! reason.
 
 mod aims;
+mod aovs;
 mod assets;
 mod camera;
 mod casters;
@@ -20,6 +21,7 @@ mod handover;
 mod keys;
 mod layers;
 mod links;
+mod mattes;
 mod mix;
 mod nearest;
 mod object_lights;
@@ -45,6 +47,7 @@ pub use crate::compile::{
 };
 /// The passes of a plan, which the compiler lists: a look's module names those that it reads.
 pub use crate::library::{PassId, PassOutput, PassRow, PassWork, ScreenExtent, TexelFormat};
+pub use aovs::{AovKind, AovLayer, AovRequest, LayeredPicture};
 pub use assets::{
     Assets, Change, Image, MAX_IMAGE_SIDE, Overlay, OverlayVersion, SHAPE_PREFIX, UNSAVED_HCBTF,
     image_bytes,
@@ -57,7 +60,7 @@ pub use deferred::{
     Deferral, DeferredDraw, DeferredLook, DeferredModule, MESH_TEXELS_PER_ROW, NumberedMesh,
 };
 pub use effects::{Effect, EffectKind, EffectState, effects};
-pub use executor::{Executor, PictureFuture};
+pub use executor::{Executor, LayersFuture, PictureFuture};
 pub use handover::stack_of;
 pub use handover::{MAX_DEPTH, SHORTEN, too_deep};
 pub use keys::{
@@ -65,6 +68,7 @@ pub use keys::{
     is_direction, light_field, set_light_field, structural_look,
 };
 pub use links::{LayerReach, LightReach, ShadowReach};
+pub use mattes::MattePart;
 pub use mix::SOLOED;
 pub use picture::Picture;
 pub use place::{PlacementError, place_camera, turn_lights};

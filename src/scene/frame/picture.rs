@@ -3,7 +3,7 @@
 use crate::diag::Diagnostic;
 
 /// A finished picture: straight RGBA, display-referred, rows from the top.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Picture {
     /// Width and height, in pixels.
     pub size: [u32; 2],

@@ -10,6 +10,7 @@ use crate::compile::ImageShape;
 use crate::compile::functions::write_line;
 use crate::compile::host::UniformMember;
 use crate::compile::intervals;
+use crate::compile::specialize::aov_name;
 use crate::document::{ColorSpace, Tier};
 use crate::library::{PassId, StageValue, Type};
 
@@ -23,6 +24,7 @@ pub(super) const RESERVED: &[&str] = &[
     "Vertex",
     "Varyings",
     "Shaded",
+    "Targets",
     "view",
     "object",
     "look",
@@ -128,8 +130,8 @@ impl Emitter<'_> {
             ("surface_texel", stage.draws_normals()),
             ("facet_number", stage.row().tells_parts),
             ("straight", *root == Type::Composite),
-            ("angle_radians", *root == Type::Angle),
-            ("finite_vec4", !stage.draws_normals() && !self.is_finite_root()),
+            ("angle_radians", *root == Type::Angle || self.has_angles_beside()),
+            ("finite_vec4", !stage.draws_normals() && (!self.is_finite_root() || self.has_aovs())),
             ("display_from_linear", self.encodes()),
             ("linear_from_display", self.graph.color_space == ColorSpace::Linear),
         ];
@@ -137,6 +139,39 @@ impl Emitter<'_> {
         let contexts = self.needs.contexts.iter();
         own.chain(contexts.flat_map(|context| ExpressionInputs::at(*context, stage).functions))
             .collect()
+    }
+
+    /// True if the module writes values beside the picture.
+    fn has_aovs(&self) -> bool {
+        self.options.stage.is_picture() && !self.graph.aovs.is_empty()
+    }
+
+    fn has_angles_beside(&self) -> bool {
+        let mut beside = self.special.beside.iter();
+        beside.any(|output| self.special.values[output.value].ty == Type::Angle)
+    }
+
+    /// The targets of the fragment's values: the picture, and each value beside it.
+    fn write_targets(&mut self) {
+        self.out.push_str("\nstruct Targets {\n    @location(0) picture: vec4f,\n");
+        for number in 0..self.graph.aovs.len() {
+            let (location, name) = (number + 1, aov_name(number));
+            let _ = writeln!(self.out, "    @location({location}) {name}: vec4f,");
+        }
+        self.out.push_str("}\n");
+    }
+
+    /// The values beside a picture's pixel, each with the pixel's alpha.
+    fn aov_pixels(&self) -> Vec<String> {
+        let value = |number: usize| {
+            let name = aov_name(number);
+            let Some(value) = self.special.named(&name) else {
+                return "vec4f(0.0, 0.0, 0.0, pixel.w)".to_owned();
+            };
+            let numbers = beside(&self.special.values[value].ty, &format!("shaded.{name}"));
+            format!("finite_vec4(vec4f({numbers}, pixel.w))")
+        };
+        (0..self.graph.aovs.len()).map(value).collect()
     }
 
     /// The pass whose surfaces the module leaves out.
@@ -161,7 +196,7 @@ impl Emitter<'_> {
             self.out.push('\n');
             let cutout = self.options.cutout;
             self.out.push_str(OBJECT);
-            if self.options.stage.row().tells_parts || cutout {
+            if self.options.stage.row().tells_parts || cutout || self.options.mattes {
                 self.out.push_str(OBJECT_MATERIAL);
             }
             self.out.push_str(if cutout { OBJECT_CUTOFF } else { "" });
@@ -351,10 +386,12 @@ impl Emitter<'_> {
         let draws_normals = stage.draws_normals();
         let uses_front = self.needs.contexts.iter().any(|c| ExpressionInputs::at(*c, stage).normal);
         let front = if uses_front { ", @builtin(front_facing) is_front: bool" } else { "" };
-        let _ = writeln!(
-            self.out,
-            "\n@fragment\nfn fs_main(in: Varyings{front}) -> @location(0) vec4f {{"
-        );
+        let has_aovs = self.has_aovs();
+        if has_aovs {
+            self.write_targets();
+        }
+        let result = if has_aovs { "Targets" } else { "@location(0) vec4f" };
+        let _ = writeln!(self.out, "\n@fragment\nfn fs_main(in: Varyings{front}) -> {result} {{");
         if uses_front {
             let normalize = self.normalize_seen();
             let _ = writeln!(self.out, "    let facing = {normalize}(in.normal);");
@@ -440,7 +477,21 @@ impl Emitter<'_> {
             let pixel = if self.is_finite_root() { pixel } else { format!("finite_vec4({pixel})") };
             let pixel =
                 if self.encodes() { format!("display_from_linear({pixel})") } else { pixel };
-            if self.special.cutoff().is_some() && self.options.cutout {
+            let is_cut = self.special.cutoff().is_some() && self.options.cutout;
+            if self.options.mattes {
+                write_matte(&pixel, is_cut, self.special.is_opaque(), &mut self.out)
+            } else if has_aovs {
+                let _ = writeln!(self.out, "    let pixel = {pixel};");
+                let picture = if is_cut {
+                    "vec4f(pixel.xyz, select(pixel.w, 1.0, object.cutoff > 0.0))"
+                } else {
+                    "pixel"
+                };
+                let values = std::iter::once(picture.to_owned()).chain(self.aov_pixels());
+                let line = format!("return Targets({});", values.collect::<Vec<_>>().join(", "));
+                write_line(&line, 1, &mut self.out);
+                writeln!(self.out, "}}")
+            } else if is_cut {
                 // A material with a mask is opaque wherever it is not cut out (glTF 2.0, 3.9.4).
                 writeln!(
                     self.out,
@@ -478,6 +529,33 @@ impl Emitter<'_> {
             "    let value = shade({arguments});\n    return {};\n}}",
             raw(root, "value")
         );
+    }
+}
+
+/// Writes the end of a fragment of a matte: the numbers of its object and its material. What lets
+/// more than half of what is behind through is no part of a matte.
+fn write_matte(pixel: &str, is_cut: bool, is_opaque: bool, out: &mut String) -> std::fmt::Result {
+    // Three numbers that half floats hold exactly.
+    let numbers =
+        "vec4f(object.id % 1024.0 + 1.0, floor(object.id / 1024.0), object.material, 1.0)";
+    if !is_opaque {
+        let cut = if is_cut { " && object.cutoff <= 0.0" } else { "" };
+        writeln!(out, "    if ({pixel}).w < 0.5{cut} {{\n        discard;\n    }}")?;
+    }
+    writeln!(out, "    return {numbers};\n}}")
+}
+
+/// A value of any type as three numbers; colors are premultiplied.
+fn beside(ty: &Type, value: &str) -> String {
+    match ty {
+        Type::Float | Type::Int => format!("f32({value}), 0.0, 0.0"),
+        Type::Bool => format!("select(0.0, 1.0, {value}), 0.0, 0.0"),
+        Type::Vec2 => format!("{value}, 0.0"),
+        Type::Angle => format!("angle_radians({value}), 0.0, 0.0"),
+        Type::Light => format!("{value}.color * {value}.intensity"),
+        Type::Composite => format!("{value}.xyz"),
+        Type::Color | Type::Vec4 => format!("{value}.xyz * {value}.w"),
+        _ => value.to_owned(),
     }
 }
 

@@ -148,7 +148,7 @@ impl Emitter<'_> {
         if !is_alone {
             let _ = writeln!(body.text, "struct Shaded {{\n    value: {root_type},");
             for NamedOutput { name, value } in &self.special.beside {
-                let ty = self.special.values[*value].ty.wgsl();
+                let ty = self.value_type(*value);
                 let _ = writeln!(body.text, "    {name}: {ty},");
             }
             body.text.push_str("}\n\n");

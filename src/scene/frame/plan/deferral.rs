@@ -61,6 +61,9 @@ impl DeferredLooks {
             return Err(String::new());
         };
         let Some(stage) = surface.stage() else { return Err(String::new()) };
+        if draws.iter().any(|draw| !draw.look.aovs.is_empty()) {
+            return Err("layers are written beside the picture".to_owned());
+        }
         let samples = scene.options.samples;
         if samples != 1 {
             return Err(format!("a pixel has {samples} samples"));

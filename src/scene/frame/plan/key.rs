@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-use crate::compile::Live;
+use crate::compile::{AovSource, Live};
 use crate::document::{Graph, LightInput, Look, Value};
 use crate::ids::LightId;
 
@@ -51,6 +51,16 @@ pub(super) fn variant_key(
 ) -> u64 {
     let mut hasher = DefaultHasher::new();
     (content, cutout, dark).hash(&mut hasher);
+    hasher.finish()
+}
+
+/// The key of a variant together with what is drawn of it beside the picture, or in its place.
+pub(super) fn drawing_key(variant: u64, aovs: &[AovSource], mattes: bool) -> u64 {
+    if aovs.is_empty() && !mattes {
+        return variant;
+    }
+    let mut hasher = DefaultHasher::new();
+    (variant, aovs, mattes).hash(&mut hasher);
     hasher.finish()
 }
 

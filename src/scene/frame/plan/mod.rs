@@ -27,6 +27,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::aovs::AovLayer;
 use super::assets::Image;
 use super::camera::View;
 use super::casters::Casters;
@@ -173,6 +174,8 @@ pub struct FramePlan {
     /// where no surface is drawn before them). The picture is the same; the reference draws
     /// triangles.
     pub deferral: Result<Deferral, String>,
+    /// Layers beside the picture, which every look's module writes.
+    pub aovs: Vec<AovLayer>,
     /// Effects that were left out.
     pub dropped: Vec<DroppedEffect>,
 }
@@ -200,6 +203,7 @@ impl FramePlan {
             draws: Vec::new(),
             passes: passes.into_iter().rev().map(planned).collect(),
             deferral: Err(String::new()),
+            aovs: Vec::new(),
             dropped: Vec::new(),
         }
     }

@@ -8,13 +8,15 @@ use super::key::look_key;
 use super::omissions::push_equal_looks;
 use super::passes::{ContextReaders, SceneSeen, WantedPasses};
 use super::style::PlanStyle;
-use super::variants::LookShaders;
+use super::variants::{LookShaders, Variants};
 use super::{FramePlan, PlanOptions};
 use crate::compile::{CompiledShader, Live, Loops};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::Look;
+use crate::frame::aovs::{AovLayer, AovRequest};
 use crate::frame::assets::Assets;
 use crate::frame::keys::{Rig, SceneRig};
+use crate::frame::mattes::sample_shifts;
 use crate::frame::screen::Ink;
 use crate::frame::setup::Setup;
 use crate::frame::visibility::{CullMode, KnownBounds};
@@ -43,6 +45,12 @@ pub struct Planner {
     pub(super) unspecialized: bool,
     /// Choice of the lights that modules go through in loops.
     pub(super) loops: Loops,
+    /// Layers that plans have beside the picture.
+    pub aovs: Vec<AovRequest>,
+    /// True if plans draw which objects and materials are seen, in place of colors.
+    pub(super) mattes: bool,
+    /// Shift of the picture, to the right and down, in pixels.
+    pub(super) shift: [f64; 2],
 }
 
 impl Planner {
@@ -91,6 +99,37 @@ impl Planner {
         self.shaders.insert(key, shaders);
     }
 
+    /// Plans the pictures of which object and material is seen, one for each of a pixel's samples:
+    /// its place in the pixel is the middle of the pixels of its picture. See
+    /// [`MattePart`](crate::frame::MattePart).
+    ///
+    /// # Errors
+    /// As [`plan`](Self::plan).
+    pub fn plan_mattes(
+        &mut self,
+        setup: &Setup,
+        library: &Library,
+        live: &Live,
+        options: &PlanOptions,
+    ) -> Result<Vec<FramePlan>, Vec<Diagnostic>> {
+        let aovs = std::mem::take(&mut self.aovs);
+        self.mattes = true;
+        let single = PlanOptions { samples: 1, ..options.clone() };
+        let plans = sample_shifts(options.samples).into_iter().map(|shift| {
+            self.shift = shift;
+            self.plan(setup, library, live, &single).map(|plan| plan.value)
+        });
+        let plans = plans.collect();
+        (self.aovs, self.mattes, self.shift) = (aovs, false, [0.0; 2]);
+        plans
+    }
+
+    /// The layers beside the picture, as the looks' modules give them.
+    fn planned_aovs(&self, variants: &Variants) -> Result<Vec<AovLayer>, Vec<Diagnostic>> {
+        let shaders = variants.values().filter_map(|variant| self.shaders.get(&variant.key));
+        AovLayer::planned(&self.aovs, shaders.map(|shaders| &*shaders.draw))
+    }
+
     /// Plans one picture of `setup`; warns of oddities of the looks and objects in it. Where a shot
     /// is over it, that moves the scene to the time, and may hold what shades at a frame before.
     ///
@@ -108,15 +147,18 @@ impl Planner {
         let (setup, time) = (&*moved, setup.shading_time(options.time));
         let options = &PlanOptions { time, ..options.clone() };
         let mut dropped = Vec::new();
-        let scene = self.place(setup, library, live, options);
+        let mut scene = self.place(setup, library, live, options);
+        scene.view = scene.view.shifted(self.shift);
         let visible = self.visible(&scene, &mut dropped);
         let variants = self.compile_looks(&scene, &visible, &mut dropped)?;
         push_equal_looks(&mut dropped, setup, &variants);
         let shaders = &self.shaders;
         let readers = ContextReaders::new(&scene, &visible, &variants, shaders);
-        let ink = Ink::of(&setup.scene.outlines, options.size[1]).filter(|_| !visible.is_empty());
+        let ink = Ink::of(&setup.scene.outlines, options.size[1]);
+        let ink = ink.filter(|_| !visible.is_empty() && !self.mattes);
         let wanted = WantedPasses::new(&readers, ink.is_some());
         let stages = wanted.stages_before();
+        let aovs = self.planned_aovs(&variants)?;
         self.compile_before(&scene, &visible, &variants, &stages)?;
         let warnings = self.warnings(&scene, &visible, &variants);
         let casters = self.casters(&scene, &visible, &variants, &mut dropped)?;
@@ -138,7 +180,7 @@ impl Planner {
         let plan = FramePlan {
             size: options.size,
             samples: options.samples,
-            backdrop: setup.scene.backdrop,
+            backdrop: setup.scene.backdrop.filter(|_| !self.mattes),
             ink,
             view: scene.view,
             covered: scene.covered(&visible),
@@ -147,6 +189,7 @@ impl Planner {
             draws,
             passes,
             deferral,
+            aovs,
             dropped,
         };
         Ok(WithWarnings::new(plan, warnings))

@@ -10,11 +10,11 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use super::DroppedEffect;
-use super::key::{content_key, variant_key};
+use super::key::{content_key, drawing_key, variant_key};
 use super::omissions::{push_lights, push_node_links};
 use super::placement::{PlacedScene, VisibleObject, values_key};
 use super::planner::Planner;
-use crate::compile::{CompileOptions, CompiledShader, Live, compile};
+use crate::compile::{AovSource, CompileOptions, CompiledShader, Live, Loops, compile};
 use crate::diag::Diagnostic;
 use crate::document::{LightInput, Look};
 use crate::frame::keys::{ParamTable, Rig};
@@ -89,10 +89,13 @@ impl Planner {
                 let (cutout, known) = (has_cutout(object, index), inputs_of(&dark));
                 let own = matches!(now, Cow::Owned(_)).then_some(object);
                 let content = contents.get(index, &now, live, own);
+                let aovs: Vec<AovSource> =
+                    self.aovs.iter().map(|asked| asked.source(index)).collect();
                 let key = variant_key(content, cutout, &known);
+                let key = drawing_key(key, &aovs, self.mattes);
                 let variant = LookVariant { key, cutout, dark: known };
                 if !self.shaders.contains_key(&key) {
-                    match self.compile_look(look, &now, scene.library, (live, &variant)) {
+                    match self.compile_look(look, &now, scene.library, (live, &variant, aovs)) {
                         Ok(shaders) => drop(self.shaders.insert(key, shaders)),
                         Err(found) => problems.extend(found),
                     }
@@ -204,9 +207,16 @@ impl Planner {
         setup: &SetupLook,
         look: &Look,
         library: &Library,
-        (live, variant): (&Live, &LookVariant),
+        (live, variant, aovs): (&Live, &LookVariant, Vec<AovSource>),
     ) -> Result<LookShaders, Vec<Diagnostic>> {
-        let options = CompileOptions { display: true, ..self.options(live, variant) };
+        let mut options = CompileOptions { display: true, ..self.options(live, variant) };
+        options.mattes = self.mattes;
+        if !aovs.is_empty() {
+            // What comes of one light can only be told from that of others where each has code of
+            // its own.
+            options.loops = Loops::Never;
+            options.aovs = aovs;
+        }
         let compiled = compile(look, library, &options).map_err(|found| located(setup, found))?;
         let (rig, mut warnings) = Rig::new(look).into_parts();
         let draw = compiled.tell(&mut warnings);

@@ -1,0 +1,423 @@
+//! Values that a module writes beside the picture: outputs of nodes, and what parts of a look's
+//! stack of layers add to the picture.
+//!
+//! A [`Stack`] is the chain of nodes through their `below`, from the Output down. Each step lets a
+//! share of what is below it through, and adds something of its own; what it adds, times what all
+//! steps above let through, is its contribution. No contribution is negative, and all together are
+//! the stack.
+
+use std::collections::BTreeSet;
+use std::collections::HashSet;
+
+use super::check::{TypedGraph, TypedNode, TypedSource, check};
+use super::flatten::FlatGraph;
+use crate::diag::Diagnostic;
+use crate::document::Look;
+use crate::ids::{LightId, NodePath, PortName};
+use crate::library::{Library, LightFeed, Treatment, Type};
+
+/// Source of a value that is written beside the picture.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum AovSource {
+    /// Nothing: the value is 0 wherever the look is seen.
+    Nothing,
+    /// An output of a node, by its path and name.
+    Wire(NodePath, PortName),
+    /// The sum of the contributions of these steps of the look's stack.
+    Steps(BTreeSet<StepId>),
+    /// The stack itself, premultiplied, as it is before anything that follows it.
+    Stack,
+}
+
+/// Step of a stack: a node, or one of its copies for each light.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct StepId {
+    /// The node.
+    pub path: NodePath,
+    /// The light of the copy.
+    pub light: Option<LightId>,
+    /// True for what lies below the lowest step, where that is a value of the step itself.
+    pub is_below: bool,
+}
+
+/// An output of a node that can be written beside the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WireOutput {
+    /// The node.
+    pub path: NodePath,
+    /// Name of the node for people.
+    pub name: String,
+    /// The output.
+    pub port: PortName,
+    /// Type of its value.
+    pub ty: Type,
+}
+
+/// Step of a stack, for whoever asks for contributions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StackPart {
+    /// The step.
+    pub id: StepId,
+    /// Name of the layer for people.
+    pub name: String,
+    /// The lights that the step's own color depends on.
+    pub lights: BTreeSet<LightId>,
+}
+
+/// A look's stack of layers, for whoever asks for contributions.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StackParts {
+    /// The steps, from the top; the last one is what lies below all layers.
+    pub parts: Vec<StackPart>,
+    /// Nodes between the stack and the Output, from the Output on: their results cannot be parted.
+    pub after: Vec<NodePath>,
+}
+
+/// Value that is written for a source.
+#[derive(Clone, Debug)]
+pub struct TypedAov {
+    pub(super) kind: TypedAovKind,
+    /// Type of the value.
+    pub ty: Type,
+}
+
+/// Kind of what is written.
+#[derive(Clone, Debug)]
+pub(super) enum TypedAovKind {
+    /// An output of a node, by their indices.
+    Output(usize, usize),
+    /// The sum of contributions.
+    Steps(BTreeSet<StepId>),
+    /// The whole stack.
+    Stack,
+}
+
+/// Chain of nodes through what is below each.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Stack {
+    /// Steps from the top: a node and the input that takes what is below.
+    pub(super) steps: Vec<(usize, usize)>,
+    /// The output that lies below all steps; `None` where a value does.
+    pub(super) bottom: Option<(usize, usize)>,
+    /// The output of the highest step.
+    pub(super) top: Option<(usize, usize)>,
+    /// Nodes between the Output and the stack.
+    after: Vec<usize>,
+}
+
+/// The rule by which a step lets a share of what is below through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Passage {
+    /// Share of a mode of *Blend*.
+    Blend,
+    /// All of it.
+    All,
+    /// Share that a color's alpha leaves.
+    Alpha,
+    /// All or nothing: the greater one is seen.
+    Greater,
+    /// Share of a mode of *Mix colors*.
+    Mix,
+}
+
+/// Row of a kind of steps.
+struct PassageRow {
+    kind: &'static str,
+    passage: Passage,
+    /// The input that takes what is below; empty for that of the lights before.
+    below: &'static str,
+}
+
+const PASSAGES: [PassageRow; 6] = [
+    PassageRow { kind: "blend", passage: Passage::Blend, below: "below" },
+    PassageRow { kind: "mix_colors", passage: Passage::Mix, below: "a" },
+    // A limit that keeps hues dims everything alike.
+    PassageRow { kind: "limit_color", passage: Passage::All, below: "color" },
+    PassageRow { kind: "sum_of_lights", passage: Passage::All, below: "" },
+    PassageRow { kind: "layers_of_lights", passage: Passage::Alpha, below: "" },
+    PassageRow { kind: "greatest_of_lights", passage: Passage::Greater, below: "" },
+];
+
+impl Passage {
+    /// The rule of a kind of nodes; `None` for nodes that are no steps.
+    pub(super) fn of(node: &TypedNode) -> Option<Self> {
+        PassageRow::of(node).map(|row| row.passage)
+    }
+}
+
+impl PassageRow {
+    fn of(node: &TypedNode) -> Option<&'static Self> {
+        PASSAGES.iter().find(|row| row.kind == node.def.kind)
+    }
+}
+
+impl AovSource {
+    /// The output that it is about, in a look without groups; `None` for nothing, and for what the
+    /// picture depends on anyway.
+    ///
+    /// # Errors
+    /// That there is no such output, with near names.
+    pub(super) fn find(&self, flat: &FlatGraph) -> Result<Option<(usize, usize)>, Diagnostic> {
+        match self {
+            Self::Wire(path, port) => flat.output(path, port).map(Some),
+            Self::Nothing | Self::Steps(_) | Self::Stack => Ok(None),
+        }
+    }
+}
+
+impl TypedAov {
+    /// Value that is written for a source that [was found](AovSource::find).
+    ///
+    /// # Errors
+    /// That values of a type cannot be written.
+    pub(super) fn of(
+        graph: &TypedGraph,
+        source: &AovSource,
+        found: Option<(usize, usize)>,
+    ) -> Result<Option<Self>, Diagnostic> {
+        match (source, found) {
+            (AovSource::Steps(steps), _) => {
+                let kind = TypedAovKind::Steps(steps.clone());
+                Ok(Some(Self { kind, ty: Type::Composite }))
+            }
+            (AovSource::Stack, _) => {
+                Ok(Some(Self { kind: TypedAovKind::Stack, ty: Type::Composite }))
+            }
+            (AovSource::Wire(..), Some((node, output))) => {
+                let ty = graph.output_type(node, output);
+                if is_writable(&ty) {
+                    return Ok(Some(Self { kind: TypedAovKind::Output(node, output), ty }));
+                }
+                let message = format!("values of type {ty} cannot be written as a pass");
+                let hint = "numbers, vectors, colors, angles and lights can: see --aovs";
+                let problem = Diagnostic::error("aov-type", message);
+                Err(problem.node(graph.nodes[node].path.clone()).hint(hint))
+            }
+            (AovSource::Nothing | AovSource::Wire(..), _) => Ok(None),
+        }
+    }
+}
+
+/// True for types whose values are at most three numbers and a coverage.
+fn is_writable(ty: &Type) -> bool {
+    matches!(
+        ty,
+        Type::Float
+            | Type::Int
+            | Type::Bool
+            | Type::Vec2
+            | Type::Vec3
+            | Type::Vec4
+            | Type::Color
+            | Type::Composite
+            | Type::Angle
+            | Type::Light
+    )
+}
+
+impl TypedGraph {
+    fn output_type(&self, node: usize, output: usize) -> Type {
+        let node = &self.nodes[node];
+        let variant = node.variant();
+        match node.def.outputs.get(output) {
+            Some(output) if variant.result_is_struct => output.ty.clone(),
+            _ => variant.result.clone(),
+        }
+    }
+
+    /// The node that is drawn, if it is an Output.
+    fn output_node(&self) -> Option<usize> {
+        let is_output = |node: &TypedNode| node.def.special == Treatment::Output;
+        Some(self.root.0).filter(|&root| is_output(&self.nodes[root]))
+    }
+
+    /// The stack that the Output shows.
+    pub(super) fn stack(&self) -> Stack {
+        let mut stack = Stack::default();
+        let first =
+            self.output_node().and_then(|output| self.wire(output, self.input(output, "color")?));
+        let mut open = first;
+        let mut seen = HashSet::new();
+        while let Some((index, output)) = open {
+            // Wires of a checked look make no ring; a broken one ends here.
+            if !seen.insert(index) {
+                break;
+            }
+            let node = &self.nodes[index];
+            let Some(below) = self.below(index) else {
+                // Before the first step, what takes one color is a node after the stack.
+                match self.one_color(index).filter(|_| stack.steps.is_empty()) {
+                    Some(next) => {
+                        if node.def.special != Treatment::Reroute {
+                            stack.after.push(index);
+                        }
+                        open = Some(next);
+                        continue;
+                    }
+                    None => {
+                        stack.bottom = Some((index, output));
+                        break;
+                    }
+                }
+            };
+            stack.top.get_or_insert((index, output));
+            stack.steps.push((index, below));
+            open = self.wire(index, below);
+        }
+        if stack.steps.is_empty() {
+            // Without steps, the whole picture is one contribution.
+            stack.after.clear();
+            stack.bottom = first;
+            stack.top = first;
+        }
+        stack
+    }
+
+    /// The input of a step that takes what is below; `None` for what is no step.
+    fn below(&self, index: usize) -> Option<usize> {
+        let node = &self.nodes[index];
+        let name = PassageRow::of(node)?.below;
+        let is_below = |place: &usize| {
+            let input = &node.def.inputs[*place];
+            let ty = node.inputs.get(*place).and_then(|input| Some(&input.as_ref()?.ty));
+            let is_before = matches!(input.light_feed, Some(LightFeed::Before(_)));
+            let is_color = matches!(ty, Some(Type::Color | Type::Composite));
+            is_color && if name.is_empty() { is_before } else { input.name.as_str() == name }
+        };
+        (0..node.def.inputs.len()).find(is_below)
+    }
+
+    fn input(&self, index: usize, name: &str) -> Option<usize> {
+        self.nodes[index].def.inputs.iter().position(|input| input.name.as_str() == name)
+    }
+
+    /// The output that an input is wired to.
+    fn wire(&self, index: usize, input: usize) -> Option<(usize, usize)> {
+        match self.nodes[index].inputs.get(input)?.as_ref()?.source {
+            TypedSource::Wire { node, output } => Some((node, output)),
+            _ => None,
+        }
+    }
+
+    /// The only wired color of a node that gives a color.
+    fn one_color(&self, index: usize) -> Option<(usize, usize)> {
+        let node = &self.nodes[index];
+        let mut colors = (0..node.inputs.len()).filter_map(|input| {
+            let ty = &node.inputs[input].as_ref()?.ty;
+            let is_color = matches!(ty, Type::Color | Type::Composite);
+            self.wire(index, input).filter(|_| is_color)
+        });
+        let first = colors.next()?;
+        colors.next().is_none().then_some(first)
+    }
+
+    pub(super) fn step_id(&self, index: usize) -> StepId {
+        let node = &self.nodes[index];
+        let light = node.light.clone().filter(|_| node.def.joins_lights());
+        StepId { path: node.path.clone(), light, is_below: false }
+    }
+
+    /// The lights that a step's inputs depend on, but for what is below.
+    fn lights_of(&self, index: usize, below: Option<usize>) -> BTreeSet<LightId> {
+        let mut lights = BTreeSet::new();
+        let mut seen = HashSet::from([index]);
+        let sources = |index: usize, but: Option<usize>| {
+            let inputs = 0..self.nodes[index].inputs.len();
+            let wires = inputs.filter(move |input| Some(*input) != but);
+            wires.filter_map(move |input| Some(self.wire(index, input)?.0))
+        };
+        lights.extend(self.step_id(index).light);
+        let mut open: Vec<usize> = sources(index, below).collect();
+        if below.is_none() {
+            open.push(index);
+            seen.clear();
+        }
+        while let Some(index) = open.pop() {
+            if seen.insert(index) {
+                let node = &self.nodes[index];
+                lights.extend(node.light.clone().filter(|_| !node.is_unlit));
+                open.extend(sources(index, None));
+            }
+        }
+        lights
+    }
+
+    /// Name of a node for people: that of the library's group that it is a part of, else its own.
+    fn layer_name(&self, index: usize) -> String {
+        let node = &self.nodes[index];
+        match &node.group {
+            Some(group) if group.is_of_library => group.name.clone(),
+            _ => node.name.clone(),
+        }
+    }
+
+    /// The outputs of groups that can be written beside the picture, by their paths and names.
+    fn group_wires(&self) -> Vec<WireOutput> {
+        let outputs = self.group_outputs.iter().flat_map(|(path, outputs)| {
+            outputs.iter().map(move |(port, source)| (path, port, *source))
+        });
+        let wire = |(path, port, (node, output)): (&NodePath, &PortName, (usize, usize))| {
+            let ty = self.output_type(node, output);
+            let name = self.nodes[node].group.as_ref().map(|group| group.name.clone());
+            let name = name.unwrap_or_else(|| path.to_string());
+            let is_named = !port.as_str().is_empty() && is_writable(&ty);
+            is_named.then(|| WireOutput { path: path.clone(), name, port: port.clone(), ty })
+        };
+        let mut wires: Vec<WireOutput> = outputs.filter_map(wire).collect();
+        wires.sort_by(|a, b| (&a.path, &a.port).cmp(&(&b.path, &b.port)));
+        wires
+    }
+
+    /// The stack with the names and lights of its steps.
+    pub fn stack_parts(&self) -> StackParts {
+        let stack = self.stack();
+        let step = |&(index, below): &(usize, usize)| StackPart {
+            id: self.step_id(index),
+            name: self.layer_name(index),
+            lights: self.lights_of(index, Some(below)),
+        };
+        let mut parts: Vec<StackPart> = stack.steps.iter().map(step).collect();
+        let lowest = match (stack.bottom, stack.steps.last()) {
+            (Some((index, _)), _) => Some(StackPart {
+                id: self.step_id(index),
+                name: self.layer_name(index),
+                lights: self.lights_of(index, None),
+            }),
+            (None, Some(&(index, _))) => Some(StackPart {
+                id: StepId { is_below: true, ..self.step_id(index) },
+                name: format!("below {}", self.layer_name(index)),
+                lights: BTreeSet::new(),
+            }),
+            (None, None) => None,
+        };
+        parts.extend(lowest);
+        let after = stack.after.iter().map(|&index| self.nodes[index].path.clone()).collect();
+        StackParts { parts, after }
+    }
+}
+
+/// The outputs of a look's groups and nodes that can be written beside the picture: groups by their
+/// paths, then nodes in the order of the document.
+///
+/// # Errors
+/// Everything that is wrong with the look.
+pub fn wire_outputs(look: &Look, library: &Library) -> Result<Vec<WireOutput>, Vec<Diagnostic>> {
+    let graph = check(look, library, None)?.value;
+    let mut found = graph.group_wires();
+    let mut seen: HashSet<(NodePath, PortName)> =
+        found.iter().map(|wire| (wire.path.clone(), wire.port.clone())).collect();
+    for (index, node) in graph.nodes.iter().enumerate() {
+        // A node that could not be typed has no inputs, and Output shows the picture itself.
+        if node.def.special == Treatment::Output || node.inputs.len() != node.def.inputs.len() {
+            continue;
+        }
+        for (output, port) in node.def.outputs.iter().enumerate() {
+            let ty = graph.output_type(index, output);
+            if is_writable(&ty) && seen.insert((node.path.clone(), port.name.clone())) {
+                let (path, name) = (node.path.clone(), node.name.clone());
+                found.push(WireOutput { path, name, port: port.name.clone(), ty });
+            }
+        }
+    }
+    Ok(found)
+}

@@ -1,0 +1,191 @@
+//! Values that are written beside the picture: outputs of nodes, and contributions of a stack's
+//! steps.
+
+use std::collections::HashMap;
+
+use super::{Argument, Builder, Function, ValueId};
+use crate::compile::aov::{Passage, Stack, StepId, TypedAovKind};
+use crate::interp;
+use crate::library::{Library, Type};
+
+/// Functions of `shaders/lib/blend.wgsl`.
+const THROUGH: &str = "let_through";
+const ADDED: &str = "added_over";
+const HELD: &str = "held_back";
+const BOTH: &str = "both_through";
+const SUM: &str = "sum_of_both";
+const PASSAGE: &str = "blend_passage";
+const GREATER: &str = "greater_passage";
+
+/// Words of *Blend*'s modes in the order of the numbers that `blend_passage` knows.
+const MODES: [&str; 5] = ["add", "multiply", "subtract", "alpha", "shade"];
+
+/// Modes of *Mix colors* that hide some of what is below, with the mode of *Blend* that hides as
+/// much; the others let all of it through that is left.
+const MIXED: [(&str, &str); 6] = [
+    ("normal", "alpha"),
+    ("multiply", "multiply"),
+    ("hue", "alpha"),
+    ("saturation", "alpha"),
+    ("color", "alpha"),
+    ("luminosity", "alpha"),
+];
+
+impl Builder<'_> {
+    /// The values beside the picture, each with its number.
+    pub(super) fn aovs(&mut self) -> Vec<(usize, ValueId)> {
+        let graph = self.graph;
+        let is_of_stack = |kind: &TypedAovKind| !matches!(kind, TypedAovKind::Output(..));
+        let mut aovs = graph.aovs.iter().filter_map(|aov| aov.as_ref().ok()?.as_ref());
+        let stack = aovs.any(|aov| is_of_stack(&aov.kind)).then(|| graph.stack());
+        let contributions = stack.as_ref().map(|stack| self.contributions(stack));
+        let mut found = Vec::new();
+        for (number, aov) in graph.aovs.iter().enumerate() {
+            let Ok(Some(aov)) = aov else { continue };
+            let value = match &aov.kind {
+                TypedAovKind::Output(node, output) => self.outputs[*node].get(*output).copied(),
+                TypedAovKind::Stack => {
+                    let top = stack.as_ref().and_then(|stack| stack.top);
+                    top.and_then(|(node, output)| {
+                        let value = *self.outputs[node].get(output)?;
+                        Some(self.premultiplied(node, value))
+                    })
+                }
+                TypedAovKind::Steps(steps) => {
+                    let known = contributions.as_ref();
+                    let mut sum = None;
+                    for step in steps {
+                        let Some(&value) = known.and_then(|known| known.get(step)) else {
+                            continue;
+                        };
+                        let node = self.values[value].node;
+                        sum = Some(match sum {
+                            None => value,
+                            Some(sum) => self.of_library(node, SUM, &[sum, value], Type::Vec3),
+                        });
+                    }
+                    sum
+                }
+            };
+            found.extend(value.map(|value| (number, value)));
+        }
+        found
+    }
+
+    /// A value as premultiplied color.
+    fn premultiplied(&mut self, node: usize, value: ValueId) -> ValueId {
+        match self.values[value].ty {
+            Type::Color | Type::Vec4 => {
+                self.convert(node, value, "premultiplied($)", &Type::Composite)
+            }
+            _ => value,
+        }
+    }
+
+    /// Contribution of each step of a stack to its top, as `vec3f`. Steps that add nothing are left
+    /// out.
+    fn contributions(&mut self, stack: &Stack) -> HashMap<StepId, ValueId> {
+        let graph = self.graph;
+        let mut found = HashMap::with_capacity(stack.steps.len() + 1);
+        // The share of what a step adds that all steps above let through; `None` for all of it.
+        let mut through: Option<ValueId> = None;
+        let mut lowest = None;
+        for &(index, below) in &stack.steps {
+            let node = &graph.nodes[index];
+            let mut inputs: Vec<Option<ValueId>> = node
+                .inputs
+                .iter()
+                .map(|input| input.as_ref().and_then(|input| self.input(index, node, input)))
+                .collect();
+            self.bound_inputs(index, node, &mut inputs);
+            let (Some(under), Some(&over)) = (inputs[below], self.outputs[index].first()) else {
+                continue;
+            };
+            let [under, over] = [under, over].map(|value| self.premultiplied(index, value));
+            lowest = Some((index, under));
+            // A step that was bypassed.
+            if under == over {
+                continue;
+            }
+            let Some(asked) = self.passage(index, &inputs, [under, over]) else { continue };
+            let own = self.of_library(index, THROUGH, &[under, over, asked], Type::Vec3);
+            let added = self.of_library(index, ADDED, &[under, over, own], Type::Vec3);
+            let (seen, next) = match through {
+                None => (added, own),
+                Some(through) => (
+                    self.of_library(index, BOTH, &[added, through], Type::Vec3),
+                    self.of_library(index, BOTH, &[own, through], Type::Vec3),
+                ),
+            };
+            found.insert(graph.step_id(index), seen);
+            through = Some(next);
+        }
+        let bottom = stack.bottom.and_then(|(index, output)| {
+            let value = *self.outputs[index].get(output)?;
+            Some((graph.step_id(index), index, value))
+        });
+        let own = lowest.map(|(index, value)| {
+            (StepId { is_below: true, ..graph.step_id(index) }, index, value)
+        });
+        if let Some((id, index, value)) = bottom.or(own) {
+            let value = self.premultiplied(index, value);
+            let ones = self.constant(index, Type::Vec3, interp::Value::vec(&[1.0; 3]));
+            let through = through.unwrap_or(ones);
+            found.insert(id, self.of_library(index, HELD, &[value, through], Type::Vec3));
+        }
+        found
+    }
+
+    /// The share of what is below that a step's rule lets through, as `vec3f`.
+    fn passage(
+        &mut self,
+        index: usize,
+        inputs: &[Option<ValueId>],
+        [under, over]: [ValueId; 2],
+    ) -> Option<ValueId> {
+        let node = &self.graph.nodes[index];
+        let word = node.variant().choice.as_ref().map(|(_, word)| word.as_str());
+        let of = |name: &str| {
+            let place = node.def.inputs.iter().position(|input| input.name.as_str() == name);
+            place.and_then(|place| inputs[place])
+        };
+        let one = self.constant(index, Type::Float, interp::Value::Float(1.0));
+        let ones = self.constant(index, Type::Vec3, interp::Value::vec(&[1.0; 3]));
+        let (mode, color, tone, opacity) = match Passage::of(node) {
+            Some(Passage::Blend) => {
+                (word.unwrap_or("add"), of("color")?, of("tone"), of("opacity"))
+            }
+            Some(Passage::Alpha) => ("alpha", of("color")?, None, None),
+            Some(Passage::Mix) => {
+                let known = MIXED.iter().find(|(mode, _)| Some(*mode) == word);
+                let Some((_, mode)) = known else { return Some(ones) };
+                let plain = self.constant(index, Type::Color, interp::Value::vec(&[1.0; 4]));
+                let color = if *mode == "multiply" { of("b")? } else { plain };
+                (*mode, color, None, of("factor"))
+            }
+            Some(Passage::Greater) => {
+                return Some(self.of_library(index, GREATER, &[under, over], Type::Vec3));
+            }
+            Some(Passage::All) | None => return Some(ones),
+        };
+        let mode = MODES.iter().position(|known| *known == mode).unwrap_or_default();
+        let mode = self.constant(index, Type::Int, interp::Value::I32(mode as i32));
+        let arguments = [mode, color, tone.unwrap_or(one), opacity.unwrap_or(one)];
+        Some(self.of_library(index, PASSAGE, &arguments, Type::Vec3))
+    }
+
+    /// A call of a function of the library.
+    fn of_library(
+        &mut self,
+        node: usize,
+        function: &str,
+        arguments: &[ValueId],
+        ty: Type,
+    ) -> ValueId {
+        let shipped = Library::built_in().nodes.values().next().map(|def| def.module.clone());
+        let module = shipped.unwrap_or_else(|| self.graph.nodes[node].def.module.clone());
+        let arguments = arguments.iter().map(|&id| Argument::Value(id)).collect();
+        let part = Some("contribution".to_owned());
+        self.call_function(node, Function { module, name: function.into() }, arguments, ty, part)
+    }
+}

@@ -1,0 +1,352 @@
+//! Layers beside the picture: outputs of nodes, contributions that add up, mattes.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use chiaro::film::exr::{self, ExrContent, SampleType};
+use serde_json::{Value as Json, json};
+
+use crate::support::{root, validators::say};
+
+/// A folder in which pictures are rendered.
+struct RenderFolder(tempfile::TempDir);
+
+impl RenderFolder {
+    fn new() -> Self {
+        Self(tempfile::tempdir().unwrap())
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    /// A look of two layers over a base, of a light each, and a scene in which two objects wear it.
+    fn with_scene() -> Self {
+        let folder = Self::new();
+        let layer = |light: &str, mode: &str, color: [f64; 4]| {
+            json!({"id": light, "kind": "light_layer", "name": light.to_uppercase(), "values": {
+                "light": light, "blend": mode, "convex": color, "concave": color, "falloff": 1.5
+            }})
+        };
+        let look = json!({
+            "chiaro": "look", "version": 1, "name": "Two",
+            "lights": {
+                "key": {"direction": [-0.5, 0.6, 0.6], "groups": ["front"]},
+                "rim": {"direction": [0.8, 0.2, -0.3], "groups": ["back"]}
+            },
+            "nodes": [
+                {"id": "base", "kind": "base", "values": {"color": [0.2, 0.1, 0.3, 1]}},
+                layer("key", "alpha", [0.9, 0.7, 0.5, 0.8]),
+                layer("rim", "add", [0.2, 0.5, 0.9, 1.0]),
+                {"id": "output", "kind": "output"}
+            ],
+            "wires": [
+                {"from": "base", "to": "key.below"}, {"from": "key.below", "to": "rim.below"},
+                {"from": "rim.below", "to": "output.color"}
+            ]
+        });
+        let object = |id: &str, x: f64| {
+            json!({"id": id, "mesh": "shape:sphere", "looks": {"*": "look.json"},
+                "transform": {"translate": [x, 0.0, 0.0]}})
+        };
+        let scene = json!({
+            "chiaro": "scene", "version": 1, "objects": [object("left", -0.7), object("right", 0.7)]
+        });
+        fs::write(folder.path("look.json"), look.to_string()).unwrap();
+        fs::write(folder.path("scene.json"), scene.to_string()).unwrap();
+        folder
+    }
+
+    fn run(&self, document: &Path, arguments: &[&str]) -> Output {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
+        command.env("CHIARO_CACHE_DIR", "").current_dir(self.0.path()).arg("render").arg(document);
+        command.args(["--size", "48x40", "--backdrop", "none"]).args(arguments);
+        command.output().unwrap()
+    }
+
+    /// Renders a picture with layers.
+    #[track_caller]
+    fn layers(&self, document: &Path, arguments: &[&str]) -> FileLayers {
+        let output = self.run(document, &[arguments, &["-o", "out.exr", "--force"]].concat());
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{}: {said}", document.display());
+        let content = exr::decode(&fs::read(self.path("out.exr")).unwrap()).unwrap();
+        assert!(content.is_sealed);
+        FileLayers(content)
+    }
+}
+
+/// Layers of a file.
+struct FileLayers(ExrContent);
+
+impl FileLayers {
+    #[track_caller]
+    fn channel(&self, name: &str) -> &[f32] {
+        let found = self.0.channels.iter().find(|(channel, _)| channel == name);
+        &found.unwrap_or_else(|| panic!("no channel {name} in {:?}", self.names())).1
+    }
+
+    fn names(&self) -> Vec<&str> {
+        self.0.channels.iter().map(|(name, _)| name.as_str()).collect()
+    }
+
+    /// Channels of layers whose names begin so.
+    fn beginning(&self, with: &str, channel: &str) -> Vec<&[f32]> {
+        let wanted =
+            self.0.channels.iter().filter(|(name, _)| {
+                name.starts_with(with) && name.ends_with(&format!(".{channel}"))
+            });
+        wanted.map(|(_, numbers)| numbers.as_slice()).collect()
+    }
+
+    /// The greatest difference between the sum of some layers and the whole, in halves' steps for
+    /// each layer; all of them are 0 or more.
+    #[track_caller]
+    fn worst_sum(&self, parts: &str, whole: &str) -> f64 {
+        let mut worst = 0.0_f64;
+        for channel in ["R", "G", "B"] {
+            let parts = self.beginning(parts, channel);
+            assert!(!parts.is_empty());
+            let whole = self.channel(&format!("{whole}.{channel}"));
+            for (pixel, whole) in whole.iter().enumerate() {
+                let sum: f64 = parts.iter().map(|part| f64::from(part[pixel])).sum();
+                assert!(parts.iter().all(|part| part[pixel] >= 0.0), "a contribution is negative");
+                let step = 2.0_f64.powi(-11) * f64::from(whole.abs().max(0.25));
+                worst =
+                    worst.max((sum - f64::from(*whole)).abs() / step / (parts.len() + 1) as f64);
+            }
+        }
+        worst
+    }
+}
+
+fn example(name: &str) -> PathBuf {
+    root().join("examples/looks").join(name)
+}
+
+#[test]
+fn contributions_of_layers_and_lights_are_the_picture() {
+    let folder = RenderFolder::with_scene();
+    let asked = ["--aov", "layers", "--aov", "lights-by-layer", "--naming", "nuke"];
+    let drawn = folder.layers(&folder.path("scene.json"), &asked);
+    let names: Vec<_> = drawn.names().into_iter().filter(|name| name.ends_with(".R")).collect();
+    let expected = [
+        "beauty.R",
+        "layer_Base.R",
+        "layer_KEY.R",
+        "layer_RIM.R",
+        "light_key_KEY.R",
+        "light_rim_RIM.R",
+        "light_unlit_Base.R",
+    ];
+    assert_eq!(names, expected);
+    assert!(drawn.worst_sum("layer_", "beauty") <= 1.0);
+    assert!(drawn.worst_sum("light_", "beauty") <= 1.0);
+    // What is display-referred is written as the look blends it: the picture itself is light.
+    let (shown, alpha) = (drawn.channel("beauty.R"), drawn.channel("A"));
+    for (pixel, light) in drawn.channel("R").iter().enumerate().filter(|(at, _)| alpha[*at] > 0.9) {
+        let straight = f64::from(shown[pixel] / alpha[pixel]);
+        let decoded = ((straight + 0.055) / 1.055).powf(2.4) * f64::from(alpha[pixel]);
+        assert!((decoded - f64::from(*light)).abs() < 4e-3, "{decoded} {light}");
+    }
+    // A light that is out adds nothing, and the others what they did.
+    let arnold = ["--aov", "groups", "--naming", "arnold"];
+    let groups = folder.layers(&folder.path("scene.json"), &arnold);
+    assert!(groups.worst_sum("RGBA_", "RGBA") <= 1.0);
+    assert_eq!(groups.beginning("RGBA_", "R").len(), 3, "{:?}", groups.names());
+}
+
+#[test]
+fn contributions_of_examples_add_up() {
+    // Clamps, modes of both kinds of blends, lights in a group that runs for each, a limit.
+    for look in ["figure6-comics", "lights-summed", "hatching", "room-walls"] {
+        let folder = RenderFolder::new();
+        let drawn = folder.layers(&example(&format!("{look}.json")), &["--aov", "layers"]);
+        let worst = drawn.worst_sum("layer_", "beauty");
+        assert!(worst <= 1.0, "{look}: {worst} half-steps a layer");
+    }
+}
+
+/// All looks, both spaces: minutes.
+#[cfg(unix)]
+#[test]
+#[ignore = "a soak: every look in both spaces"]
+fn contributions_of_all_looks_add_up() {
+    let folder = RenderFolder::new();
+    fs::create_dir(folder.path("looks")).unwrap();
+    for beside in ["hcbtf", "images", "scenes", "shadows"] {
+        std::os::unix::fs::symlink(root().join("examples").join(beside), folder.path(beside))
+            .unwrap();
+    }
+    let mut greatest = BTreeMap::new();
+    for entry in fs::read_dir(root().join("examples/looks")).unwrap() {
+        let path = entry.unwrap().path();
+        for space in ["display", "linear"] {
+            let mut look: Json = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+            look["color_space"] = json!(space);
+            let own = folder.path("looks").join(path.file_name().unwrap());
+            fs::write(&own, look.to_string()).unwrap();
+            let drawn = folder.layers(&own, &["--aov", "layers", "--aov", "lights-by-layer"]);
+            let names = drawn.names();
+            let whole = if names.contains(&"beauty.R") { "beauty" } else { "beauty_stack" };
+            let worst = drawn.worst_sum("layer_", whole).max(drawn.worst_sum("light_", whole));
+            eprintln!("{} {space}: {whole} {worst:.3}", path.display());
+            greatest.insert((path.clone(), space), worst);
+        }
+    }
+    assert!(greatest.len() > 100, "{} pictures", greatest.len());
+    assert!(greatest.values().all(|worst| *worst <= 1.0), "{greatest:#?}");
+}
+
+#[test]
+fn an_output_of_a_node_is_a_layer_on_every_executor() {
+    let folder = RenderFolder::with_scene();
+    let asked = ["--aov", "tone=key.tone", "--aov", "lit=key/lit.color", "--samples", "1"];
+    let drawn = folder.layers(&folder.path("scene.json"), &asked);
+    let exact = [&asked[..], &["--on", "reference"]].concat();
+    let exact = folder.layers(&folder.path("scene.json"), &exact);
+    assert_eq!(drawn.names(), exact.names());
+    let alpha = drawn.channel("A");
+    let mut seen = 0;
+    for name in ["tone.V", "lit.R", "lit.G", "lit.B"] {
+        let same = alpha.iter().zip(exact.channel("A")).enumerate().filter(|(_, (a, b))| a == b);
+        for (pixel, _) in same {
+            let (found, truth) = (drawn.channel(name)[pixel], exact.channel(name)[pixel]);
+            assert!((found - truth).abs() < 5e-3, "{name} {pixel}: {found} {truth}");
+            seen += usize::from(truth > 0.1);
+        }
+    }
+    assert!(seen > 100, "the layers show something");
+    // More layers than one draw writes are drawn by further ones, and are the same.
+    let many: Vec<String> = (0..20).map(|number| format!("tone{number}=key.tone")).collect();
+    let many: Vec<&str> = many.iter().flat_map(|layer| ["--aov", layer]).collect();
+    let many =
+        folder.layers(&folder.path("scene.json"), &[&many[..], &["--samples", "1"]].concat());
+    for number in 0..20 {
+        assert_eq!(many.channel(&format!("tone{number}.V")), drawn.channel("tone.V"));
+    }
+    assert_eq!(many.channel("R"), drawn.channel("R"));
+}
+
+#[test]
+fn wrong_layers_are_told_before_anything_is_drawn() {
+    let folder = RenderFolder::with_scene();
+    let refused = |arguments: &[&str], told: &str| {
+        let output = folder.run(Path::new("scene.json"), arguments);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success() && said.contains(told), "{arguments:?}: {said}");
+    };
+    refused(&["-o", "a.exr", "--aov", "tone=kee.tone"], "did you mean");
+    refused(&["-o", "a.exr", "--aov", "tone=key.tonne"], "did you mean `tone`");
+    refused(&["-o", "a.exr", "--aov", "tone=Tow:key.tone"], "did you mean `Two`");
+    refused(&["-o", "a.exr", "--aov", "key.tone"], "NAME=NODE.OUTPUT");
+    refused(&["-o", "a.exr", "--aov", "a.b=key.tone"], "no name that compositors take");
+    refused(&["-o", "a.exr", "--aov", "a=key.tone", "--aov", "a=rim.tone"], "two layers");
+    refused(&["-o", "a.png", "--aov", "tone=key.tone"], "a.exr");
+    refused(&["-o", "a.exr", "--matte", "lamps"], "objects, looks, materials, lights");
+    let listed = folder.run(Path::new("scene.json"), &["--list-aovs"]);
+    let listed = String::from_utf8(listed.stdout).unwrap();
+    assert!(listed.lines().any(|line| line.starts_with("Two:key.tone  ")), "{listed}");
+}
+
+#[test]
+fn mattes_cover_what_the_picture_covers_and_frames_are_kept() {
+    let folder = RenderFolder::with_scene();
+    let asked = ["--matte", "objects,looks,materials"];
+    let drawn = folder.layers(&folder.path("scene.json"), &asked);
+    let alpha = drawn.channel("A");
+    let mut partly = 0;
+    for matte in ["CryptoObject", "CryptoLook", "CryptoMaterial"] {
+        let coverage = [
+            drawn.channel(&format!("{matte}00.G")),
+            drawn.channel(&format!("{matte}00.A")),
+            drawn.channel(&format!("{matte}01.G")),
+            drawn.channel(&format!("{matte}01.A")),
+        ];
+        for (pixel, alpha) in alpha.iter().enumerate() {
+            let sum: f32 = coverage.iter().map(|rank| rank[pixel]).sum();
+            assert_eq!(sum, *alpha, "{matte} {pixel}");
+            partly += usize::from(sum > 0.0 && sum < 1.0);
+        }
+    }
+    assert!(partly > 50, "edges are smooth");
+    let is_float = |(name, samples): (&&str, &SampleType)| {
+        !name.starts_with("CryptoObject0") || *samples == SampleType::Float
+    };
+    assert!(drawn.names().iter().zip(&drawn.0.samples).all(is_float));
+
+    let frames = ["-o", "a.#.exr", "--frames", "1-2", "--json", "--samples", "1"];
+    let states = |layers: &[&str]| {
+        let output = folder.run(Path::new("scene.json"), &[&frames[..], layers].concat());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let lines = String::from_utf8(output.stdout).unwrap();
+        let state = |line: &str| serde_json::from_str::<Json>(line).unwrap()["state"].clone();
+        lines.lines().map(state).collect::<Vec<_>>()
+    };
+    let layers = [&asked[..], &["--aov", "tone=key.tone"]].concat();
+    assert_eq!(states(&layers), ["drawn", "equal"]);
+    let first = fs::read(folder.path("a.1.exr")).unwrap();
+    assert_eq!(states(&layers), ["kept", "kept"]);
+    assert_eq!(states(&asked), ["drawn", "equal"]);
+    fs::remove_file(folder.path("a.1.exr")).unwrap();
+    assert_eq!(states(&layers), ["drawn", "equal"]);
+    assert_eq!(fs::read(folder.path("a.1.exr")).unwrap(), first, "equal runs are equal files");
+}
+
+#[test]
+fn the_matte_of_lights_tells_the_strongest() {
+    let folder = RenderFolder::with_scene();
+    let asked = ["--matte", "lights", "--aov", "lights", "--samples", "1"];
+    let drawn = folder.layers(&folder.path("scene.json"), &asked);
+    let strength = |light: &str, pixel: usize| {
+        let of = |channel| f64::from(drawn.channel(&format!("light_{light}.{channel}"))[pixel]);
+        0.2126 * of("R") + 0.7152 * of("G") + 0.0722 * of("B")
+    };
+    let lights = ["key", "rim", "unlit"];
+    let mut ids = BTreeMap::new();
+    for pixel in (0..drawn.channel("A").len()).filter(|pixel| drawn.channel("A")[*pixel] == 1.0) {
+        let strengths = lights.map(|light| strength(light, pixel));
+        let all: f64 = strengths.iter().sum();
+        let greatest = strengths.iter().copied().fold(0.0, f64::max);
+        let (id, share) = (drawn.channel("CryptoLight00.R"), drawn.channel("CryptoLight00.G"));
+        assert!((f64::from(share[pixel]) - greatest / all).abs() < 2e-3);
+        // Where one is stronger by far, the id is its own.
+        let strongest = strengths.iter().position(|x| *x == greatest).unwrap();
+        if greatest > 0.6 * all {
+            let known = *ids.entry(strongest).or_insert(id[pixel].to_bits());
+            assert_eq!(known, id[pixel].to_bits(), "{}", lights[strongest]);
+        }
+    }
+    assert!(ids.len() > 1, "several lights are the strongest somewhere");
+    // Layers that nobody asked for are not written.
+    let alone = folder.layers(&folder.path("scene.json"), &["--matte", "lights"]);
+    assert!(alone.names().iter().all(|name| !name.contains("key")), "{:?}", alone.names());
+}
+
+/// Python with the packages that judge layers, if this machine has them.
+fn judge() -> Option<Command> {
+    let python = std::env::var("CHIARO_FILM_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let probe = Command::new(&python).args(["-c", "import cryptomatte_api, OpenImageIO"]).output();
+    if probe.is_ok_and(|output| output.status.success()) {
+        return Some(Command::new(python));
+    }
+    say("SKIPPED: the Python packages openimageio and cryptomatte-api are missing");
+    None
+}
+
+#[test]
+fn others_read_the_layers_and_decode_the_mattes() {
+    let Some(mut python) = judge() else { return };
+    let folder = RenderFolder::with_scene();
+    folder.layers(&folder.path("scene.json"), &["--matte", "objects", "--aov", "layers"]);
+    python.arg(root().join("tests/film/judge.py")).arg(folder.path("out.exr"));
+    let output = python.output().unwrap();
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    let found: Json = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(found["names"], json!(["left", "right"]));
+    assert!(found["coverage"].as_f64().unwrap() < 1e-6, "{found}");
+    assert!(found["sum"].as_f64().unwrap() < 4.0 * 2.0_f64.powi(-11), "{found}");
+}
