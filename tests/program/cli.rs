@@ -133,7 +133,7 @@ fn every_subcommand_has_help_with_examples_and_exit_codes_are_documented() {
     let drawing: &[&str] = if cfg!(feature = "gpu") { &["render", "eval"] } else { &[] };
     for command in [
         &[
-            "edit", "new", "check", "explain", "nodes", "fit", "export", "import", "hcbtf",
+            "edit", "new", "check", "explain", "nodes", "fit", "export", "import", "mesh", "hcbtf",
             "desktop",
         ],
         drawing,

@@ -21,6 +21,7 @@ mod keys;
 mod layers;
 mod links;
 mod mix;
+mod motion;
 mod nearest;
 mod object_lights;
 mod picture;
@@ -65,6 +66,7 @@ pub use keys::{
 };
 pub use links::{LayerReach, LightReach, ShadowReach};
 pub use mix::SOLOED;
+pub use motion::PlayedAnimation;
 pub use picture::Picture;
 pub use place::{PlacementError, place_camera, turn_lights};
 pub use plan::{Draw, DroppedEffect, FramePlan, Pass, PlanOptions, PlanStyle, Planner};

@@ -6,6 +6,7 @@ use std::sync::{Arc, OnceLock};
 
 use glam::{DMat4, DVec3, Vec3};
 
+use super::motion::Motion;
 use super::tree::MeshTree;
 use crate::cache::{CachedValue, EntryReader, EntryWriter};
 
@@ -43,6 +44,10 @@ pub struct Mesh {
     pub has_colors: bool,
     /// True if every corner's normal comes from the file; otherwise some were made.
     pub has_normals: bool,
+    /// Motion that the file brings; `None` where nothing in it moves.
+    pub motion: Option<Arc<Motion>>,
+    /// Positions at rest of a mesh that a [pose](Self::posed) deformed; empty for any other.
+    pub rest: Vec<[f32; 3]>,
     /// Tree over the triangles, made when first asked for.
     pub tree: LazyTree,
 }
@@ -158,6 +163,23 @@ impl Mesh {
         }
     }
 
+    /// True if a pose deformed the mesh.
+    pub fn is_deformed(&self) -> bool {
+        !self.rest.is_empty()
+    }
+
+    /// Positions at rest, to which marks stick.
+    pub fn rest(&self) -> &[[f32; 3]] {
+        if self.is_deformed() { &self.rest } else { &self.positions }
+    }
+
+    /// Size of the attributes and indices in memory, in bytes.
+    pub fn bytes(&self) -> usize {
+        let vertices = 4 * (12 + self.colors.len() / self.positions.len().max(1) * 4);
+        let rest = 12 * self.rest.len();
+        self.positions.len() * vertices + rest + 4 * self.indices.len()
+    }
+
     /// The tree over all triangles, for rays; made once.
     pub fn tree(&self) -> &Arc<MeshTree> {
         self.tree.0.get_or_init(|| Arc::new(MeshTree::new(self)))
@@ -265,6 +287,8 @@ mod tests {
             has_uvs: true,
             has_colors: false,
             has_normals: true,
+            motion: None,
+            rest: Vec::new(),
             tree: LazyTree::default(),
         };
         let again = |mesh: &Mesh| {

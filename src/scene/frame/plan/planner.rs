@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use super::deferral::{self, DeferredLooks};
-use super::key::look_key;
+use super::key::{SurfaceVariant, look_key};
 use super::omissions::push_equal_looks;
 use super::passes::{ContextReaders, SceneSeen, WantedPasses};
 use super::style::PlanStyle;
@@ -15,6 +15,7 @@ use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::Look;
 use crate::frame::assets::Assets;
 use crate::frame::keys::{Rig, SceneRig};
+use crate::frame::motion::KnownPoses;
 use crate::frame::screen::Ink;
 use crate::frame::setup::Setup;
 use crate::frame::visibility::{CullMode, KnownBounds};
@@ -29,6 +30,8 @@ pub struct Planner {
     /// Parts that are left out because they are not seen.
     pub cull: CullMode,
     pub(super) bounds: KnownBounds,
+    /// Meshes in their last poses.
+    pub(super) poses: KnownPoses,
     /// Compiled looks, by the hash of what they were compiled from.
     pub(super) shaders: HashMap<u64, LookShaders>,
     /// Keys of the compiled looks that the last plan used.
@@ -72,7 +75,7 @@ impl Planner {
     /// Provides a look's module that was compiled elsewhere (on another thread, say), for the next
     /// plans of this look. A module that is known already takes on the look's keys.
     pub fn provide(&mut self, look: &Look, live: &Live, draw: Arc<CompiledShader>) {
-        let key = look_key(look, live, false, &BTreeSet::new());
+        let key = look_key(look, live, SurfaceVariant::default(), &BTreeSet::new());
         // Keys change without the module: the modules made beside it are still valid.
         let known = self.shaders.values().find(|shaders| Arc::ptr_eq(&shaders.draw, &draw));
         let shaders = match known {
@@ -103,6 +106,8 @@ impl Planner {
         options: &PlanOptions,
     ) -> Result<WithWarnings<FramePlan>, Vec<Diagnostic>> {
         self.assets.share(&setup.assets);
+        let posed = self.poses.at(setup, options.time);
+        let setup = &*posed;
         let mut dropped = Vec::new();
         let scene = self.place(setup, library, live, options);
         let visible = self.visible(&scene, &mut dropped);
