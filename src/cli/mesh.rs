@@ -7,7 +7,7 @@ use serde_json::{Value as Json, json};
 use super::output::Output;
 use crate::diag::Diagnostic;
 use crate::frame::Assets;
-use crate::geometry::{Lens, Mesh};
+use chiaro_scene::geometry::{Lens, Mesh};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -92,7 +92,7 @@ impl KnownPoses {
         let known = known.unwrap_or_else(|| PosedMesh {
             rest: Arc::downgrade(rest),
             hash,
-            mesh: Arc::new(rest.posed(pose)),
+            mesh: Arc::new(rest.posed_with_tree(pose)),
         });
         let mesh = known.mesh.clone();
         self.0.push_front(known);

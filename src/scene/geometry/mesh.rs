@@ -2,11 +2,11 @@
 
 use std::borrow::Cow;
 use std::ops::Range;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, OnceLock, Weak};
 
 use glam::{DMat4, DVec3, Vec3};
 
-use super::motion::Motion;
+use super::motion::{Motion, Pose};
 use super::tree::MeshTree;
 use crate::cache::{CachedValue, EntryReader, EntryWriter};
 
@@ -53,9 +53,14 @@ pub struct Mesh {
 }
 
 /// Tree over a mesh's triangles, made when first asked for. It follows from the mesh, and so is
-/// equal to any other; a copy of a mesh, which may be changed, makes its own.
+/// equal to any other; a copy of a mesh, which may be changed, makes its own, and a deformed mesh
+/// takes that of the mesh at rest for a beginning.
 #[derive(Debug, Default)]
-pub struct LazyTree(OnceLock<Arc<MeshTree>>);
+pub struct LazyTree {
+    made: OnceLock<Arc<MeshTree>>,
+    /// Mesh at rest of a deformed one, whose tree is [refitted](MeshTree::refitted).
+    rest: Weak<Mesh>,
+}
 
 impl Clone for LazyTree {
     fn clone(&self) -> Self {
@@ -182,7 +187,20 @@ impl Mesh {
 
     /// The tree over all triangles, for rays; made once.
     pub fn tree(&self) -> &Arc<MeshTree> {
-        self.tree.0.get_or_init(|| Arc::new(MeshTree::new(self)))
+        self.tree.made.get_or_init(|| {
+            Arc::new(match self.tree.rest.upgrade() {
+                Some(rest) => rest.tree().refitted(self),
+                None => MeshTree::new(self),
+            })
+        })
+    }
+
+    /// [`posed`](Self::posed) for a mesh that is shared, whose tree then serves all its poses.
+    #[must_use]
+    pub fn posed_with_tree(self: &Arc<Self>, pose: &Pose) -> Self {
+        let mut posed = self.posed(pose);
+        posed.tree.rest = Arc::downgrade(self);
+        posed
     }
 
     /// Number of triangles.

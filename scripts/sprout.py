@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""Writes sprout.glb: a creature without limbs that sways on five joints and breathes by a morph.
+"""Writes examples/meshes/sprout.glb, whose path it takes.
+
+A creature without limbs that sways on five joints and breathes by a morph.
 
 One animation, `sway`, of four seconds, that ends as it begins; a camera, `shot`, that goes around
 by a little. Positions and UVs alone: normals and tangents are made by whoever reads the file.
@@ -7,6 +9,7 @@ by a little. Positions and UVs alone: normals and tangents are made by whoever r
 import json
 import math
 import struct
+import sys
 
 RINGS, SIDES, JOINTS, HEIGHT = 64, 48, 5, 2.6
 
@@ -108,7 +111,8 @@ for joint in range(1, JOINTS):
         swing = 0.16 + 0.05 * joint
         turns.append(quaternion((0.35, 0.2, 0.915), swing * math.sin(phase)))
     move(1 + joint, "rotation", "VEC4", turns)
-move(0, "weights", "SCALAR", [(0.5 - 0.5 * math.cos(4.0 * math.pi * key / 16.0),) for key in range(17)])
+breaths = [(0.5 - 0.5 * math.cos(4.0 * math.pi * key / 16.0),) for key in range(17)]
+move(0, "weights", "SCALAR", breaths)
 orbit = [quaternion((0, 1, 0), 0.35 * math.sin(2.0 * math.pi * key / 16.0)) for key in range(17)]
 move(1 + JOINTS, "rotation", "VEC4", orbit)
 
@@ -141,6 +145,7 @@ document = {
 }
 text = json.dumps(document, separators=(",", ":")).encode()
 text += b" " * (-len(text) % 4)
-with open("sprout.glb", "wb") as file:
-    file.write(struct.pack("<4sIIII", b"glTF", 2, 28 + len(text) + len(data), len(text), 0x4E4F534A))
+length = 28 + len(text) + len(data)
+with open(sys.argv[1], "wb") as file:
+    file.write(struct.pack("<4sIIII", b"glTF", 2, length, len(text), 0x4E4F534A))
     file.write(text + struct.pack("<II", len(data), 0x004E4942) + data)
