@@ -305,7 +305,18 @@ mod tests {
         let still = ["sphere", "cube", "city"].map(|name| {
             let mesh = shape(name).expect("a shape");
             let tree = MeshTree::new(&mesh);
-            assert_eq!(tree.refitted(&mesh), tree, "{name}");
+            let again = tree.refitted(&mesh);
+            let nodes = 2 * tree.nodes as usize;
+            assert_eq!(again.texels[nodes..], tree.texels[nodes..], "{name}");
+            // Boxes are as tight as they were, or tighter.
+            let pairs = again.texels[..nodes].iter().zip(&tree.texels[..nodes]);
+            for (at, (own, first)) in pairs.enumerate() {
+                let is_within = |axis: usize| match at % 2 {
+                    0 => own[axis] >= first[axis],
+                    _ => own[axis] <= first[axis],
+                };
+                assert!(own[3] == first[3] && (0..3).all(is_within), "{name}: {own:?}");
+            }
             (name, mesh, tree)
         });
         let bent = still.clone().map(|(name, mut mesh, tree)| {
