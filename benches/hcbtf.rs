@@ -95,6 +95,7 @@ fn object(name: &str, matrix: DMat4) -> SetupObject {
         light_link: Default::default(),
         shadow_link: Default::default(),
         layers: Default::default(),
+        animation: None,
     }
 }
 

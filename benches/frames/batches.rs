@@ -120,6 +120,7 @@ fn object(number: usize, mesh: &Arc<Mesh>, look: usize, matrix: DMat4) -> SetupO
         light_link: Default::default(),
         shadow_link: Default::default(),
         layers: Default::default(),
+        animation: None,
     }
 }
 

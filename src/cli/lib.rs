@@ -30,6 +30,7 @@ mod hcbtf;
 mod import;
 mod interrupt;
 mod lights;
+mod mesh;
 mod movie;
 mod new;
 mod nodes;
@@ -143,6 +144,8 @@ enum Command {
     Gallery(gallery::Arguments),
     /// Write a look as shaders for other programs
     Export(export::Arguments),
+    /// Tell what a mesh file holds: size, materials, animations, cameras
+    Mesh(mesh::Arguments),
     /// Make a look of another program's graph: a MaterialX document, Blender's shader nodes
     Import(import::Arguments),
     /// Tell what a hand-painted 6D texture (.hcbtf) holds, make one, exchange its samples with
@@ -263,6 +266,7 @@ async fn carry_out(command: &Command, output: &Output) -> Outcome {
         #[cfg(feature = "gpu")]
         Command::Gallery(arguments) => gallery::run(arguments, output).await,
         Command::Export(arguments) => export::run(arguments, output).await,
+        Command::Mesh(arguments) => mesh::run(arguments, output),
         Command::Import(arguments) => import::run(arguments, output),
         Command::Hcbtf(arguments) => hcbtf::run(arguments, output).await,
         Command::Desktop(arguments) => desktop::run(arguments, output),

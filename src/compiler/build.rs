@@ -15,8 +15,8 @@ fn main() {
         Table {
             name: "EXAMPLES",
             base: "examples",
-            folders: &["looks", "shadows", "hcbtf", "images", "scenes"],
-            extensions: &["json", "hcbtf", "png"],
+            folders: &["looks", "shadows", "hcbtf", "images", "meshes", "scenes"],
+            extensions: &["json", "hcbtf", "png", "glb"],
             content: Content::Bytes,
             order: Some("order.txt"),
         },

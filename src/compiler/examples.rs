@@ -1,9 +1,9 @@
-//! Examples embedded in the crate: looks, scenes and HCBTFs, as files with names that hold in any
+//! Examples embedded in the crate: looks, scenes, meshes and HCBTFs, as files with names that hold in any
 //! folder.
 //!
 //! `example:hcbtf/arch.json` is `examples/hcbtf/arch.json` of the source. Such a name may stand
 //! wherever a path may, behind any folder, so that a document with such a reference can be saved
-//! anywhere. The meshes of examples are the program's own shapes.
+//! anywhere. The meshes of examples are the program's own shapes, and files in `meshes/`.
 
 use std::path::{Component, Path};
 
@@ -38,7 +38,7 @@ pub fn file(path: &Path) -> Option<&'static [u8]> {
 pub fn text(path: &Path) -> Option<String> {
     let text = std::str::from_utf8(file(path)?).ok()?;
     let mut text = text.to_owned();
-    for folder in ["looks", "shadows", "hcbtf", "images"] {
+    for folder in ["looks", "shadows", "hcbtf", "images", "meshes"] {
         text = text.replace(&format!("\"../{folder}/"), &format!("\"{PREFIX}{folder}/"));
     }
     // References to files beside a document, such as images.

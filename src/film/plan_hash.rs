@@ -16,7 +16,7 @@ use crate::layers::LayeredPlan;
 #[derive(Debug, Default)]
 pub struct PlanHasher {
     /// Hashes of what plans share, by address; what has been hashed is held, so that no address
-    /// comes to name another thing.
+    /// comes to name another thing, and meshes as long as anybody else holds them.
     meshes: HashMap<usize, (Arc<Mesh>, u128)>,
     modules: HashMap<usize, (Arc<CompiledShader>, u128)>,
     /// The casters of the last plan that had some.
@@ -27,6 +27,8 @@ impl PlanHasher {
     /// The hash of everything that decides on a plan's picture, as 32 hexadecimal digits: it is the
     /// same in every run of this version. Executors differ in last digits, and are not in it.
     pub fn hash(&mut self, plan: &FramePlan) -> String {
+        // A mesh that moves is another one in each frame.
+        self.meshes.retain(|_, (mesh, _)| Arc::strong_count(mesh) > 1);
         let mut hasher = SipHasher13::new();
         env!("CARGO_PKG_VERSION").hash(&mut hasher);
         (plan.size, plan.samples).hash(&mut hasher);
@@ -92,6 +94,9 @@ impl PlanHasher {
                 mesh.uvs.iter().for_each(|x| x.map(f32::to_bits).hash(hasher));
                 mesh.colors.iter().for_each(|x| x.map(f32::to_bits).hash(hasher));
                 mesh.indices.hash(hasher);
+                if mesh.is_deformed() {
+                    mesh.rest().iter().for_each(|x| x.map(f32::to_bits).hash(hasher));
+                }
             })
         };
         let known = self.meshes.entry(Arc::as_ptr(mesh) as usize);

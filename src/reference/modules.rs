@@ -528,6 +528,7 @@ fn attribute(mesh: &Mesh, location: Option<u32>, vertex: usize, component: usize
     };
     component_of(match attribute {
         VertexAttribute::Position => mesh.positions.get(vertex).map(|v| v.as_slice()),
+        VertexAttribute::Rest => mesh.rest().get(vertex).map(|v| v.as_slice()),
         VertexAttribute::Normal => mesh.normals.get(vertex).map(|v| v.as_slice()),
         VertexAttribute::Tangent => mesh.tangents.get(vertex).map(|v| v.as_slice()),
         VertexAttribute::Uv => mesh.uvs.get(vertex).map(|v| v.as_slice()),

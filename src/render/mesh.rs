@@ -90,6 +90,7 @@ impl Meshes {
             let colors;
             let contents: &[u8] = match attribute {
                 VertexAttribute::Position => bytemuck::cast_slice(&mesh.positions),
+                VertexAttribute::Rest => bytemuck::cast_slice(mesh.rest()),
                 VertexAttribute::Normal => bytemuck::cast_slice(&mesh.normals),
                 VertexAttribute::Tangent => bytemuck::cast_slice(&mesh.tangents),
                 VertexAttribute::Uv => bytemuck::cast_slice(&mesh.uvs),

@@ -282,7 +282,9 @@ pub(super) fn blended(format: wgpu::TextureFormat) -> Option<wgpu::ColorTargetSt
 
 pub(super) fn vertex_attribute(attribute: VertexAttribute) -> wgpu::VertexAttribute {
     let format = match attribute {
-        VertexAttribute::Position | VertexAttribute::Normal => wgpu::VertexFormat::Float32x3,
+        VertexAttribute::Position | VertexAttribute::Normal | VertexAttribute::Rest => {
+            wgpu::VertexFormat::Float32x3
+        }
         VertexAttribute::Tangent | VertexAttribute::Color => wgpu::VertexFormat::Float32x4,
         VertexAttribute::Uv => wgpu::VertexFormat::Float32x2,
     };

@@ -12,7 +12,7 @@ use serde_json::Value as Json;
 fn every_example_is_there_as_it_lies_in_the_source() {
     let root = crate::support::root().join("examples");
     let mut found = BTreeSet::new();
-    for folder in ["looks", "shadows", "hcbtf", "scenes", "images"] {
+    for folder in ["looks", "shadows", "hcbtf", "scenes", "images", "meshes"] {
         for entry in std::fs::read_dir(root.join(folder)).unwrap() {
             let name = format!("{folder}/{}", entry.unwrap().file_name().to_str().unwrap());
             let path = Path::new("somewhere/else").join(format!("{PREFIX}{name}"));

@@ -215,6 +215,7 @@ pub fn scene_of(parts: Vec<(SetupLook, Mesh, glam::DMat4)>, scene: Scene) -> Set
             light_link: Default::default(),
             shadow_link: Default::default(),
             layers: Default::default(),
+            animation: None,
         });
         setup.looks.push(look);
     }

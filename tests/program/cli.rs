@@ -133,8 +133,8 @@ fn every_subcommand_has_help_with_examples_and_exit_codes_are_documented() {
     let drawing: &[&str] = if cfg!(feature = "gpu") { &["render", "eval"] } else { &[] };
     for command in [
         &[
-            "edit", "new", "check", "explain", "shot", "nodes", "fit", "export", "import", "hcbtf",
-            "desktop", "verify", "sheet", "movie", "wedge", "farm",
+            "edit", "new", "check", "explain", "shot", "nodes", "fit", "export", "import", "mesh",
+            "hcbtf", "desktop", "verify", "sheet", "movie", "wedge", "farm",
         ],
         drawing,
     ]

@@ -159,3 +159,62 @@ fn wrong_frames_are_told_before_anything_is_drawn() {
     refused(&["-o", "a.####.exr", "--frames", "1-4"], 1, "a.0003.exr");
     assert_eq!(shot.names().len(), 2, "{:?}", shot.names());
 }
+
+/// A mesh that moves is another picture in each frame, and the same one where its animation holds
+/// or comes around; what stands still beside it is not read again.
+#[test]
+fn frames_of_an_animated_mesh_are_equal_where_its_poses_are() {
+    let shot = Shot::new();
+    let sprout = crate::support::root().join("examples/meshes/sprout.glb");
+    let scene = |name: &str, animation: Json| {
+        let object = json!({"id": "sprout", "mesh": sprout, "looks": "look.json",
+            "animation": animation});
+        let scene = json!({"chiaro": "scene", "version": 1, "objects": [object],
+            "camera": {"eye": [0, 0, 4]}});
+        fs::write(shot.path(name), scene.to_string()).unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
+        command.env("CHIARO_CACHE_DIR", "").current_dir(shot.0.path());
+        command.args(["render", name, "--size", "24x16", "--samples", "1", "--rate", "1"]);
+        command.args(["-o", &format!("{name}.##.png"), "--frames", "0-6x2,7", "--json"]);
+        let output = command.output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{said}");
+        let lines = String::from_utf8(output.stdout).unwrap();
+        let frames: Vec<Json> =
+            lines.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+        let same: Vec<_> = frames.iter().map(|frame| frame["to"].as_i64()).collect();
+        (same, said.into_owned())
+    };
+    // The look is of one color by time, the same in all of these frames.
+    let look = json!({"chiaro": "look", "version": 1,
+        "nodes": [{"id": "noise", "kind": "noise"}, {"id": "output", "kind": "output"}],
+        "wires": [{"from": "noise", "to": "output.color"}]});
+    fs::write(shot.path("look.json"), look.to_string()).unwrap();
+    // The animation takes 4 seconds, and ends as it begins.
+    let (same, said) = scene("around.json", json!({"name": "sway"}));
+    assert_eq!(same, [None, None, Some(0), Some(2), None], "{said}");
+    let (same, _) = scene("once.json", json!({"loops": false}));
+    assert!(same[3].is_some() && same[3..] == [same[3]; 2], "{same:?}");
+    let (same, _) = scene("held.json", json!({"speed": 0, "offset": 1.25}));
+    assert_eq!(same, [None, Some(0), Some(0), Some(0), Some(0)]);
+    let (same, said) = scene("none.json", json!({"name": "swim"}));
+    assert_eq!(same, [None, Some(0), Some(0), Some(0), Some(0)]);
+    assert!(said.contains("no-animation") && said.contains("sway"), "{said}");
+}
+
+#[test]
+fn a_mesh_file_tells_what_it_plays() {
+    let sprout = crate::support::root().join("examples/meshes/sprout.glb");
+    let told = |more: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
+        let output = command.arg("mesh").arg(&sprout).args(more).output().unwrap();
+        assert!(output.status.success(), "{output:?}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let json: Json = serde_json::from_str(&told(&["--json"])).unwrap();
+    assert_eq!(json["animations"], json!([{"name": "sway", "seconds": 4.0}]));
+    assert_eq!(json["cameras"][0]["name"], "shot");
+    assert_eq!((&json["triangles"], &json["has_uvs"]), (&json!(6144), &json!(true)));
+    let text = told(&[]);
+    assert!(text.contains("animation `sway`: 4.000 s") && text.contains("camera `shot`"), "{text}");
+}

@@ -2,6 +2,7 @@
 
 use std::io::Cursor;
 
+use crate::motion::bending_bar;
 use crate::support::cases::hold;
 use chiaro::diag::{Diagnostic, LineColumn, WithWarnings};
 use chiaro::files::Disk;
@@ -448,7 +449,7 @@ fn gltf_json(buffer: &str) -> String {
     )
 }
 
-fn base64(bytes: &[u8]) -> String {
+pub(crate) fn base64(bytes: &[u8]) -> String {
     let digits = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::new();
     for chunk in bytes.chunks(3) {
@@ -702,6 +703,7 @@ fn samples() -> Vec<(&'static str, Vec<u8>)> {
         ("x.stl", stl_binary()),
         ("x.gltf", embedded.into_bytes()),
         ("x.glb", glb(&gltf_json(""), &gltf_bytes())),
+        ("x.gltf", bending_bar().into_bytes()),
     ]
 }
 
@@ -742,7 +744,7 @@ proptest! {
 
     #[test]
     fn changed_files_never_panic(
-        kind in 0usize..8,
+        kind in 0usize..9,
         changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), 0u8..4), 1..6),
     ) {
         let (name, mut bytes) = samples().swap_remove(kind);
@@ -757,6 +759,10 @@ proptest! {
         }
         if let Ok(WithWarnings { value: mesh, .. }) = import(name, &bytes, &no_siblings) {
             check(&mesh);
+            if let Some(motion) = &mesh.motion {
+                let animation = motion.animations().first().map(|animation| (animation, 0.7));
+                check(&mesh.posed(&motion.pose(animation)));
+            }
         }
     }
 }

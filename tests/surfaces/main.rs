@@ -15,3 +15,4 @@ mod hcbtf_examples;
 mod hcbtf_file;
 mod hcbtf_opaque;
 mod memory_files;
+mod motion;

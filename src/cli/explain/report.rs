@@ -262,6 +262,7 @@ impl LookReport {
             attributes_not_read: VertexAttribute::ALL
                 .iter()
                 .filter(|a| !read.contains(a))
+                .filter(|a| **a != VertexAttribute::Rest || draw.mesh.is_deformed())
                 .map(|a| a.name())
                 .collect(),
             surroundings,
@@ -326,6 +327,7 @@ fn attribute_report(
         (VertexAttribute::Position, false) => {
             format!("it places the mesh in the picture, and gives {}", told.join(", "))
         }
+        (VertexAttribute::Rest, _) => "marks stick to the mesh at rest".to_owned(),
         _ => format!("it gives {}", told.join(", ")),
     };
     AttributeReport { name: attribute.name(), ty: attribute.wgsl_type(), why }

@@ -528,6 +528,7 @@ pub(super) fn turn_lights(scene: &mut Scene, text: &str) -> Result<(), Diagnosti
 
 /// Places the camera as `--camera` says.
 pub(super) fn adjust_camera(scene: &mut Scene, text: &str) -> Result<(), Diagnostic> {
+    scene.file_camera = None;
     frame::place_camera(&mut scene.camera, text)
         .map_err(|wrong| bad_argument("--camera", &wrong.found, wrong.wanted))
 }

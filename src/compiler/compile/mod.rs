@@ -107,6 +107,9 @@ pub struct CompileOptions {
     pub display: bool,
     /// True if the surface has an alpha cutoff of its own, which a mesh's material may ask for.
     pub cutout: bool,
+    /// True if the mesh is deformed: places in the object's own space are those before, so that
+    /// marks stay on the surface.
+    pub deformed: bool,
     /// Inputs from lights that are known for whoever wears the look: what they are where the light
     /// does not reach ([`LightInput::unlit`]), else 0. Of lights that are out, black, or too far
     /// from every object.

@@ -181,6 +181,8 @@ pub struct Needs {
     pub resources: Vec<Context>,
     /// True if it asks casters what stands about a surface, whatever the light.
     pub occluders: bool,
+    /// True if meshes are deformed, and tell where their surface was before.
+    pub is_deformed: bool,
 }
 
 impl Needs {

@@ -52,6 +52,10 @@ described! {
         illumination: [f64; 4] = [0.0, 0.0, 0.0, 1.0], FieldKind::Rotation;
         /// Camera of the picture.
         camera: Camera = Camera::default(), FieldKind::Object(Camera::shape);
+        /// Camera of an object's mesh file, in place of the eye, the direction and the lens of
+        /// `camera`.
+        file_camera: Option<FileCamera> = None, FieldKind::Object(FileCamera::shape),
+            words "none";
         /// Straight RGBA behind the objects, in display colors; null for transparent.
         backdrop: Option<[f64; 4]> = Some([0.16, 0.165, 0.18, 1.0]),
             FieldKind::Backdrop, by Backdrop;
@@ -85,6 +89,9 @@ described! {
         "id": FieldKind::Slug, words "made from the mesh's name";
         /// A path relative to the scene's file, or `shape:` and the name of an own shape.
         mesh: String = "shape:sphere".to_owned(), FieldKind::Text(MAX_PATH), always;
+        /// Animation of the mesh's file that the object plays.
+        animation: Option<MeshAnimation> = None, FieldKind::Object(MeshAnimation::shape),
+            words "none: the mesh stands still";
         /// Place, turn and size of the object.
         transform: Transform = Transform::default(), FieldKind::Object(Transform::shape);
         /// A look's path, relative to the scene's file; or such paths by material name, where `*`
@@ -127,6 +134,32 @@ impl Object {
             shadows_on: self.shadows_on.clone(),
             no_shadows_on: self.no_shadows_on.clone(),
         }
+    }
+}
+
+described! {
+    /// Animation of a mesh's file, and how it plays.
+    #[serde(default)]
+    pub struct MeshAnimation("animation", Line) {
+        /// Name of the animation in the file; of the first for an empty one.
+        name: String = String::new(), FieldKind::Text(LINE);
+        /// Seconds of the animation in a second of the scene; below 0 backwards.
+        speed: f64 = 1.0, FieldKind::Number(NumberBounds::new(-1000.0, 1000.0));
+        /// Time in the animation at the scene's time 0, in seconds.
+        offset: f64 = 0.0, FieldKind::Number(FAR);
+        /// True if it begins anew after its last key; else what it ends with holds.
+        loops: bool = true, FieldKind::Bool;
+    }
+}
+
+described! {
+    /// Camera that a mesh's file brings, with the animation that the object plays.
+    #[serde(default)]
+    pub struct FileCamera("file camera", Line) {
+        /// Id of the object.
+        object: String = String::new(), FieldKind::Text(LINE);
+        /// Name of the camera in the file; of the first for an empty one.
+        name: String = String::new(), FieldKind::Text(LINE);
     }
 }
 

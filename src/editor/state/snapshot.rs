@@ -69,6 +69,8 @@ impl RenderSnapshot {
         if self.orbit.z_is_up && self.scene.is_none() {
             setup.stand_up();
         }
+        // The window is looked into from anywhere, not from a file's camera.
+        setup.scene.file_camera = None;
         setup.scene.camera = self.orbit.camera();
         setup.scene.backdrop = self.orbit.backdrop.or(setup.scene.backdrop);
         setup.scene.illumination = DQuat::to_array(&self.orbit.illumination);

@@ -10,7 +10,7 @@ use glam::{DMat3, DVec3, Vec3};
 
 use crate::diag::Diagnostic;
 use crate::document::Camera;
-use crate::frame::{Assets, FramePlan, Setup, SetupObject, View};
+use crate::frame::{Assets, FramePlan, SHAPE_PREFIX, Setup, SetupObject, View};
 use crate::ids::ObjectId;
 use crate::interp::{Precision, Value};
 use crate::library::{Context, Library};
@@ -44,6 +44,8 @@ pub(super) struct Key {
     /// Number of changes to files, meshes among them.
     files: FilesRevision,
     camera: Camera,
+    /// Moment, in seconds; 0 where no mesh can move.
+    time: f64,
     size: [u32; 2],
 }
 
@@ -53,6 +55,10 @@ impl Key {
         let (orbit, files) = (&session.view.orbit, session.revisions().files);
         // Neither lights nor values move objects.
         let scene = session.open_scene().map(|open| open.snapshot().shape());
+        let moves = match session.open_scene() {
+            Some(open) => open.snapshot().plays(),
+            None => !orbit.mesh.starts_with(SHAPE_PREFIX),
+        };
         let scale = (MOST / (points.x * points.y).max(1.0)).sqrt().min(1.0);
         let size =
             [points.x, points.y].map(|side| (side * scale).round().clamp(2.0, 4096.0) as u32);
@@ -62,6 +68,7 @@ impl Key {
             scene,
             files,
             camera: orbit.camera(),
+            time: if moves { session.view.time } else { 0.0 },
             size,
         }
     }
@@ -259,7 +266,7 @@ impl Surfaces {
 /// Surface for a request; `None` where there is no mesh: the picture shows why.
 fn make(request: &SurfaceRequest, assets: &mut Assets) -> Option<Surface> {
     let setup = request.snapshot.setup(assets).ok()?.value;
-    let surface = surface_of(&setup, &request.key).ok()?;
+    let surface = surface_of(&setup.posed(request.key.time), &request.key).ok()?;
     Some(if request.with_kappa { with_kappa(&surface) } else { surface })
 }
 

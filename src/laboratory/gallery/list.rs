@@ -73,6 +73,7 @@ impl GalleryDocument {
             Diagnostic::error("bad-gallery", message).hint(format!("write {}", wrong.wanted))
         };
         if let Some(text) = &self.camera {
+            scene.file_camera = None;
             place_camera(&mut scene.camera, text).map_err(|wrong| bad("the camera", wrong))?;
         }
         if let Some(text) = &self.lights {

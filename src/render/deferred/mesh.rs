@@ -101,6 +101,7 @@ fn rows(texels: usize) -> usize {
 fn numbers_of(mesh: &Mesh, attribute: VertexAttribute) -> (&[f32], usize) {
     match attribute {
         VertexAttribute::Position => (mesh.positions.as_flattened(), 3),
+        VertexAttribute::Rest => (mesh.rest().as_flattened(), 3),
         VertexAttribute::Normal => (mesh.normals.as_flattened(), 3),
         VertexAttribute::Tangent => (mesh.tangents.as_flattened(), 4),
         VertexAttribute::Uv => (mesh.uvs.as_flattened(), 2),

@@ -66,6 +66,9 @@ fn mesh(mesh: &Mesh, sink: Sink<'_>) {
     sink(&floats(&mesh.positions));
     sink(&floats(&mesh.normals));
     sink(&floats(&mesh.tangents));
+    if mesh.is_deformed() {
+        sink(&floats(mesh.rest()));
+    }
     sink(&floats(&mesh.uvs));
     sink(&floats(&mesh.all_colors()));
     let indices: Vec<u8> = mesh.indices.iter().flat_map(|index| index.to_le_bytes()).collect();

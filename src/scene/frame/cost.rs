@@ -60,7 +60,7 @@ impl std::fmt::Display for EffectCost {
 pub fn attribute_bytes(attribute: VertexAttribute) -> u64 {
     match attribute {
         VertexAttribute::Uv => 8,
-        VertexAttribute::Position | VertexAttribute::Normal => 12,
+        VertexAttribute::Position | VertexAttribute::Normal | VertexAttribute::Rest => 12,
         VertexAttribute::Tangent | VertexAttribute::Color => 16,
     }
 }

@@ -200,7 +200,10 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
     push(Effect::runs(what, EffectKind::Look, reason).costs(cost));
     push_lights(&mut push, shader);
     let read = read_attributes(shader, draw);
-    for attribute in VertexAttribute::ALL {
+    let is_there = |attribute: &VertexAttribute| {
+        *attribute != VertexAttribute::Rest || draw.mesh.is_deformed()
+    };
+    for attribute in VertexAttribute::ALL.into_iter().filter(is_there) {
         let what = format!("vertex {}", attribute.name());
         let cost = EffectCost::bytes(attribute_bytes(attribute) * draw.mesh.positions.len() as u64);
         push(match read.get(&attribute) {

@@ -23,6 +23,7 @@ mod layers;
 mod links;
 mod mattes;
 mod mix;
+mod motion;
 mod nearest;
 mod object_lights;
 mod picture;
@@ -70,6 +71,7 @@ pub use keys::{
 pub use links::{LayerReach, LightReach, ShadowReach};
 pub use mattes::MattePart;
 pub use mix::SOLOED;
+pub use motion::PlayedAnimation;
 pub use picture::Picture;
 pub use place::{PlacementError, place_camera, turn_lights};
 pub use plan::{Draw, DroppedEffect, FramePlan, Pass, PlanOptions, PlanStyle, Planner};

@@ -8,11 +8,13 @@ use glam::{DMat4, DQuat, DVec3};
 use indexmap::IndexMap;
 
 use super::assets::Assets;
+use super::motion::PlayedAnimation;
 use super::shot::{ResolvedShot, open_shot};
 use super::store::AssetStore;
 use crate::diag::{Diagnostic, WithWarnings, has_errors};
 use crate::document::{
-    Document, LayerLink, LightLink, Look, Object, Scene, ShadowLink, SourceMap, Transform, Values,
+    Document, LayerLink, LightLink, Look, MeshAnimation, Object, Scene, ShadowLink, SourceMap,
+    Transform, Values,
 };
 use crate::files::Files;
 use crate::geometry::Mesh;
@@ -52,6 +54,8 @@ pub struct SetupObject {
     pub shadow_link: ShadowLink,
     /// Lights of single nodes of the looks.
     pub layers: Vec<LayerLink>,
+    /// Animation that the mesh plays; `None` where the mesh stands still.
+    pub animation: Option<PlayedAnimation>,
 }
 
 impl SetupObject {
@@ -184,7 +188,8 @@ pub fn open(
 /// Mesh that a look opened alone is shown on.
 pub const DEFAULT_MESH: &str = "shape:creature";
 
-/// The default scene with one object that wears `look`. Paths of meshes are relative to the working
+/// The default scene with one object that wears `look` and plays the first animation of its mesh.
+/// Paths of meshes are relative to the working
 /// folder.
 ///
 /// # Errors
@@ -197,6 +202,9 @@ pub fn default_setup(
     let (mesh, notes) = assets.mesh(Path::new(""), mesh)?.into_parts();
     let world_from_object = object_matrix(&Transform::default(), &mesh);
     let looks = vec![Some(0); mesh.parts.len()];
+    let played = MeshAnimation::default();
+    let animation = mesh.motion.as_ref().filter(|motion| !motion.animations().is_empty());
+    let animation = animation.map(|_| PlayedAnimation { number: 0, played });
     let object = SetupObject {
         id: ObjectId::new("object"),
         mesh,
@@ -206,6 +214,7 @@ pub fn default_setup(
         light_link: LightLink::default(),
         shadow_link: ShadowLink::default(),
         layers: Vec::new(),
+        animation,
     };
     let (looks, objects, assets) = (vec![look], vec![object], assets.store().clone());
     Ok(WithWarnings::new(Setup { looks, objects, assets, ..Setup::default() }, notes))
@@ -317,12 +326,13 @@ pub fn place_objects(
         objects.push(SetupObject {
             id: id.clone(),
             world_from_object: placed(&object.transform, fit),
-            mesh,
             looks: worn,
             values: object.values.clone(),
             light_link: object.light_link(),
             shadow_link: object.shadow_link(),
             layers: object.layers.clone(),
+            animation: played(id, object, &mesh, (&path_of("animation"), source), &mut problems),
+            mesh,
         });
         material_problems(
             id,
@@ -333,7 +343,70 @@ pub fn place_objects(
             &mut problems,
         );
     }
+    file_camera_problems(scene, &objects, source, &mut problems);
     WithWarnings::new(objects, problems)
+}
+
+/// The animation that an object's mesh plays; warns where there is none of that name.
+fn played(
+    id: &ObjectId,
+    object: &Object,
+    mesh: &Mesh,
+    (json_path, source): (&str, &SourceMap),
+    problems: &mut Vec<Diagnostic>,
+) -> Option<PlayedAnimation> {
+    let played = object.animation.as_ref()?;
+    let animations = mesh.motion.as_ref().map_or(&[][..], |motion| motion.animations());
+    let names = || animations.iter().map(|animation| animation.name.as_str());
+    let named = names().position(|name| played.name.is_empty() || name == played.name);
+    if named.is_none() {
+        let problem = if animations.is_empty() {
+            let message = format!("the mesh of object `{id}` has no animation, and stands still");
+            Diagnostic::warning("no-animation", message)
+                .hint("export the mesh with its animations, as glTF")
+        } else {
+            let message = format!(
+                "the mesh of object `{id}` has no animation `{}`, and stands still",
+                played.name
+            );
+            let list: Vec<&str> = names().collect();
+            Diagnostic::warning("no-animation", message)
+                .suggest(&played.name, names())
+                .hint(format!("it has {}", list.join(", ")))
+        };
+        let mut problem = problem.json_path(json_path);
+        source.locate(&mut problem);
+        problems.push(problem);
+    }
+    named.map(|number| PlayedAnimation { number, played: played.clone() })
+}
+
+/// Warns where a scene takes its camera from an object's mesh file that brings none.
+fn file_camera_problems(
+    scene: &Scene,
+    objects: &[SetupObject],
+    source: &SourceMap,
+    problems: &mut Vec<Diagnostic>,
+) {
+    let Some(asked) = &scene.file_camera else { return };
+    let object = objects.iter().find(|object| object.id.as_str() == asked.object);
+    let motion = object.and_then(|object| object.mesh.motion.as_ref());
+    if motion.is_some_and(|motion| motion.camera(&asked.name).is_some()) {
+        return;
+    }
+    let message = match object {
+        None => format!("the camera is that of object `{}`, which is not there", asked.object),
+        Some(object) => format!("the mesh of object `{}` brings no such camera", object.id),
+    };
+    let cameras = motion.map_or(&[][..], |motion| motion.cameras());
+    let names: Vec<&str> = cameras.iter().map(|camera| camera.name.as_str()).collect();
+    let hint = match names.is_empty() {
+        true => "the scene's own camera is taken; export the mesh with its camera, as glTF".into(),
+        false => format!("the scene's own camera is taken; the file's are {}", names.join(", ")),
+    };
+    let mut problem = Diagnostic::warning("no-camera", message).json_path("file_camera").hint(hint);
+    source.locate(&mut problem);
+    problems.push(problem);
 }
 
 /// The name of the look that an object wears on a material.

@@ -1,10 +1,13 @@
 //! Turns a `TriangleSoup` as read from a file into a `Mesh` as a renderer draws it.
 
+use std::sync::Arc;
+
 use glam::{DVec3, Vec3};
 
 use super::closed::is_solid;
 use super::map::weld;
 use super::mesh::{Mesh, MeshPart};
+use super::motion::{Motion, VertexSource};
 use super::normals::{make_missing, place};
 use super::soup::{Material, MaterialRun, NONE, TriangleSoup};
 use super::tangents::{self, MadeTangents};
@@ -25,9 +28,12 @@ pub(super) struct BuildNotes {
 ///
 /// Lists become those of the mesh one by one, and what is needed besides is a fraction of them: a
 /// mesh of half a gigabyte takes no second one to be built.
+///
+/// Where a file moves its surface, the mesh keeps what its vertices are made of.
 pub(super) fn build(mut soup: TriangleSoup, crease_angle: f64) -> (Mesh, BuildNotes) {
     clamp_attributes(&mut soup);
     let welded = weld(&soup.points);
+    let of_file = soup.normals.len() as u32;
     let degenerate = drop_degenerate(&mut soup, &welded);
     settle_sides(&mut soup, &welded);
     let normals = make_missing(&mut soup, &welded, crease_angle);
@@ -36,15 +42,20 @@ pub(super) fn build(mut soup: TriangleSoup, crease_angle: f64) -> (Mesh, BuildNo
 
     let name = std::mem::take(&mut soup.name);
     let materials = std::mem::take(&mut soup.materials);
+    let motion = soup.motion.take().filter(Motion::is_used);
     let runs = std::mem::take(&mut soup.runs);
-    let (vertices, mut triangles) = Vertices::join(soup);
+    let (vertices, mut triangles) = Vertices::join(
+        soup,
+        motion.as_ref().filter(|motion| motion.moves_surface()).map(|_| of_file),
+    );
     let made = tangents::make(&vertices, &mut triangles);
     let (mut triangles, runs) = by_material(triangles, runs);
-    let mut mesh = number(vertices, &made, &mut triangles);
+    let (mut mesh, sources) = number(vertices, &made, &mut triangles);
     mesh.name = name;
     mesh.indices = triangles.into_flattened();
     mesh.parts = parts(&runs, &materials);
     mesh.has_normals = normals == 0;
+    mesh.motion = motion.map(|motion| Arc::new(motion.of_mesh(&mesh, &sources)));
     (mesh, BuildNotes { degenerate, normals })
 }
 
@@ -140,8 +151,12 @@ fn parts(runs: &[MaterialRun], materials: &[Material]) -> Vec<MeshPart> {
 }
 
 /// Numbers the vertices in the order in which triangles first use them, and drops those that none
-/// uses. Gives the mesh without its name, indices and parts.
-fn number(vertices: Vertices, made: &MadeTangents, triangles: &mut [[u32; 3]]) -> Mesh {
+/// uses. Gives the mesh without its name, indices and parts, and what its vertices are made of.
+fn number(
+    vertices: Vertices,
+    made: &MadeTangents,
+    triangles: &mut [[u32; 3]],
+) -> (Mesh, Vec<VertexSource>) {
     let mut numbers = vec![NONE; vertices.positions.len() + made.copies.len()];
     let mut count = 0;
     for vertex in triangles.as_flattened_mut() {
@@ -153,7 +168,7 @@ fn number(vertices: Vertices, made: &MadeTangents, triangles: &mut [[u32; 3]]) -
         *vertex = *own;
     }
     let order = VertexOrder { numbers, made, count: count as usize };
-    let Vertices { positions, normals, uvs, colors, tangents, .. } = vertices;
+    let Vertices { positions, normals, uvs, colors, tangents, sources, .. } = vertices;
     let mut mesh = Mesh {
         has_uvs: !uvs.is_empty(),
         has_colors: !colors.is_empty(),
@@ -165,7 +180,20 @@ fn number(vertices: Vertices, made: &MadeTangents, triangles: &mut [[u32; 3]]) -
     };
     mesh.uvs.resize(count as usize, [0.0; 2]);
     mesh.tangents = order.tangents(tangents, &mesh.normals);
-    mesh
+    (mesh, order.apply(sources))
+}
+
+/// Value that stands where none was given yet.
+trait Zero {
+    const ZERO: Self;
+}
+
+impl<const N: usize> Zero for [f32; N] {
+    const ZERO: Self = [0.0; N];
+}
+
+impl Zero for VertexSource {
+    const ZERO: Self = Self { point: 0, has_made_normal: false };
 }
 
 /// New numbers of vertices and their copies.
@@ -179,12 +207,12 @@ struct VertexOrder<'a> {
 
 impl VertexOrder<'_> {
     /// An attribute in the order of the new numbers.
-    fn apply<const N: usize>(&self, list: Vec<[f32; N]>) -> Vec<[f32; N]> {
+    fn apply<T: Copy + Zero>(&self, list: Vec<T>) -> Vec<T> {
         let is_same = || self.numbers.iter().zip(0..).all(|(new, old)| *new == old);
         if list.is_empty() || (list.len() == self.count && is_same()) {
             return list;
         }
-        let mut numbered = vec![[0.0; N]; self.count];
+        let mut numbered = vec![T::ZERO; self.count];
         let old = (0..list.len()).chain(self.made.copies.iter().map(|copy| copy.of as usize));
         for (old, new) in old.zip(&self.numbers).filter(|(_, new)| **new != NONE) {
             numbered[*new as usize] = list[old];

@@ -2,10 +2,11 @@
 
 use std::borrow::Cow;
 use std::ops::Range;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, OnceLock, Weak};
 
 use glam::{DMat4, DVec3, Vec3};
 
+use super::motion::{Motion, Pose};
 use super::tree::MeshTree;
 use crate::cache::{CachedValue, EntryReader, EntryWriter};
 
@@ -43,14 +44,23 @@ pub struct Mesh {
     pub has_colors: bool,
     /// True if every corner's normal comes from the file; otherwise some were made.
     pub has_normals: bool,
+    /// Motion that the file brings; `None` where nothing in it moves.
+    pub motion: Option<Arc<Motion>>,
+    /// Positions at rest of a mesh that a [pose](Self::posed) deformed; empty for any other.
+    pub rest: Vec<[f32; 3]>,
     /// Tree over the triangles, made when first asked for.
     pub tree: LazyTree,
 }
 
 /// Tree over a mesh's triangles, made when first asked for. It follows from the mesh, and so is
-/// equal to any other; a copy of a mesh, which may be changed, makes its own.
+/// equal to any other; a copy of a mesh, which may be changed, makes its own, and a deformed mesh
+/// takes that of the mesh at rest for a beginning.
 #[derive(Debug, Default)]
-pub struct LazyTree(OnceLock<Arc<MeshTree>>);
+pub struct LazyTree {
+    made: OnceLock<Arc<MeshTree>>,
+    /// Mesh at rest of a deformed one, whose tree is [refitted](MeshTree::refitted).
+    rest: Weak<Mesh>,
+}
 
 impl Clone for LazyTree {
     fn clone(&self) -> Self {
@@ -158,9 +168,39 @@ impl Mesh {
         }
     }
 
+    /// True if a pose deformed the mesh.
+    pub fn is_deformed(&self) -> bool {
+        !self.rest.is_empty()
+    }
+
+    /// Positions at rest, to which marks stick.
+    pub fn rest(&self) -> &[[f32; 3]] {
+        if self.is_deformed() { &self.rest } else { &self.positions }
+    }
+
+    /// Size of the attributes and indices in memory, in bytes.
+    pub fn bytes(&self) -> usize {
+        let vertices = 4 * (12 + self.colors.len() / self.positions.len().max(1) * 4);
+        let rest = 12 * self.rest.len();
+        self.positions.len() * vertices + rest + 4 * self.indices.len()
+    }
+
     /// The tree over all triangles, for rays; made once.
     pub fn tree(&self) -> &Arc<MeshTree> {
-        self.tree.0.get_or_init(|| Arc::new(MeshTree::new(self)))
+        self.tree.made.get_or_init(|| {
+            Arc::new(match self.tree.rest.upgrade() {
+                Some(rest) => rest.tree().refitted(self),
+                None => MeshTree::new(self),
+            })
+        })
+    }
+
+    /// [`posed`](Self::posed) for a mesh that is shared, whose tree then serves all its poses.
+    #[must_use]
+    pub fn posed_with_tree(self: &Arc<Self>, pose: &Pose) -> Self {
+        let mut posed = self.posed(pose);
+        posed.tree.rest = Arc::downgrade(self);
+        posed
     }
 
     /// Number of triangles.
@@ -265,6 +305,8 @@ mod tests {
             has_uvs: true,
             has_colors: false,
             has_normals: true,
+            motion: None,
+            rest: Vec::new(),
             tree: LazyTree::default(),
         };
         let again = |mesh: &Mesh| {

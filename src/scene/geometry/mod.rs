@@ -11,6 +11,7 @@ mod closed;
 mod import;
 mod map;
 mod mesh;
+mod motion;
 mod normals;
 mod shapes;
 mod soup;
@@ -22,7 +23,9 @@ mod vertices;
 pub use import::{
     MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, Siblings, import, load, no_siblings,
 };
+
 pub use mesh::{Bounds, DEFAULT_MATERIAL, FitTransform, LazyTree, Mesh, MeshPart};
+pub use motion::{Animation, Lens, Motion, NodeCamera, Pose};
 pub use normals::CREASE_ANGLE;
 pub use shapes::{OwnShape, SHAPES, shape};
 pub use tree::{BoxNode, MeshTree, tree_of_boxes};

@@ -7,6 +7,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 
+use super::motion::Motion;
 use super::normals::place;
 use super::triangulate::triangulate;
 
@@ -185,6 +186,8 @@ pub(super) struct TriangleSoup {
     pub materials: Vec<Material>,
     /// Indices into `materials`, by name, sides and the bits of the cutoff.
     pub known_materials: HashMap<(String, Option<bool>, Option<u32>), u32>,
+    /// Motion of the points, whose numbers are those of [`Self::points`].
+    pub motion: Option<Motion>,
 }
 
 impl TriangleSoup {

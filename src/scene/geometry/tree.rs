@@ -3,7 +3,7 @@
 //! A [`MeshTree`] is a list of texels, as `shaders/lib/casters.wgsl` reads them: shaders walk it
 //! without a stack, because each node names the one that follows where its box is missed.
 
-use glam::{DMat4, DVec3, Vec3A};
+use glam::{DMat4, DVec3, Vec3, Vec3A};
 use obvhs::Boundable;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
@@ -37,6 +37,8 @@ pub struct MeshTree {
     center: DVec3,
     /// Factor of sizes from object space to the tree's: a power of 2, so that nothing is rounded.
     scale: f64,
+    /// Numbers of the mesh's triangles in the tree's order.
+    order: Vec<u32>,
 }
 
 /// Share of the nodes that are put elsewhere where that makes the tree better.
@@ -150,21 +152,30 @@ fn built<T: Boundable>(boxes: &[T], most: u32) -> Bvh2 {
     tree
 }
 
+/// The origin of a mesh's tree, and the factor of sizes from object space to the tree's.
+fn frame_of(mesh: &Mesh) -> (DVec3, f64) {
+    let bounds = mesh.bounds();
+    let reach = 0.5 * bounds.size().max_element();
+    (bounds.center(), if reach > 0.0 { (-reach.log2().ceil()).exp2() } else { 1.0 })
+}
+
+/// The place of a vertex in the space of a tree.
+fn placed_in(mesh: &Mesh, (center, scale): (DVec3, f64)) -> impl Fn(u32) -> Vec3 + '_ {
+    move |index| {
+        let place = DVec3::from(mesh.positions[index as usize].map(f64::from));
+        ((place - center) * scale).as_vec3()
+    }
+}
+
 impl MeshTree {
     /// The tree over all triangles of a mesh.
     pub fn new(mesh: &Mesh) -> Self {
-        let bounds = mesh.bounds();
-        let center = bounds.center();
-        let reach = 0.5 * bounds.size().max_element();
-        let scale = if reach > 0.0 { (-reach.log2().ceil()).exp2() } else { 1.0 };
-        let placed = |index: u32| {
-            let place = DVec3::from(mesh.positions[index as usize].map(f64::from));
-            ((place - center) * scale).as_vec3()
-        };
+        let (center, scale) = frame_of(mesh);
+        let placed = placed_in(mesh, (center, scale));
         let corners = mesh.indices.chunks_exact(3).map(|t| [t[0], t[1], t[2]]);
         let corners: Vec<[u32; 3]> = corners.collect();
         let boxes = corners.iter().map(|corners| {
-            let [a, b, c] = corners.map(placed);
+            let [a, b, c] = corners.map(&placed);
             BuilderBox(Aabb { min: a.min(b).min(c).into(), max: a.max(b).max(c).into() })
         });
         let tree = built(&boxes.collect::<Vec<_>>(), MOST_IN_NODE);
@@ -175,6 +186,7 @@ impl MeshTree {
             triangles: corners.len() as u32,
             center,
             scale,
+            order: Vec::new(),
         };
         // Triangles in the order in which the walk comes to them, and whether more follow.
         let mut order: Vec<(u32, bool)> = Vec::with_capacity(corners.len());
@@ -195,14 +207,77 @@ impl MeshTree {
             let texel = |corner: u32| placed(corner).extend(more).to_array();
             made.texels.extend(corners[triangle as usize].map(texel));
         }
-        for &(triangle, _) in &order {
-            let texel = |corner: u32| {
-                let [x, y, z] = mesh.normals[corner as usize];
-                [x, y, z, 0.0]
-            };
-            made.texels.extend(corners[triangle as usize].map(texel));
-        }
+        made.order = order.into_iter().map(|(triangle, _)| triangle).collect();
+        made.push_normals(mesh);
         made
+    }
+
+    /// The tree of this one's mesh deformed: the same nodes around the same triangles, which takes
+    /// a fraction of the time, and boxes that hold what is in them now.
+    #[must_use]
+    pub fn refitted(&self, mesh: &Mesh) -> Self {
+        let (center, scale) = frame_of(mesh);
+        let placed = placed_in(mesh, (center, scale));
+        let nodes = self.nodes as usize;
+        let mut texels = Vec::with_capacity(self.texels.len());
+        texels.extend_from_slice(&self.texels[..2 * nodes]);
+        for (number, triangle) in self.order.iter().enumerate() {
+            let more = self.texels[2 * nodes + 3 * number][3];
+            let start = 3 * *triangle as usize;
+            let corners = &mesh.indices[start..start + 3];
+            texels.extend(corners.iter().map(|c| placed(*c).extend(more).to_array()));
+        }
+        // What a node holds lies after it, so that boxes are known from the end on.
+        for node in (0..nodes).rev() {
+            let (mut least, mut greatest) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+            let after = texels[2 * node][3];
+            let mut triangle = texels[2 * node + 1][3];
+            let mut within = node + 1;
+            if triangle < 0.0 {
+                while within < after as usize {
+                    let [low, high] = [texels[2 * within], texels[2 * within + 1]];
+                    least = least.min(Vec3::from_slice(&low));
+                    greatest = greatest.max(Vec3::from_slice(&high));
+                    within = low[3] as usize;
+                }
+            } else {
+                let first = triangle;
+                loop {
+                    let at = 2 * nodes + 3 * triangle as usize;
+                    for corner in &texels[at..at + 3] {
+                        least = least.min(Vec3::from_slice(corner) - AROUND);
+                        greatest = greatest.max(Vec3::from_slice(corner) + AROUND);
+                    }
+                    if texels[at][3] < 0.5 {
+                        break;
+                    }
+                    triangle += 1.0;
+                }
+                triangle = first;
+            }
+            texels[2 * node] = least.extend(after).to_array();
+            texels[2 * node + 1] = greatest.extend(triangle).to_array();
+        }
+        let mut made = Self { texels, center, scale, ..self.clone_order() };
+        made.push_normals(mesh);
+        made
+    }
+
+    /// A tree of the same counts and order, without texels.
+    fn clone_order(&self) -> Self {
+        let Self { nodes, triangles, center, scale, .. } = *self;
+        Self { texels: Vec::new(), nodes, triangles, center, scale, order: self.order.clone() }
+    }
+
+    /// Appends the normals at the triangles' corners.
+    fn push_normals(&mut self, mesh: &Mesh) {
+        for triangle in &self.order {
+            let start = 3 * *triangle as usize;
+            self.texels.extend(mesh.indices[start..start + 3].iter().map(|corner| {
+                let [x, y, z] = mesh.normals[*corner as usize];
+                [x, y, z, 0.0]
+            }));
+        }
     }
 
     /// The matrix from world space to the tree's, for an object that stands in the world so; zeros
@@ -227,9 +302,29 @@ mod tests {
     /// goes through all nodes.
     #[test]
     fn a_tree_holds_every_triangle_once() {
-        for name in ["sphere", "cube", "city"] {
+        let still = ["sphere", "cube", "city"].map(|name| {
             let mesh = shape(name).expect("a shape");
             let tree = MeshTree::new(&mesh);
+            let again = tree.refitted(&mesh);
+            let nodes = 2 * tree.nodes as usize;
+            assert_eq!(again.texels[nodes..], tree.texels[nodes..], "{name}");
+            // Boxes are as tight as they were, or tighter.
+            let pairs = again.texels[..nodes].iter().zip(&tree.texels[..nodes]);
+            for (at, (own, first)) in pairs.enumerate() {
+                let is_within = |axis: usize| match at % 2 {
+                    0 => own[axis] >= first[axis],
+                    _ => own[axis] <= first[axis],
+                };
+                assert!(own[3] == first[3] && (0..3).all(is_within), "{name}: {own:?}");
+            }
+            (name, mesh, tree)
+        });
+        let bent = still.clone().map(|(name, mut mesh, tree)| {
+            mesh.positions.iter_mut().for_each(|[x, y, z]| *x += 0.4 * *y * *y - 3.0 * *z + 7.0);
+            let tree = tree.refitted(&mesh);
+            (name, mesh, tree)
+        });
+        for (name, mesh, tree) in still.into_iter().chain(bent) {
             assert_eq!(tree.triangles as usize, mesh.triangle_count(), "{name}");
             let (nodes, triangles) = (tree.nodes as usize, tree.triangles as usize);
             assert_eq!(tree.texels.len(), 2 * nodes + 6 * triangles);

@@ -2,11 +2,11 @@
 
 use chiaro_compiler::document::{
     Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint,
-    ExposedValue, Frame, Graph, GroupMaster, InterfacePort, Interpolation, KeyDirection, KeyScheme,
-    LayerLink, Light, LightField, LightKind, LightQuantity, LightSet, LightSpace, Look, Node,
-    NodeLinks, Note, Object, ObjectSet, Override, Projection, Ramp, RampStop, Scene, SceneOutlines,
-    Shot, ShotKey, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, UnknownFields, Value,
-    Values, Wire,
+    ExposedValue, FileCamera, Frame, Graph, GroupMaster, InterfacePort, Interpolation,
+    KeyDirection, KeyScheme, LayerLink, Light, LightField, LightKind, LightQuantity, LightSet,
+    LightSpace, Look, MeshAnimation, Node, NodeLinks, Note, Object, ObjectSet, Override,
+    Projection, Ramp, RampStop, Scene, SceneOutlines, Shot, ShotKey, Target, Tier, TimeKey,
+    TimeKeys, TimeRange, Transform, UnknownFields, Value, Values, Wire,
 };
 use chiaro_language::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
@@ -518,6 +518,7 @@ impl Random {
             std::array::from_fn(|_| if self.chance(5) { 1.0 } else { -0.5 - self.positive(1e3) });
         let mut object = Object {
             mesh: self.choose(&["shape:torus", "meshes/a b.obj", ""]).to_owned(),
+            animation: self.chance(3).then(|| self.animation()),
             transform: Transform {
                 translate: self.numbers(1e6),
                 rotate: self.rotation(),
@@ -540,6 +541,15 @@ impl Random {
             object.looks = [("*".to_owned(), self.text())].into();
         }
         object
+    }
+
+    fn animation(&mut self) -> MeshAnimation {
+        MeshAnimation {
+            name: self.text(),
+            speed: self.number(1e3),
+            offset: self.number(1e3),
+            loops: self.chance(2),
+        }
     }
 
     pub(crate) fn camera(&mut self) -> Camera {
@@ -582,6 +592,9 @@ impl Random {
             time_keys: Vec::new(),
             illumination: self.rotation(),
             camera: self.camera(),
+            file_camera: self
+                .chance(3)
+                .then(|| FileCamera { object: self.text(), name: self.text() }),
             backdrop: self.chance(7).then(|| self.numbers(1.0)),
             outlines: self.outlines(),
             time: self.time(),

@@ -17,11 +17,14 @@ pub enum VertexAttribute {
     Uv,
     /// Straight RGBA, `vec4f`, location 4.
     Color,
+    /// Position before the mesh was deformed, object space, `vec3f`, location 5.
+    Rest,
 }
 
 impl VertexAttribute {
     /// All of them, by location.
-    pub const ALL: [Self; 5] = [Self::Position, Self::Normal, Self::Tangent, Self::Uv, Self::Color];
+    pub const ALL: [Self; 6] =
+        [Self::Position, Self::Normal, Self::Tangent, Self::Uv, Self::Color, Self::Rest];
 
     /// Location, the same in every module.
     pub fn location(self) -> u32 {
@@ -36,13 +39,14 @@ impl VertexAttribute {
             Self::Tangent => "tangent",
             Self::Uv => "uv",
             Self::Color => "color",
+            Self::Rest => "rest",
         }
     }
 
     /// Type in WGSL.
     pub fn wgsl_type(self) -> &'static str {
         match self {
-            Self::Position | Self::Normal => "vec3f",
+            Self::Position | Self::Normal | Self::Rest => "vec3f",
             Self::Tangent | Self::Color => "vec4f",
             Self::Uv => "vec2f",
         }
@@ -59,6 +63,23 @@ pub(super) struct SurfaceVarying {
     pub(super) value: &'static str,
     /// The attribute that it is made from.
     pub(super) attribute: VertexAttribute,
+}
+
+impl SurfaceVarying {
+    /// Name of the place in the object's own space, to which marks stick: of a deformed mesh the
+    /// place before.
+    const PLACE: &'static str = "position_object";
+
+    /// The value at a vertex, of a mesh that is deformed or not.
+    pub(super) fn value_on(&self, is_deformed: bool) -> &'static str {
+        if is_deformed && self.name == Self::PLACE { "vertex.rest" } else { self.value }
+    }
+
+    /// The attribute that the value is made from, on a mesh that is deformed or not.
+    fn attribute_on(&self, is_deformed: bool) -> VertexAttribute {
+        let is_rest = is_deformed && self.name == Self::PLACE;
+        if is_rest { VertexAttribute::Rest } else { self.attribute }
+    }
 }
 
 /// Every varying that there is, in the order of locations. The place in clip space, `in.clip`, is
@@ -108,8 +129,10 @@ pub(super) const VARYINGS: [SurfaceVarying; 6] = [
 impl Needs {
     /// The vertex attributes that a module with these needs reads.
     pub fn attributes(&self) -> Vec<VertexAttribute> {
-        let of_contexts =
-            self.contexts.iter().flat_map(|context| VertexAttribute::read_by(*context));
+        let of_contexts = self
+            .contexts
+            .iter()
+            .flat_map(|context| VertexAttribute::read_on(self.is_deformed, *context));
         let mut attributes: Vec<VertexAttribute> =
             std::iter::once(VertexAttribute::Position).chain(of_contexts).collect();
         attributes.sort_unstable();
@@ -121,8 +144,13 @@ impl Needs {
 impl VertexAttribute {
     /// The attributes that a context is made from where a mesh is drawn.
     pub fn read_by(context: Context) -> Vec<Self> {
+        Self::read_on(false, context)
+    }
+
+    /// The attributes that a context is made from where a mesh is drawn that is deformed or not.
+    fn read_on(is_deformed: bool, context: Context) -> Vec<Self> {
         let reads = ExpressionInputs::of(context);
-        let is_read = |varying: &&SurfaceVarying| reads.varying(varying.name);
-        VARYINGS.iter().filter(is_read).map(|varying| varying.attribute).collect()
+        let read = VARYINGS.iter().filter(|varying| reads.varying(varying.name));
+        read.map(|varying| varying.attribute_on(is_deformed)).collect()
     }
 }

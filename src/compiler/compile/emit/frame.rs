@@ -358,7 +358,7 @@ impl Emitter<'_> {
         }
         out.push_str("}\n\n@vertex\nfn vs_main(vertex: Vertex) -> Varyings {\n");
         out.push_str("    let world = object.world_from_object * vec4f(vertex.position, 1.0);\n");
-        let values = varyings.iter().map(|varying| varying.value);
+        let values = varyings.iter().map(|varying| varying.value_on(self.options.deformed));
         let values: Vec<&str> =
             std::iter::once("view.clip_from_world * world").chain(values).collect();
         write_line(&format!("return Varyings({});", values.join(", ")), 1, out);

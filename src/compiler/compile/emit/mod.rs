@@ -250,7 +250,11 @@ impl<'a> Emitter<'a> {
             special,
             options,
             calls: Vec::new(),
-            needs: Needs { images: special.images.clone(), ..Needs::default() },
+            needs: Needs {
+                images: special.images.clone(),
+                is_deformed: options.deformed,
+                ..Needs::default()
+            },
             names: Names::default(),
             items: Items::default(),
             functions: SpecializedFunctions::default(),

@@ -57,6 +57,7 @@ pub(super) fn plan(path: &Path, options: &PlanOptions, assets: &AssetStore) -> O
     } else {
         Library::built_in().clone()
     };
+    setup.scene.file_camera = None;
     setup.scene.camera = fitted(&setup);
     Some(planner.plan(&setup, &library, &Live::Keyed, options).ok()?.value)
 }

@@ -65,12 +65,17 @@ impl SceneSnapshot {
         self.shape
     }
 
+    /// True if an object plays an animation.
+    pub(crate) fn plays(&self) -> bool {
+        self.scene.objects.values().any(|object| object.animation.is_some())
+    }
+
     /// True if every object is in the same place as in `other`, on the same mesh, and wears the
     /// same looks as far as they can be worn.
     pub(super) fn has_shape_of(&self, other: &Self) -> bool {
         let is_like = |a: &Object, b: &Object| {
-            (&a.mesh, a.transform, &a.looks, a.visible)
-                == (&b.mesh, b.transform, &b.looks, b.visible)
+            (&a.mesh, &a.animation, a.transform, &a.looks, a.visible)
+                == (&b.mesh, &b.animation, b.transform, &b.looks, b.visible)
         };
         let (own, others) = (&self.scene.objects, &other.scene.objects);
         let is_same =

@@ -7,14 +7,23 @@ use crate::compile::{AovSource, Live};
 use crate::document::{Graph, LightInput, Look, Value};
 use crate::ids::LightId;
 
+/// Surface that a look's module is compiled for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub(super) struct SurfaceVariant {
+    /// True if a part of the object is cut out by alpha.
+    pub(super) cutout: bool,
+    /// True if the mesh is deformed.
+    pub(super) deformed: bool,
+}
+
 /// The hash of everything that a look's module depends on.
 pub(super) fn look_key(
     look: &Look,
     live: &Live,
-    cutout: bool,
+    surface: SurfaceVariant,
     dark: &BTreeSet<(LightId, LightInput)>,
 ) -> u64 {
-    variant_key(content_key(look, live), cutout, dark)
+    variant_key(content_key(look, live), surface, dark)
 }
 
 /// The hash of a look's content, as far as modules depend on it: the whole look, or, while
@@ -46,11 +55,11 @@ pub(super) fn content_key(look: &Look, live: &Live) -> u64 {
 /// The hash of a look's content together with what its wearers add to it.
 pub(super) fn variant_key(
     content: u64,
-    cutout: bool,
+    surface: SurfaceVariant,
     dark: &BTreeSet<(LightId, LightInput)>,
 ) -> u64 {
     let mut hasher = DefaultHasher::new();
-    (content, cutout, dark).hash(&mut hasher);
+    (content, surface, dark).hash(&mut hasher);
     hasher.finish()
 }
 

@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use super::deferral::{self, DeferredLooks};
-use super::key::look_key;
+use super::key::{SurfaceVariant, look_key};
 use super::omissions::push_equal_looks;
 use super::passes::{ContextReaders, SceneSeen, WantedPasses};
 use super::style::PlanStyle;
@@ -17,6 +17,7 @@ use crate::frame::aovs::{AovLayer, AovRequest};
 use crate::frame::assets::Assets;
 use crate::frame::keys::{Rig, SceneRig};
 use crate::frame::mattes::sample_shifts;
+use crate::frame::motion::KnownPoses;
 use crate::frame::screen::Ink;
 use crate::frame::setup::Setup;
 use crate::frame::visibility::{CullMode, KnownBounds};
@@ -31,6 +32,8 @@ pub struct Planner {
     /// Parts that are left out because they are not seen.
     pub cull: CullMode,
     pub(super) bounds: KnownBounds,
+    /// Meshes in their last poses.
+    pub(super) poses: KnownPoses,
     /// Compiled looks, by the hash of what they were compiled from.
     pub(super) shaders: HashMap<u64, LookShaders>,
     /// Keys of the compiled looks that the last plan used.
@@ -80,7 +83,7 @@ impl Planner {
     /// Provides a look's module that was compiled elsewhere (on another thread, say), for the next
     /// plans of this look. A module that is known already takes on the look's keys.
     pub fn provide(&mut self, look: &Look, live: &Live, draw: Arc<CompiledShader>) {
-        let key = look_key(look, live, false, &BTreeSet::new());
+        let key = look_key(look, live, SurfaceVariant::default(), &BTreeSet::new());
         // Keys change without the module: the modules made beside it are still valid.
         let known = self.shaders.values().find(|shaders| Arc::ptr_eq(&shaders.draw, &draw));
         let shaders = match known {
@@ -144,7 +147,9 @@ impl Planner {
     ) -> Result<WithWarnings<FramePlan>, Vec<Diagnostic>> {
         self.assets.share(&setup.assets);
         let moved = setup.at(options.time);
-        let (setup, time) = (&*moved, setup.shading_time(options.time));
+        // Meshes move with the camera and the objects, whatever the frames that shading is held for.
+        let posed = self.poses.at(&moved, options.time);
+        let (setup, time) = (&*posed, moved.shading_time(options.time));
         let options = &PlanOptions { time, ..options.clone() };
         let mut dropped = Vec::new();
         let mut scene = self.place(setup, library, live, options);

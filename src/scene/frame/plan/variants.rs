@@ -10,7 +10,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 use super::DroppedEffect;
-use super::key::{content_key, drawing_key, variant_key};
+use super::key::{SurfaceVariant, content_key, drawing_key, variant_key};
 use super::omissions::{push_lights, push_node_links};
 use super::placement::{PlacedScene, VisibleObject, values_key};
 use super::planner::Planner;
@@ -37,8 +37,7 @@ pub(super) type Variants = HashMap<(usize, usize), LookVariant>;
 pub(super) struct LookVariant {
     /// Key under which the variant's modules are kept.
     pub(super) key: u64,
-    /// True if a part of the object is cut out by alpha.
-    cutout: bool,
+    surface: SurfaceVariant,
     /// Inputs from dark lights that are known.
     dark: BTreeSet<(LightId, LightInput)>,
 }
@@ -86,14 +85,14 @@ impl Planner {
                 let now = scene.worn(index, object);
                 let live = &scene.lives[index];
                 let dark = all_dark.remove(&(number, index)).unwrap_or_default();
-                let (cutout, known) = (has_cutout(object, index), inputs_of(&dark));
+                let (surface, known) = (surface_of(object, index), inputs_of(&dark));
                 let own = matches!(now, Cow::Owned(_)).then_some(object);
                 let content = contents.get(index, &now, live, own);
                 let aovs: Vec<AovSource> =
                     self.aovs.iter().map(|asked| asked.source(index)).collect();
-                let key = variant_key(content, cutout, &known);
+                let key = variant_key(content, surface, &known);
                 let key = drawing_key(key, &aovs, self.mattes);
-                let variant = LookVariant { key, cutout, dark: known };
+                let variant = LookVariant { key, surface, dark: known };
                 if !self.shaders.contains_key(&key) {
                     match self.compile_look(look, &now, scene.library, (live, &variant, aovs)) {
                         Ok(shaders) => drop(self.shaders.insert(key, shaders)),
@@ -226,7 +225,8 @@ impl Planner {
     fn options(&self, live: &Live, variant: &LookVariant) -> CompileOptions {
         CompileOptions {
             live: live.clone(),
-            cutout: variant.cutout,
+            cutout: variant.surface.cutout,
+            deformed: variant.surface.deformed,
             dark: variant.dark.clone(),
             unspecialized: self.unspecialized,
             loops: self.loops,
@@ -254,12 +254,11 @@ fn located(look: &SetupLook, mut problems: Vec<Diagnostic>) -> Vec<Diagnostic> {
     problems
 }
 
-/// True if a part of the object that wears this look is cut out by alpha.
-fn has_cutout(object: &SetupObject, look: usize) -> bool {
-    object
-        .mesh
-        .parts
-        .iter()
-        .zip(&object.looks)
-        .any(|(part, worn)| *worn == Some(look) && part.alpha_cutoff.is_some())
+/// The surface that an object gives to a look.
+fn surface_of(object: &SetupObject, look: usize) -> SurfaceVariant {
+    let mut parts = object.mesh.parts.iter().zip(&object.looks);
+    SurfaceVariant {
+        cutout: parts.any(|(part, worn)| *worn == Some(look) && part.alpha_cutoff.is_some()),
+        deformed: object.mesh.is_deformed(),
+    }
 }

@@ -39,7 +39,7 @@ const HEAD: u64 = 1 << 10;
 
 /// Greatest coordinate of a vertex: a scene may scale it a million times and still stay within what
 /// shaders are promised ([`MAX_PLACE`](crate::library::MAX_PLACE)).
-const FARTHEST: f32 = 2e12;
+pub(super) const FARTHEST: f32 = 2e12;
 
 /// Radii of meshes that are accepted: squares and cubes of coordinates must fit an f32.
 const RADII: std::ops::RangeInclusive<f64> = 1e-12..=1e12;

@@ -6,6 +6,7 @@ use gltf::accessor::Dimensions;
 use gltf::{Document, Mesh, Node};
 
 use super::accessor;
+use super::motion::MeshPlace;
 use crate::diag::Diagnostic;
 use crate::geometry::import::MAX_VERTICES;
 use crate::geometry::import::report::ImportProblem;
@@ -17,7 +18,9 @@ pub(super) const INSTANCING: &str = "EXT_mesh_gpu_instancing";
 /// A mesh with the transforms of its copies.
 pub(super) struct PlacedMesh<'a> {
     pub(super) mesh: Mesh<'a>,
-    /// Transform of the node that has the mesh, from the node's space to the scene's.
+    /// Number of the node that has the mesh.
+    node: u32,
+    /// Transform of the node, from its own space to the scene's.
     world: DMat4,
     /// Copies of the mesh, if the node asks for them: then no mesh stands at the node itself.
     instances: Option<Instances>,
@@ -59,16 +62,20 @@ impl<'a> PlacedMesh<'a> {
         if instances.is_none() {
             count_drawn(&mesh, 1, drawn)?;
         }
-        Ok(Some(Self { mesh, world, instances }))
+        Ok(Some(Self { mesh, node: node.index() as u32, world, instances }))
     }
 
-    /// The transforms from the mesh's space to the scene's, one for each copy of the mesh.
-    pub(super) fn worlds(&self) -> impl Iterator<Item = DMat4> + '_ {
+    /// The transforms from the mesh's space to the scene's with the places within the node, one for
+    /// each copy of the mesh.
+    pub(super) fn places(&self) -> impl Iterator<Item = (DMat4, MeshPlace)> + '_ {
         let count = self.instances.as_ref().map_or(1, |instances| instances.count);
         let local = |index| {
             self.instances.as_ref().map_or(DMat4::IDENTITY, |instances| instances.local(index))
         };
-        (0..count).map(move |index| self.world * local(index))
+        (0..count).map(move |index| {
+            let instance = local(index);
+            (self.world * instance, MeshPlace { node: self.node, instance })
+        })
     }
 }
 

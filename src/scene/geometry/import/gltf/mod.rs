@@ -1,5 +1,5 @@
-//! glTF 2.0, as JSON and GLB: all meshes of the scene, each in its places, as one mesh. Skins,
-//! morph targets and animations are left out with a note.
+//! glTF 2.0, as JSON and GLB: all meshes of the scene, each in its places, as one mesh, with what
+//! its animations move (`motion`).
 //!
 //! Where normals are missing the specification asks for flat ones; Chiaro makes smooth ones with
 //! creases as for every other format, since most such files are scans and a shading look has little
@@ -10,6 +10,7 @@ mod accessor;
 mod buffers;
 mod extensions;
 mod instances;
+mod motion;
 mod primitive;
 
 use glam::DMat4;
@@ -29,7 +30,7 @@ use crate::diag::{Diagnostic, LineColumn};
 use crate::geometry::soup::TriangleSoup;
 
 /// The members of a glTF's JSON that say where triangles are. The other members need not even be
-/// valid: animations, cameras, textures and additions of later versions and extensions.
+/// valid: animations, skins, cameras, textures and additions of later versions and extensions.
 #[derive(Default, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 struct GltfMembers {
@@ -43,6 +44,8 @@ struct GltfMembers {
     meshes: Vec<json::Mesh>,
     materials: Vec<json::Material>,
     skins: Vec<IgnoredAny>,
+    animations: Vec<IgnoredAny>,
+    cameras: Vec<IgnoredAny>,
     extensions_required: Vec<String>,
 }
 
@@ -77,19 +80,28 @@ fn read_document(
         return soup;
     }
     let placed = place_meshes(&document, &buffers, report);
+    let moved = skipped.may_move.then(|| motion::read(json, &document, &buffers, report)).flatten();
+    let mut recorder = moved.and_then(|(motion, recorder)| {
+        soup.motion = Some(motion);
+        recorder
+    });
     let places =
-        placed.iter().flat_map(|placed| placed.worlds().map(move |world| (&placed.mesh, world)));
-    for (primitive, world) in
-        places.flat_map(|(mesh, world)| mesh.primitives().map(move |p| (p, world)))
+        placed.iter().flat_map(|placed| placed.places().map(move |place| (&placed.mesh, place)));
+    for (primitive, (world, place)) in
+        places.flat_map(|(mesh, place)| mesh.primitives().map(move |p| (p, place)))
     {
+        let moved = recorder.as_mut().map(|recorder| (recorder, place));
         // One error is enough: the soup is of no more use, and a mesh may stand in very many
         // places.
         if let Err(diagnostic) =
-            primitive::append(&primitive, &world, &buffers, &mut soup, &mut skipped)
+            primitive::append(&primitive, (&world, moved), &buffers, &mut soup, &mut skipped)
         {
             report.add(*diagnostic);
             return TriangleSoup::default();
         }
+    }
+    if let Some(recorder) = recorder {
+        recorder.tell(report);
     }
     skipped.tell(report);
     if let (1, Some(mesh)) = (document.meshes().len(), document.meshes().next()) {
@@ -101,24 +113,14 @@ fn read_document(
 /// Parts of the file that were left out, for the reader's notes.
 #[derive(Default)]
 struct SkippedParts {
-    skins: bool,
-    morphs: bool,
+    /// True if the file names something that moves or is moved, or cameras.
+    may_move: bool,
     /// Number of primitives of points or lines.
     other: usize,
 }
 
 impl SkippedParts {
     fn tell(&self, report: &mut ImportReport) {
-        if self.skins {
-            let message = "skins are left out: the mesh stands as it was modeled";
-            report.add(Diagnostic::note("mesh-unsupported", message));
-        }
-        if self.morphs {
-            report.add(Diagnostic::note(
-                "mesh-unsupported",
-                "morph targets are left out: the mesh has its first shape",
-            ));
-        }
         if self.other > 0 {
             let message = format!("{} primitives of points or lines are left out", self.other);
             report.add(Diagnostic::note("mesh-unsupported", message));
@@ -140,7 +142,13 @@ fn parse(json: &[u8], skipped: &mut SkippedParts, report: &mut ImportReport) -> 
         }
     };
     extensions::check(&file, report);
-    skipped.skins = !file.skins.is_empty();
+    let mut weights = file.nodes.iter().map(|node| &node.weights);
+    let mut of_meshes = file.meshes.iter().map(|mesh| &mesh.weights);
+    skipped.may_move = !file.skins.is_empty()
+        || !file.animations.is_empty()
+        || !file.cameras.is_empty()
+        || weights.any(Option::is_some)
+        || of_meshes.any(Option::is_some);
     let Some(root) = geometry_of(file) else {
         let message = "the glTF is not valid: it has no `asset` that tells its version";
         report.error("mesh-syntax", message);

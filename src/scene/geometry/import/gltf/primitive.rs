@@ -6,6 +6,7 @@ use gltf::material::AlphaMode;
 use gltf::mesh::Mode;
 use gltf::{Primitive, Semantic};
 
+use super::motion::{MeshPlace, MotionRecorder};
 use super::{SkippedParts, accessor};
 use crate::diag::Diagnostic;
 use crate::document::linear_to_srgb;
@@ -15,10 +16,11 @@ use crate::geometry::import::{MAX_TRIANGLES, MAX_VERTICES};
 use crate::geometry::mesh::DEFAULT_MATERIAL;
 use crate::geometry::soup::{Corner, Material, NONE, TriangleSoup};
 
-/// Appends the triangles of one primitive, moved by `world`, to the soup.
+/// Appends the triangles of one primitive, moved by `world`, to the soup; in a file in which
+/// something moves, its points are recorded.
 pub(super) fn append(
     primitive: &Primitive,
-    world: &DMat4,
+    (world, moved): (&DMat4, Option<(&mut MotionRecorder, MeshPlace)>),
     buffers: &[Source],
     soup: &mut TriangleSoup,
     skipped: &mut SkippedParts,
@@ -28,7 +30,6 @@ pub(super) fn append(
         return Ok(());
     }
     let Some(positions) = primitive.get(&Semantic::Positions) else { return Ok(()) };
-    skipped.morphs |= primitive.morph_targets().len() > 0;
     let indices = primitive.indices();
     let index_count = indices.as_ref().map_or(positions.count(), gltf::Accessor::count);
     let too_large = |what: &str, most: usize| {
@@ -44,6 +45,12 @@ pub(super) fn append(
     let base = soup.points.len();
     soup.triangles.reserve(index_count / per_triangle);
     let has = attributes(primitive, world, buffers, soup)?;
+    let world = match moved {
+        Some((recorder, place)) => {
+            recorder.record(primitive, place, (base, &has), buffers, soup)?
+        }
+        None => *world,
+    };
     let count = soup.points.len() - base;
     let indices = match indices {
         None => (0..count as u32).collect(),
@@ -54,7 +61,7 @@ pub(super) fn append(
         Corner { point: base as u32 + i, normal: at(has.normals), uv: at(has.uvs) }
     };
     // A transform that mirrors turns triangles inside out.
-    let mirrored = DMat3::from_mat4(*world).determinant() < 0.0;
+    let mirrored = DMat3::from_mat4(world).determinant() < 0.0;
     let wind = |[a, b, c]: [u32; 3]| if mirrored { [b, a, c] } else { [a, b, c] }.map(corner);
     match primitive.mode() {
         Mode::TriangleStrip => {
@@ -123,9 +130,9 @@ fn check_counts(primitive: &Primitive) -> Result<(), ImportProblem> {
 
 /// First indices of a primitive's normals and UVs in the soup's lists; `None` where the primitive
 /// has none.
-struct AttributeOffsets {
-    normals: Option<usize>,
-    uvs: Option<usize>,
+pub(super) struct AttributeOffsets {
+    pub(super) normals: Option<usize>,
+    pub(super) uvs: Option<usize>,
 }
 
 /// Appends the attributes of a primitive's vertices, transformed to world space. After an error the

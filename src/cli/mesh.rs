@@ -1,0 +1,110 @@
+//! `chiaro mesh`: what a mesh file holds.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value as Json, json};
+
+use super::output::Output;
+use crate::diag::Diagnostic;
+use crate::frame::Assets;
+use chiaro_scene::geometry::{Lens, Mesh};
+
+const EXAMPLES: &str = "\
+Examples:
+  chiaro mesh walker.glb           its size, materials, animations and cameras
+  chiaro mesh walker.glb --json
+  chiaro mesh shape:creature
+
+An object of a scene plays an animation by \"animation\": {\"name\": \"walk\"}, and a scene looks \
+through a file's camera
+by \"file_camera\": {\"object\": \"walker\", \"name\": \"shot\"}.";
+
+/// Arguments of `chiaro mesh`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// A mesh file (OBJ, PLY, STL, glTF, GLB), or an own shape (shape:knot)
+    mesh: PathBuf,
+    /// Print it as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    let name = arguments.mesh.display().to_string();
+    let (mesh, warnings) = Assets::default().mesh(Path::new(""), &name)?.into_parts();
+    output.diagnostics(&warnings);
+    let told = report(&mesh);
+    if arguments.json {
+        output.json(&told);
+        return Ok(());
+    }
+    let bounds = mesh.bounds();
+    let size = bounds.size();
+    let mut lines = vec![
+        format!("{}: {} triangles, {} vertices", name, mesh.triangle_count(), mesh.positions.len()),
+        format!("size {:.4} x {:.4} x {:.4}", size.x, size.y, size.z),
+    ];
+    let has = [(mesh.has_uvs, "UVs"), (mesh.has_normals, "normals"), (mesh.has_colors, "colors")];
+    let has: Vec<&str> = has.iter().filter(|(has, _)| *has).map(|(_, what)| *what).collect();
+    lines.push(format!(
+        "brings {}",
+        if has.is_empty() { "none but points".into() } else { has.join(", ") }
+    ));
+    lines.extend(
+        mesh.parts.iter().map(|part| {
+            format!("material `{}`: {} triangles", part.material, part.indices.len() / 3)
+        }),
+    );
+    if let Some(motion) = &mesh.motion {
+        lines.extend(motion.animations().iter().map(|animation| {
+            format!("animation `{}`: {:.3} s", animation.name, animation.seconds())
+        }));
+        lines.extend(motion.cameras().iter().map(|camera| {
+            let lens = match camera.lens {
+                Lens::Perspective { fov, .. } => format!("{:.1} degrees high", fov.to_degrees()),
+                Lens::Orthographic { half_height, .. } => {
+                    format!("parallel, {:.4} high", 2.0 * half_height)
+                }
+            };
+            format!("camera `{}`: {lens}", camera.name)
+        }));
+    }
+    output.result(&lines.join("\n"));
+    Ok(())
+}
+
+/// What the mesh holds.
+fn report(mesh: &Mesh) -> Json {
+    let (bounds, motion) = (mesh.bounds(), mesh.motion.as_deref());
+    let parts = mesh.parts.iter().map(|part| {
+        json!({ "material": part.material, "triangles": part.indices.len() / 3,
+            "two_sided": part.two_sided, "alpha_cutoff": part.alpha_cutoff })
+    });
+    let animations = motion.map_or(&[][..], |motion| motion.animations()).iter();
+    let cameras = motion.map_or(&[][..], |motion| motion.cameras()).iter();
+    json!({
+        "name": mesh.name,
+        "triangles": mesh.triangle_count(),
+        "vertices": mesh.positions.len(),
+        "least": bounds.min.to_array(),
+        "greatest": bounds.max.to_array(),
+        "has_uvs": mesh.has_uvs,
+        "has_normals": mesh.has_normals,
+        "has_colors": mesh.has_colors,
+        "parts": parts.collect::<Vec<Json>>(),
+        "animations": animations
+            .map(|animation| json!({ "name": animation.name, "seconds": animation.seconds() }))
+            .collect::<Vec<Json>>(),
+        "cameras": cameras
+            .map(|camera| match camera.lens {
+                Lens::Perspective { fov, aspect } => {
+                    json!({ "name": camera.name, "fov": fov, "aspect": aspect })
+                }
+                Lens::Orthographic { half_height, .. } => {
+                    json!({ "name": camera.name, "height": 2.0 * half_height })
+                }
+            })
+            .collect::<Vec<Json>>(),
+    })
+}
