@@ -70,6 +70,7 @@ fn plan(look: &Json, mesh: Mesh, camera: Camera) -> FramePlan {
         looks: vec![Some(0); mesh.parts.len()],
         mesh: mesh.into(),
         world_from_object: DMat4::IDENTITY,
+        animation: None,
         values: Default::default(),
         light_link: Default::default(),
         shadow_link: Default::default(),

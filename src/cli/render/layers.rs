@@ -64,12 +64,14 @@ pub(super) fn asked(
         }
     }
     let mut warnings = Vec::new();
+    let time = arguments.time_of(setup);
+    let moved = setup.at(time);
     if !slices.is_empty() {
-        let made = contributions(setup, library, arguments.time, &slices, arguments.naming)?;
+        let made = contributions(&moved, library, time, &slices, arguments.naming)?;
         asked.aovs.splice(0..0, made.tell(&mut warnings));
     }
     if asked.mattes.contains(&MatteKind::Lights) {
-        asked.lights = light_shares(setup, library, arguments.time)?;
+        asked.lights = light_shares(&moved, library, time)?;
     }
     asked.check().map_err(one)?;
     Ok(WithWarnings::new(asked, warnings))
@@ -85,7 +87,7 @@ pub(super) fn list(arguments: &Arguments, output: &Output) -> Result<(), Vec<Dia
         let objects = &stage.setup.objects;
         let wearer = objects.iter().find(|object| object.looks.contains(&Some(index)));
         let Some(wearer) = wearer else { continue };
-        let look = stage.setup.worn(index, wearer, arguments.time);
+        let look = stage.setup.worn(index, wearer, stage.options.time);
         for found in wire_outputs(&look, &stage.library)? {
             let (path, port, ty) =
                 (found.path.to_string(), found.port.to_string(), found.ty.to_string());

@@ -355,6 +355,17 @@ impl Arguments {
         Ok(Some(FrameFiles { frames, rate, pattern }))
     }
 
+    /// The time that is drawn, in seconds, where it is one picture.
+    fn time_of(&self, setup: &Setup) -> f64 {
+        self.time.unwrap_or_else(|| setup.first_time())
+    }
+
+    /// Frames per second: those asked for, or else those of the shot.
+    fn rate_of(&self, setup: &Setup) -> FrameRate {
+        let of_shot = setup.shot.as_ref().map(|shot| shot.stack.rate());
+        self.rate.or(of_shot).unwrap_or(FrameRate::FILM)
+    }
+
     /// Opens what is drawn.
     fn open(&self, warnings: &mut Vec<Diagnostic>) -> Result<Stage, Vec<Diagnostic>> {
         let mut library = library_for(&self.document, self.nodes.as_deref());
@@ -376,7 +387,7 @@ impl Arguments {
         }
         let size = size_of(self.size.as_ref(), &setup);
         adjust(&mut setup, self).map_err(|problem| vec![problem])?;
-        let time = self.time.unwrap_or_else(|| setup.first_time());
+        let time = self.time_of(&setup);
         // Who asks for the reference by its name asks for the truth; else the reference stands in
         // for a GPU and draws what that would draw.
         let style = if is_truth { PlanStyle::AsWritten } else { PlanStyle::Specialized };

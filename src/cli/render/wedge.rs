@@ -9,6 +9,7 @@ use serde_json::{Value as Json, json};
 
 use self::target::VariedTarget;
 use self::values::Variation;
+use super::format::PictureFormat;
 use super::{Stage, check_png, executor};
 use crate::diag::Diagnostic;
 use crate::document::Value;
@@ -90,8 +91,13 @@ pub(crate) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let one = |problem: Diagnostic| vec![problem];
     let render = &arguments.render;
     crate::open::check_nodes_folder(render.nodes.as_deref())?;
-    let target = render.output.as_ref();
+    let Some(target) = &render.output else {
+        let problem = Diagnostic::error("bad-argument", "a wedge draws, and lists nothing");
+        return Err(vec![problem.hint("ask `chiaro render --list-aovs` for the list")]);
+    };
+    let target = target.as_ref();
     check_png(target).map_err(one)?;
+    super::layers::check(render, PictureFormat::Png, target).map_err(one)?;
     let folder = target.with_extension("");
     let cells = cells(arguments, &folder).map_err(one)?;
     let read = [
@@ -116,7 +122,7 @@ pub(crate) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let targets: Vec<VariedTarget> = targets
         .collect::<Result<_, Diagnostic>>()
         .map_err(|problem| vec![problem.in_file(render.document.display().to_string())])?;
-    reads_all(&mut outputs, &render.document, &stage.setup, &stage.planner.assets);
+    reads_all(&mut outputs, &stage.setup, &stage.planner.assets);
     check(&outputs).map_err(one)?;
     refuse_warnings(render.strict, &mut warnings)?;
     output.diagnostics(&warnings);
@@ -216,7 +222,8 @@ async fn draw(
     for (target, (_, value)) in targets.iter().zip(&cell.values) {
         target.set(&mut setup, value);
     }
-    let time = cell.frame.map_or(stage.options.time, |frame| arguments.render.rate.time(frame));
+    let rate = arguments.render.rate_of(&stage.setup);
+    let time = cell.frame.map_or(stage.options.time, |frame| rate.time(frame));
     let options = PlanOptions { time, ..stage.options.clone() };
     let plan = stage.planner.plan(&setup, &stage.library, &stage.live, &options)?;
     let plan = plan.tell(&mut Vec::new());
