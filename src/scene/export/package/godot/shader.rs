@@ -304,7 +304,7 @@ fn signed_number(text: &str) -> Option<(String, usize)> {
     if let Some(of_vector) = text.strip_prefix("uvec") {
         let number = of_vector.get(2..)?;
         let end = digits(number)?;
-        let is_vector = of_vector[1..].starts_with('(') && number[end..].starts_with("u)");
+        let is_vector = of_vector[..2].ends_with('(') && number[end..].starts_with("u)");
         let vector = || format!("ivec{}{})", &of_vector[..2], &number[..end]);
         return is_vector.then(|| (vector(), "uvec2(u)".len() + end));
     }
