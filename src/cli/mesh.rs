@@ -1,4 +1,4 @@
-//! `chiaro mesh`: what a mesh file holds.
+//! `chiaro mesh`: contents of a mesh file.
 
 use std::path::{Path, PathBuf};
 
@@ -7,7 +7,7 @@ use serde_json::{Value as Json, json};
 use super::output::Output;
 use crate::diag::Diagnostic;
 use crate::frame::Assets;
-use chiaro_scene::geometry::{Lens, Mesh};
+use chiaro_scene::geometry::{CameraLens, Mesh};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -62,8 +62,10 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         }));
         lines.extend(motion.cameras().iter().map(|camera| {
             let lens = match camera.lens {
-                Lens::Perspective { fov, .. } => format!("{:.1} degrees high", fov.to_degrees()),
-                Lens::Orthographic { half_height, .. } => {
+                CameraLens::Perspective { fov, .. } => {
+                    format!("{:.1} degrees high", fov.to_degrees())
+                }
+                CameraLens::Orthographic { half_height, .. } => {
                     format!("parallel, {:.4} high", 2.0 * half_height)
                 }
             };
@@ -74,7 +76,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-/// What the mesh holds.
+/// Contents of a mesh as JSON.
 fn report(mesh: &Mesh) -> Json {
     let (bounds, motion) = (mesh.bounds(), mesh.motion.as_deref());
     let parts = mesh.parts.iter().map(|part| {
@@ -98,10 +100,10 @@ fn report(mesh: &Mesh) -> Json {
             .collect::<Vec<Json>>(),
         "cameras": cameras
             .map(|camera| match camera.lens {
-                Lens::Perspective { fov, aspect } => {
+                CameraLens::Perspective { fov, aspect } => {
                     json!({ "name": camera.name, "fov": fov, "aspect": aspect })
                 }
-                Lens::Orthographic { half_height, .. } => {
+                CameraLens::Orthographic { half_height, .. } => {
                     json!({ "name": camera.name, "height": 2.0 * half_height })
                 }
             })

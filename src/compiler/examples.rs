@@ -1,5 +1,5 @@
-//! Examples embedded in the crate: looks, scenes, meshes and HCBTFs, as files with names that hold in any
-//! folder.
+//! Examples embedded in the crate: looks, scenes, meshes and HCBTFs, as files with names that hold
+//! in any folder.
 //!
 //! `example:hcbtf/arch.json` is `examples/hcbtf/arch.json` of the source. Such a name may stand
 //! wherever a path may, behind any folder, so that a document with such a reference can be saved

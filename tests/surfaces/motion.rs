@@ -2,7 +2,7 @@
 //! numbers that were computed by hand.
 
 use chiaro::diag::{Diagnostic, WithWarnings};
-use chiaro::geometry::{Lens, Mesh, import, no_siblings};
+use chiaro::geometry::{CameraLens, Mesh, import, no_siblings};
 use glam::{DQuat, DVec3, Vec3};
 use serde_json::{Value, json};
 
@@ -303,14 +303,14 @@ fn cameras_stand_where_their_nodes_do() {
     let names: Vec<&str> = motion.cameras().iter().map(|camera| camera.name.as_str()).collect();
     assert_eq!(names, ["plan", "upper"]);
     let (lens, node) = motion.camera("upper").unwrap();
-    assert_eq!(lens, Lens::Perspective { fov: 0.7, aspect: 1.5 });
+    assert_eq!(lens, CameraLens::Perspective { fov: 0.7, aspect: 1.5 });
     assert_eq!(motion.pose(None).node(node).w_axis.truncate(), DVec3::Y);
-    let plan = Lens::Orthographic { half_width: 3.0, half_height: 2.0 };
+    let plan = CameraLens::Orthographic { half_width: 3.0, half_height: 2.0 };
     assert_eq!(motion.camera("").unwrap().0, plan);
     assert_eq!(motion.camera("side"), None);
 }
 
-/// What is wrong about motion is told and left out; the triangles are there.
+/// Wrong motion is told and left out; the triangles are there.
 #[test]
 fn wrong_motion_is_left_out_with_a_warning() {
     type Change = fn(&mut GltfNumbers, &mut Value);

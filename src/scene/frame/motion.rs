@@ -8,7 +8,7 @@ use glam::{DMat4, DVec3};
 
 use super::setup::{Setup, SetupObject};
 use crate::document::{Camera, MeshAnimation, Projection};
-use crate::geometry::{Lens, Mesh, Pose};
+use crate::geometry::{CameraLens, Mesh, Pose};
 
 /// Greatest memory of the deformed meshes that are kept, in bytes, and their greatest number; the
 /// last is always kept.
@@ -130,7 +130,7 @@ impl Setup {
 
 /// The camera with a lens at a transform, from camera axes (x right, y up, z toward the viewer) to
 /// the world. What the file does not say is that of `own`.
-fn camera_at(world: DMat4, lens: Lens, own: &Camera) -> Camera {
+fn camera_at(world: DMat4, lens: CameraLens, own: &Camera) -> Camera {
     let axis = |axis: DVec3| world.transform_vector3(axis).try_normalize().unwrap_or(axis);
     let (eye, forward, up) = (world.w_axis.truncate(), axis(DVec3::NEG_Z), axis(DVec3::Y));
     if !eye.is_finite() {
@@ -145,13 +145,13 @@ fn camera_at(world: DMat4, lens: Lens, own: &Camera) -> Camera {
         ..*own
     };
     match lens {
-        Lens::Perspective { fov, aspect } => Camera {
+        CameraLens::Perspective { fov, aspect } => Camera {
             projection: Projection::Perspective,
             fov: if fov.is_finite() { fov.clamp(Camera::FOV[0], Camera::FOV[1]) } else { own.fov },
             aspect: if aspect.is_finite() { aspect.clamp(0.0, 100.0) } else { own.aspect },
             ..placed
         },
-        Lens::Orthographic { half_width, half_height } => {
+        CameraLens::Orthographic { half_width, half_height } => {
             let scale = world.transform_vector3(DVec3::Y).length();
             let height = 2.0 * half_height * scale;
             Camera {

@@ -25,7 +25,7 @@ pub use import::{
 };
 
 pub use mesh::{Bounds, DEFAULT_MATERIAL, FitTransform, LazyTree, Mesh, MeshPart};
-pub use motion::{Animation, Lens, Motion, NodeCamera, Pose};
+pub use motion::{Animation, CameraLens, Motion, NodeCamera, Pose};
 pub use normals::CREASE_ANGLE;
 pub use shapes::{OwnShape, SHAPES, shape};
 pub use tree::{BoxNode, MeshTree, tree_of_boxes};

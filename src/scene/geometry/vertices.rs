@@ -17,7 +17,7 @@ pub(super) struct Vertices {
     pub(super) colors: Vec<[f32; 4]>,
     /// Tangents of the file; one of w 0 is to be made.
     pub(super) tangents: Vec<[f32; 4]>,
-    /// What each vertex is made of; empty unless somebody asks.
+    /// Sources of the vertices; empty unless somebody asks.
     pub(super) sources: Vec<VertexSource>,
 }
 

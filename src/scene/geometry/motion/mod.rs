@@ -113,12 +113,12 @@ pub struct NodeCamera {
     pub name: String,
     pub(super) node: u32,
     /// Projection of the camera.
-    pub lens: Lens,
+    pub lens: CameraLens,
 }
 
 /// Projection of a file's camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Lens {
+pub enum CameraLens {
     /// Vertical field of view in radians, and width over height, 0 where the file leaves it open.
     Perspective {
         /// Vertical field of view, in radians.
@@ -147,7 +147,7 @@ impl Motion {
     }
 
     /// The lens and the node of the camera of a name, of the first camera for an empty name.
-    pub fn camera(&self, name: &str) -> Option<(Lens, u32)> {
+    pub fn camera(&self, name: &str) -> Option<(CameraLens, u32)> {
         let mut cameras = self.cameras.iter();
         let camera = cameras.find(|camera| name.is_empty() || camera.name == name)?;
         Some((camera.lens, camera.node))

@@ -1,4 +1,4 @@
-//! What moves in a glTF: nodes, skins, morph targets, animations and cameras.
+//! Motion in a glTF: nodes, skins, morph targets, animations and cameras.
 //!
 //! Nothing wrong here keeps the triangles from being used: what cannot be read is left out with a
 //! warning, an animation's channel, a skin, or all of it. Counts are bounded before anything is
@@ -15,8 +15,8 @@ use crate::diag::Diagnostic;
 use crate::geometry::import::report::{ImportProblem, ImportReport};
 use crate::geometry::import::source::Source;
 use crate::geometry::motion::{
-    Animation, Channel, Curve, KeyInterpolation, Lens, Motion, MovedNode, MovedPart, NodeCamera,
-    NodeProperty, PointChange, Pose, Skin,
+    Animation, CameraLens, Channel, Curve, KeyInterpolation, Motion, MovedNode, MovedPart,
+    NodeCamera, NodeProperty, PointChange, Pose, Skin,
 };
 use crate::geometry::soup::TriangleSoup;
 
@@ -235,9 +235,9 @@ fn cameras(members: &MotionMembers) -> Vec<NodeCamera> {
         let Some(number) = member.camera else { continue };
         let Some(camera) = members.cameras.get(number) else { continue };
         let lens = match (&camera.perspective, &camera.orthographic) {
-            (Some(own), _) => Lens::Perspective { fov: own.yfov, aspect: own.aspect_ratio },
+            (Some(own), _) => CameraLens::Perspective { fov: own.yfov, aspect: own.aspect_ratio },
             (None, Some(own)) => {
-                Lens::Orthographic { half_width: own.xmag.abs(), half_height: own.ymag.abs() }
+                CameraLens::Orthographic { half_width: own.xmag.abs(), half_height: own.ymag.abs() }
             }
             (None, None) => continue,
         };
