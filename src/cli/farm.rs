@@ -28,6 +28,7 @@ may be done again, on any machine. docs/farm.md tells what a farm must give.";
 /// Arguments of `chiaro farm`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
+#[group(skip)]
 pub(super) struct Arguments {
     #[command(flatten)]
     render: RenderWords,

@@ -40,6 +40,7 @@ const VALUES: OutputKind<'static> =
 /// Arguments of `chiaro wedge`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
+#[group(skip)]
 pub(crate) struct Arguments {
     #[command(flatten)]
     render: super::Arguments,
