@@ -152,9 +152,6 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         return Ok(());
     }
     let mut outputs = outputs(*is_forced, [document]);
-    if let Some(file) = &arguments.job {
-        outputs.check(file.as_ref(), OutputKind::DOCUMENT).map_err(one)?;
-    }
     if !document.is_file() {
         let message = "there is no such file: tasks would draw nothing";
         return Err(one(Diagnostic::error("cannot-read", message)
