@@ -28,6 +28,7 @@ may be done again, on any machine. docs/farm.md tells what a farm must give.";
 /// Arguments of `chiaro farm`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
+#[group(skip)]
 pub(super) struct Arguments {
     #[command(flatten)]
     render: RenderWords,
@@ -151,9 +152,6 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         return Ok(());
     }
     let mut outputs = outputs(*is_forced, [document]);
-    if let Some(file) = &arguments.job {
-        outputs.check(file.as_ref(), OutputKind::DOCUMENT).map_err(one)?;
-    }
     if !document.is_file() {
         let message = "there is no such file: tasks would draw nothing";
         return Err(one(Diagnostic::error("cannot-read", message)

@@ -104,7 +104,8 @@ impl Drop for Cluster {
         for file in ["slurmd.pid", "slurmctld.pid", "munge/pid"] {
             let Ok(id) = fs::read_to_string(self.folder.join(file)) else { continue };
             let _ = Command::new("kill").arg(id.trim()).status();
-            let is_gone = || !Path::new("/proc").join(id.trim()).exists();
+            // A process that has ended has no program, also while nobody has asked how.
+            let is_gone = || fs::read_link(format!("/proc/{}/exe", id.trim())).is_err();
             until(Duration::from_secs(5), is_gone);
         }
     }

@@ -10,12 +10,12 @@ use serde_json::{Value as Json, json};
 use self::target::VariedTarget;
 use self::values::Variation;
 use super::format::PictureFormat;
-use super::{Stage, check_png, executor};
+use super::{ExecutorChoice, Stage, check_png, executor};
 use crate::diag::Diagnostic;
 use crate::document::Value;
 use crate::files::{self, OutputKind};
 use crate::film::sheet::{self, SheetCell, columns_for, scaled};
-use crate::frame::{Executor, PlanOptions};
+use crate::frame::{Executor, PlanOptions, PlanStyle};
 use crate::output::{Output, refuse_warnings};
 use crate::target::{outputs, reads_all};
 
@@ -41,6 +41,7 @@ const VALUES: OutputKind<'static> =
 /// Arguments of `chiaro wedge`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
+#[group(skip)]
 pub(crate) struct Arguments {
     #[command(flatten)]
     render: super::Arguments,
@@ -114,7 +115,7 @@ pub(crate) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     };
     check(&outputs).map_err(one)?;
     let mut warnings = Vec::new();
-    let mut stage = render.open(&mut warnings)?;
+    let stage = render.open(&mut warnings)?;
     let targets = arguments.vary.iter().map(|varied| {
         VariedTarget::find(&varied.target, &stage.setup, &stage.library)
             .and_then(|target| target.check_all(&varied.values).map(|()| target))
@@ -130,7 +131,7 @@ pub(crate) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     files::make_folder(&folder).map_err(|problem| vec![*problem])?;
     let mut drawn = Vec::with_capacity(cells.len());
     for (at, cell) in cells.iter().enumerate() {
-        let picture = draw(arguments, &mut stage, &targets, cell, executor.as_mut()).await?;
+        let picture = draw(arguments, &stage, &targets, cell, executor.as_mut()).await?;
         let bytes = picture.to_png().map_err(one)?;
         outputs.write(&cell.file, OutputKind::PICTURE, &bytes).map_err(one)?;
         let labels = cell.labels();
@@ -213,7 +214,7 @@ fn columns(arguments: &Arguments, cells: usize, size: [u32; 2]) -> usize {
 
 async fn draw(
     arguments: &Arguments,
-    stage: &mut Stage,
+    stage: &Stage,
     targets: &[VariedTarget],
     cell: &Cell<'_>,
     executor: &mut dyn Executor,
@@ -225,7 +226,11 @@ async fn draw(
     let rate = arguments.render.rate_of(&stage.setup);
     let time = cell.frame.map_or(stage.options.time, |frame| rate.time(frame));
     let options = PlanOptions { time, ..stage.options.clone() };
-    let plan = stage.planner.plan(&setup, &stage.library, &stage.live, &options)?;
+    // A planner keeps the lights of looks that it has compiled; each cell has its own.
+    let is_truth = arguments.render.on == Some(ExecutorChoice::Reference);
+    let style = if is_truth { PlanStyle::AsWritten } else { PlanStyle::Specialized };
+    let mut planner = style.planner(stage.planner.assets.clone());
+    let plan = planner.plan(&setup, &stage.library, &stage.live, &options)?;
     let plan = plan.tell(&mut Vec::new());
     let progress = crate::progress::Progress::default();
     executor.picture(&plan, &progress).await.map_err(|problem| vec![problem])
