@@ -473,35 +473,37 @@ impl Emitter<'_> {
                  return surface_texel({unit}, depth, {number});\n}}"
             )
         } else {
-            let pixel = shown(&self.special.values[self.special.root].ty, value);
-            let pixel = if self.is_finite_root() { pixel } else { format!("finite_vec4({pixel})") };
-            let pixel =
-                if self.encodes() { format!("display_from_linear({pixel})") } else { pixel };
-            let is_cut = self.special.cutoff().is_some() && self.options.cutout;
-            if self.options.mattes {
-                write_matte(&pixel, is_cut, self.special.is_opaque(), &mut self.out)
-            } else if has_aovs {
-                let _ = writeln!(self.out, "    let pixel = {pixel};");
-                let picture = if is_cut {
-                    "vec4f(pixel.xyz, select(pixel.w, 1.0, object.cutoff > 0.0))"
-                } else {
-                    "pixel"
-                };
-                let values = std::iter::once(picture.to_owned()).chain(self.aov_pixels());
-                let line = format!("return Targets({});", values.collect::<Vec<_>>().join(", "));
-                write_line(&line, 1, &mut self.out);
-                writeln!(self.out, "}}")
-            } else if is_cut {
-                // A material with a mask is opaque wherever it is not cut out (glTF 2.0, 3.9.4).
-                writeln!(
-                    self.out,
-                    "    let pixel = {pixel};\n    \
-                     return vec4f(pixel.xyz, select(pixel.w, 1.0, object.cutoff > 0.0));\n}}"
-                )
-            } else {
-                writeln!(self.out, "    return {pixel};\n}}")
-            }
+            self.write_pixel(value)
         };
+    }
+
+    /// Writes the end of a fragment that draws the picture, whose color is `value`.
+    fn write_pixel(&mut self, value: &str) -> std::fmt::Result {
+        let pixel = shown(&self.special.values[self.special.root].ty, value);
+        let pixel = if self.is_finite_root() { pixel } else { format!("finite_vec4({pixel})") };
+        let pixel = if self.encodes() { format!("display_from_linear({pixel})") } else { pixel };
+        let is_cut = self.special.cutoff().is_some() && self.options.cutout;
+        if self.options.mattes {
+            return write_matte(&pixel, is_cut, self.special.is_opaque(), &mut self.out);
+        }
+        if !is_cut && !self.has_aovs() {
+            return writeln!(self.out, "    return {pixel};\n}}");
+        }
+        writeln!(self.out, "    let pixel = {pixel};")?;
+        let picture = if is_cut {
+            // A material with a mask is opaque wherever it is not cut out (glTF 2.0, 3.9.4).
+            "vec4f(pixel.xyz, select(pixel.w, 1.0, object.cutoff > 0.0))"
+        } else {
+            "pixel"
+        };
+        if self.has_aovs() {
+            let values = std::iter::once(picture.to_owned()).chain(self.aov_pixels());
+            let line = format!("return Targets({});", values.collect::<Vec<_>>().join(", "));
+            write_line(&line, 1, &mut self.out);
+            writeln!(self.out, "}}")
+        } else {
+            writeln!(self.out, "    return {picture};\n}}")
+        }
     }
 
     fn write_eval(&mut self) {
