@@ -450,7 +450,7 @@ pub fn contributions(
         // Below first, as people read a stack.
         for part in parts.iter().rev() {
             let name = names.entry(&part.id.path);
-            let layer = name.or_insert_with(|| free_name(part.name.clone(), &mut taken));
+            let layer = name.or_insert_with(|| free_name(&part.name, &mut taken));
             for slice in slices {
                 let name = slice.name(part, layer, &groups, naming);
                 if !steps.contains_key(&name) {

@@ -112,8 +112,8 @@ pub fn legal_name(name: &str) -> String {
 }
 
 /// A name that is none of `taken`, with a number behind it where need be, and is then taken too.
-pub fn free_name(name: String, taken: &mut HashSet<String>) -> String {
-    let mut free = name.clone();
+pub fn free_name(name: &str, taken: &mut HashSet<String>) -> String {
+    let mut free = name.to_owned();
     let mut number = 2_u64;
     while !taken.insert(free.clone()) {
         free = format!("{name}_{number}");
@@ -138,7 +138,7 @@ mod tests {
             is_legal(&legal_name(&"long".repeat(1000))) && is_legal("key_2") && !is_legal("key-2")
         );
         let mut taken = HashSet::new();
-        let mut free = |name: &str| free_name(name.to_owned(), &mut taken);
+        let mut free = |name: &str| free_name(name, &mut taken);
         assert_eq!([free("a"), free("a"), free("a_2"), free("a")], ["a", "a_2", "a_2_2", "a_3"]);
     }
 }

@@ -76,7 +76,7 @@ impl AovLayer {
     /// The reasons why no look has what a request asks for.
     pub(super) fn planned<'m>(
         requests: &[AovRequest],
-        modules: impl Iterator<Item = &'m CompiledShader> + Clone,
+        modules: &(impl Iterator<Item = &'m CompiledShader> + Clone),
     ) -> Result<Vec<Self>, Vec<Diagnostic>> {
         let mut problems = Vec::new();
         let mut layers = Vec::with_capacity(requests.len());

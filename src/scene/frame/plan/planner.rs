@@ -130,7 +130,7 @@ impl Planner {
     /// The layers beside the picture, as the looks' modules give them.
     fn planned_aovs(&self, variants: &Variants) -> Result<Vec<AovLayer>, Vec<Diagnostic>> {
         let shaders = variants.values().filter_map(|variant| self.shaders.get(&variant.key));
-        AovLayer::planned(&self.aovs, shaders.map(|shaders| &*shaders.draw))
+        AovLayer::planned(&self.aovs, &shaders.map(|shaders| &*shaders.draw))
     }
 
     /// Plans one picture of `setup`; warns of oddities of the looks and objects in it. Where a shot
