@@ -30,6 +30,7 @@ pub(crate) struct SharedLight {
 }
 
 /// Edit of the document that has the light.
+#[expect(clippy::large_enum_variant, reason = "one at a time, on the stack")]
 pub(crate) enum Change {
     Look(Edit),
     Scene(SceneEdit),

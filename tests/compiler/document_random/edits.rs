@@ -218,10 +218,10 @@ proptest! {
             let id = history.document().objects.keys().next().cloned().unwrap_or("none".into());
             let edit = match random.below(15) {
                 0 => SceneEdit::AddObject {
-                    id: random.slug().into(), object: random.object(), index: Some(0)
+                    id: random.slug().into(), object: Box::new(random.object()), index: Some(0)
                 },
                 1 => SceneEdit::RemoveObject { id },
-                2 => SceneEdit::SetObject { id, object: random.object() },
+                2 => SceneEdit::SetObject { id, object: Box::new(random.object()) },
                 3 => SceneEdit::SetIllumination { rotation: random.rotation() },
                 4 => SceneEdit::SetCamera { camera: random.camera() },
                 5 => SceneEdit::SetBackdrop { color: None },

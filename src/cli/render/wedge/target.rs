@@ -82,7 +82,7 @@ impl VariedTarget {
                     return Err(wrong(value, wanted(*field)));
                 };
                 if let (Some([least, greatest]), [number]) = (field.range(), numbers.as_slice())
-                    && !(least..=greatest).contains(&number)
+                    && !(least..=greatest).contains(number)
                 {
                     return Err(wrong(value, &format!("a number from {least} to {greatest}")));
                 }

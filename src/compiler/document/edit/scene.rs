@@ -26,9 +26,9 @@ pub enum SceneEdit {
     /// Sets the text on what the scene shows and how it is built.
     SetSceneAbout { about: String },
     /// Adds an object under a new id.
-    AddObject { id: ObjectId, object: Object, index: Option<usize> },
+    AddObject { id: ObjectId, object: Box<Object>, index: Option<usize> },
     /// Changes an object.
-    SetObject { id: ObjectId, object: Object },
+    SetObject { id: ObjectId, object: Box<Object> },
     /// Removes an object.
     RemoveObject { id: ObjectId },
     /// Adds a light under a new id.
@@ -103,16 +103,16 @@ impl Editable for Scene {
                 SceneEdit::SetSceneAbout { about: replace(&mut self.about, about) }
             }
             SceneEdit::AddObject { id, object, index } => {
-                insert(&mut self.objects, "object", id.clone(), object, index)?;
+                insert(&mut self.objects, "object", id.clone(), *object, index)?;
                 SceneEdit::RemoveObject { id }
             }
             SceneEdit::SetObject { id, object } => {
                 let old = self.objects.get_mut(&id).ok_or_else(|| missing("object", &id))?;
-                SceneEdit::SetObject { object: replace(old, object), id }
+                SceneEdit::SetObject { object: Box::new(replace(old, *object)), id }
             }
             SceneEdit::RemoveObject { id } => {
                 let (index, object) = remove_named(&mut self.objects, "object", &id)?;
-                SceneEdit::AddObject { id, object, index: Some(index) }
+                SceneEdit::AddObject { id, object: Box::new(object), index: Some(index) }
             }
             SceneEdit::AddLight { id, light, index } => {
                 insert(&mut self.lights, "light", id.clone(), light, index)?;

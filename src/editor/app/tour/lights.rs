@@ -181,7 +181,7 @@ static STEPS: [Step; 8] = [
             let objects = scene(session).into_iter().flat_map(|scene| &scene.objects).skip(1);
             let edit = |(id, object): (&ObjectId, &Object)| {
                 let object = Object { linked: unlinked.clone(), ..object.clone() };
-                SceneEdit::SetObject { id: id.clone(), object }
+                SceneEdit::SetObject { id: id.clone(), object: Box::new(object) }
             };
             vec![edited(SceneEdit::Group { edits: objects.map(edit).collect() })]
         },

@@ -133,7 +133,7 @@ impl OpenScene {
             let last = objects.values().last().map_or([0.0; 3], |last| last.transform.translate);
             object.transform.translate = [right + GAP + reach(&object.transform), last[1], last[2]];
         }
-        SceneEdit::AddObject { id, object, index: None }
+        SceneEdit::AddObject { id, object: Box::new(object), index: None }
     }
 
     /// Renames an object: a name that is no valid id is turned into one. `None` where nothing
@@ -150,7 +150,11 @@ impl OpenScene {
         let new = ObjectId::new(new);
         let edits = vec![
             SceneEdit::RemoveObject { id: id.clone() },
-            SceneEdit::AddObject { id: new.clone(), object: object.clone(), index: Some(index) },
+            SceneEdit::AddObject {
+                id: new.clone(),
+                object: Box::new(object.clone()),
+                index: Some(index),
+            },
         ];
         (new != *id).then_some((new, SceneEdit::Group { edits }))
     }
@@ -163,7 +167,7 @@ impl OpenScene {
     ) -> Option<SceneEdit> {
         let mut object = self.scene().objects.get(id)?.clone();
         change(&mut object);
-        Some(SceneEdit::SetObject { id: id.clone(), object })
+        Some(SceneEdit::SetObject { id: id.clone(), object: Box::new(object) })
     }
 
     /// Renames the open look on every object that wears it; `None` where no object does.
@@ -175,7 +179,7 @@ impl OpenScene {
                 .values_mut()
                 .filter(|worn| self.is_open(worn))
                 .for_each(|worn| name.clone_into(worn));
-            SceneEdit::SetObject { id: id.clone(), object }
+            SceneEdit::SetObject { id: id.clone(), object: Box::new(object) }
         };
         let wear = self.scene().objects.iter().filter(|(_, object)| self.wears_open(object));
         let mut edits: Vec<SceneEdit> = wear.map(renamed).collect();

@@ -575,14 +575,17 @@ impl MotionRecorder {
     }
 }
 
-/// Joints and shares of each point of a primitive, and whether some shares had to be scaled.
+/// The joints that move each point, with their shares.
+type PointInfluences = Vec<Vec<(u16, f32)>>;
+
+/// The influences of a primitive's points, and whether some shares had to be scaled.
 fn influences(
     primitive: &Primitive,
     joints: usize,
     count: usize,
     buffers: &[Source],
-) -> Result<(Vec<Vec<(u16, f32)>>, bool), String> {
-    let mut influences: Vec<Vec<(u16, f32)>> = vec![Vec::new(); count];
+) -> Result<(PointInfluences, bool), String> {
+    let mut influences: PointInfluences = vec![Vec::new(); count];
     for set in 0..MAX_SETS {
         let [of_joints, of_weights] =
             [Semantic::Joints(set), Semantic::Weights(set)].map(|name| primitive.get(&name));
