@@ -4,7 +4,7 @@
 A creature without limbs that sways on five joints and breathes by a morph.
 
 One animation, `sway`, of four seconds, that ends as it begins; a camera, `shot`, that goes around
-by a little. Positions and UVs alone: normals and tangents are made by whoever reads the file.
+by a little. Tangents are left to whoever reads the file.
 """
 import json
 import math
@@ -59,6 +59,30 @@ for ring in range(RINGS):
         b, c, d = a + 1, a + SIDES + 2, a + SIDES + 1
         triangles += [(a, b, c), (a, c, d)]
 
+
+
+def smooth_normals(points):
+    """Unit normals, by the areas around each place: the seam's two columns lie in one."""
+    sums = {}
+    for a, b, c in triangles:
+        u = [points[b][axis] - points[a][axis] for axis in range(3)]
+        v = [points[c][axis] - points[a][axis] for axis in range(3)]
+        area = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+        for corner in (a, b, c):
+            total = sums.setdefault(points[corner], [0.0, 0.0, 0.0])
+            for axis in range(3):
+                total[axis] += area[axis]
+    normals = []
+    for point in points:
+        length = math.sqrt(sum(x * x for x in sums[point]))
+        normals.append(tuple(x / length for x in sums[point]))
+    return normals
+
+
+normals = smooth_normals(positions)
+breathed = smooth_normals([tuple(map(sum, zip(*rows))) for rows in zip(positions, breath)])
+turned = [tuple(b - a for a, b in zip(*rows)) for rows in zip(normals, breathed)]
+
 data, views, accessors = bytearray(), [], []
 
 
@@ -85,12 +109,16 @@ def quaternion(axis, angle):
 
 attributes = {
     "POSITION": add("f", "VEC3", 5126, positions, **bounds(positions)),
+    "NORMAL": add("f", "VEC3", 5126, normals),
     "TEXCOORD_0": add("f", "VEC2", 5126, uvs),
     "JOINTS_0": add("B", "VEC4", 5121, joints),
     "WEIGHTS_0": add("B", "VEC4", 5121, weights, normalized=True),
 }
 indices = add("H", "SCALAR", 5123, [(index,) for triangle in triangles for index in triangle])
-target = add("f", "VEC3", 5126, breath, **bounds(breath))
+target = {
+    "POSITION": add("f", "VEC3", 5126, breath, **bounds(breath)),
+    "NORMAL": add("f", "VEC3", 5126, turned),
+}
 step = HEIGHT / JOINTS
 binds = [(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -step * joint, 0, 1) for joint in range(JOINTS)]
 binds = add("f", "MAT4", 5126, binds)
@@ -134,7 +162,7 @@ document = {
     "scenes": [{"nodes": [0, 1, 1 + JOINTS]}],
     "nodes": nodes,
     "meshes": [{"name": "sprout", "weights": [0.0], "primitives": [
-        {"attributes": attributes, "indices": indices, "targets": [{"POSITION": target}]}]}],
+        {"attributes": attributes, "indices": indices, "targets": [target]}]}],
     "skins": [{"joints": list(range(1, 1 + JOINTS)), "inverseBindMatrices": binds}],
     "animations": [{"name": "sway", "channels": channels, "samplers": samplers}],
     "cameras": [{"name": "shot", "type": "perspective",

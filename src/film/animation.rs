@@ -49,6 +49,7 @@ pub fn animated(
     encoder.set_frame_delay(duration, of_second).map_err(|error| failed(&error))?;
     let mut writer = encoder.write_header().map_err(|error| failed(&error))?;
     let mut last = rgb8(&first);
+    let mut written: u32 = 1;
     writer.write_image_data(&last).map_err(|error| failed(&error))?;
     for picture in pictures {
         let picture = picture?;
@@ -69,6 +70,10 @@ pub fn animated(
             .and_then(|()| writer.write_image_data(&cut));
         placed.map_err(|error| failed(&error))?;
         last = next;
+        written += 1;
+    }
+    if written != count {
+        return Err(problem("an animation has as many pictures as it says"));
     }
     writer.finish().map_err(|error| failed(&error))?;
     Ok(bytes.0)

@@ -61,7 +61,7 @@ impl StoredFrame {
         self.channels.iter().map(|(name, _)| name.as_str()).collect()
     }
 
-    /// What the frame is, without its numbers: its size and the names of its channels.
+    /// The frame without its numbers: its size and the names of its channels.
     #[must_use]
     pub fn without_numbers(&self) -> Self {
         let channels = self.channels.iter().map(|(name, _)| (name.clone(), Vec::new())).collect();

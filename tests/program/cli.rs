@@ -1322,7 +1322,8 @@ mod gpu {
             .fails(1, &["unknown-choice", "sample [1]"]);
         eval(&shop, &[], "{}").fails(1, &["a list of samples"]);
         eval(&shop, &[], "[").fails(1, &["1:"]);
-        eval(&shop, &["--output", "layr.tone"], "[]").fails(1, &["unknown-node", "layer/tone"]);
+        eval(&shop, &["--output", "layr.tone"], "[]")
+            .fails(1, &["unknown-node", "did you mean `layer`?"]);
         eval(&shop, &["--output", "layer.ton"], "[{}]").fails(1, &["layer"]);
         // If no name is near, the hint lists all names.
         eval(&shop, &["--output", "nope.x"], "[]")

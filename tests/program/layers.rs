@@ -194,7 +194,6 @@ fn contributions_of_all_looks_add_up() {
             let names = drawn.names();
             let whole = if names.contains(&"beauty.R") { "beauty" } else { "beauty_stack" };
             let worst = drawn.worst_sum("layer_", whole).max(drawn.worst_sum("light_", whole));
-            eprintln!("{} {space}: {whole} {worst:.3}", path.display());
             greatest.insert((path.clone(), space), worst);
         }
     }

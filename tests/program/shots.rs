@@ -57,9 +57,10 @@ fn scene() -> Json {
 
 /// A shot over a file with overrides.
 fn shot(over: &str, fields: Json, overrides: Json) -> Json {
-    let mut shot = json!({"chiaro": "shot", "version": 1, "scene": over, "overrides": overrides});
-    let fields = fields.as_object().cloned().unwrap_or_default();
+    let mut shot = json!({"chiaro": "shot", "version": 1, "scene": over});
+    let Json::Object(fields) = fields else { panic!("fields are those of an object") };
     shot.as_object_mut().unwrap().extend(fields);
+    shot["overrides"] = overrides;
     shot
 }
 

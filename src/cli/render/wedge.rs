@@ -45,7 +45,7 @@ const VALUES: OutputKind<'static> =
 pub(crate) struct Arguments {
     #[command(flatten)]
     render: super::Arguments,
-    /// Something that varies, and its values: key.intensity=0.5..2/4, rim.color=#8af,#fa8; the
+    /// Variation, a name and its values: key.intensity=0.5..2/4, rim.color=#8af,#fa8; the
     /// first one varies slowest
     #[arg(long, required = true, value_parser = values::parse, allow_hyphen_values = true)]
     vary: Vec<Variation>,

@@ -1,4 +1,4 @@
-//! What varies: a name, found among lights, objects, exposed parameters and nodes.
+//! Values that vary, found by their names among lights, objects, exposed parameters and nodes.
 
 use indexmap::IndexSet;
 

@@ -5,12 +5,12 @@ use crate::document::{Value, parse_hex};
 /// Greatest number of values of one thing.
 const MAX_VALUES: usize = 10_000;
 
-/// Something that varies.
+/// Variation of a value.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Variation {
-    /// Its name, as it was written.
+    /// Name of the value, as it was written.
     pub(super) target: String,
-    /// Its values, in order.
+    /// The values that it takes, in order.
     pub(super) values: Vec<Value>,
 }
 

@@ -147,7 +147,7 @@ impl Planner {
     ) -> Result<WithWarnings<FramePlan>, Vec<Diagnostic>> {
         self.assets.share(&setup.assets);
         let moved = setup.at(options.time);
-        // Meshes move with the camera and the objects, whatever the frames that shading is held for.
+        // Meshes move with the camera and the objects, however long shading is held.
         let posed = self.poses.at(&moved, options.time);
         let (setup, time) = (&*posed, moved.shading_time(options.time));
         let options = &PlanOptions { time, ..options.clone() };

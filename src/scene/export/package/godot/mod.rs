@@ -5,8 +5,8 @@
 //! anything is set ([`defaults`]). `STEM.gd` ([`script`]) is for a mesh: parameters in the
 //! inspector, lights of the scene that lights of the look follow, and the uniforms of them; what is
 //! the same for all looks is in `chiaro.look.gd`, and the host work itself in `STEM.host.gd`. A
-//! project with a scene shows the look ([`scene`]). Textures are pictures with the settings of their
-//! import ([`textures`]).
+//! project with a scene shows the look ([`scene`]). Textures are pictures with the settings of
+//! their import ([`textures`]).
 
 pub(super) mod defaults;
 mod scene;

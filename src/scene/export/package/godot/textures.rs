@@ -70,8 +70,8 @@ const FLAT: [&str; 3] = [
      process/premult_alpha=false\ndetect_3d/compress_to=0\n",
 ];
 
-/// The same for layers. They are kept uncompressed (3), which makes them all of one format: lossless
-/// ones (0) lose an alpha that is 1 all over, each layer by itself.
+/// The same for layers. They are kept uncompressed (3), which makes them all of one format:
+/// lossless ones (0) lose an alpha that is 1 all over, each layer by itself.
 const LAYERS: [&str; 3] = [
     "2d_array_texture",
     "CompressedTexture2DArray",
