@@ -338,12 +338,7 @@ impl<'a> Builder<'a> {
     fn node(&mut self, index: usize) {
         let graph = self.graph;
         let node = &graph.nodes[index];
-        let mut inputs: Vec<Option<ValueId>> = node
-            .inputs
-            .iter()
-            .map(|input| input.as_ref().and_then(|input| self.input(index, node, input)))
-            .collect();
-        self.bound_inputs(index, node, &mut inputs);
+        let inputs = self.inputs(index, node);
         if let Some(outputs) = self.before_dark(node, &inputs) {
             self.outputs[index] = outputs;
             return;
@@ -389,6 +384,17 @@ impl<'a> Builder<'a> {
         if node.def.special == Treatment::Output {
             self.output_roots(index, node, &inputs);
         }
+    }
+
+    /// The values of a node's inputs, within the bounds that it sets them.
+    fn inputs(&mut self, index: usize, node: &TypedNode) -> Vec<Option<ValueId>> {
+        let mut inputs: Vec<Option<ValueId>> = node
+            .inputs
+            .iter()
+            .map(|input| input.as_ref().and_then(|input| self.input(index, node, input)))
+            .collect();
+        self.bound_inputs(index, node, &mut inputs);
+        inputs
     }
 
     fn output_roots(&mut self, index: usize, node: &TypedNode, inputs: &[Option<ValueId>]) {

@@ -92,12 +92,7 @@ impl Builder<'_> {
         let mut lowest = None;
         for &(index, below) in &stack.steps {
             let node = &graph.nodes[index];
-            let mut inputs: Vec<Option<ValueId>> = node
-                .inputs
-                .iter()
-                .map(|input| input.as_ref().and_then(|input| self.input(index, node, input)))
-                .collect();
-            self.bound_inputs(index, node, &mut inputs);
+            let inputs = self.inputs(index, node);
             let (Some(under), Some(&over)) = (inputs[below], self.outputs[index].first()) else {
                 continue;
             };
