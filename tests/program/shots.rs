@@ -470,3 +470,46 @@ fn example_shots_and_templates_are_checked_without_a_word() {
         assert!(output.status.success() && said.contains("nothing is wrong"), "{said}");
     }
 }
+
+/// A triangle whose file has a camera, 2 units up.
+const FILMED: &str = concat!(
+    r#"{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1]}], "scene": 0,
+    "nodes": [{"mesh": 0}, {"camera": 0, "translation": [0, 2, 3]}],
+    "cameras": [{"type": "perspective", "name": "walk",
+        "perspective": {"yfov": 0.5, "aspectRatio": 1.5, "znear": 0.1}}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+        "min": [0, 0, 0], "max": [1, 1, 0]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "buffers": [{"byteLength": 36, "uri": "#,
+    r#""data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}"#
+);
+
+/// A camera of a shot stands in place of the one that the scene takes from a file; a single value
+/// of it stands over that of the file.
+#[test]
+fn a_shot_stands_over_the_camera_of_a_file() {
+    let camera = |fields: Json, overrides: Json| {
+        let mut scene = scene();
+        scene["objects"][0]["mesh"] = json!("hero.gltf");
+        scene["file_camera"] = json!({"object": "hero", "name": "walk"});
+        let shot = shot("scene.json", fields, overrides).to_string();
+        let mut files = MemoryFiles::default();
+        let all = [("shot.json", shot), ("scene.json", scene.to_string())];
+        let all = all.into_iter().chain([("look.json", look().to_string())]);
+        all.for_each(|(name, text)| files.add(name, text));
+        files.add("hero.gltf", FILMED);
+        let mut assets = Assets::of(&AssetStore::reading_from(Arc::new(files)));
+        let setup = open(Path::new("shot.json"), None, &mut assets).unwrap().value;
+        setup.posed(0.5).scene.camera
+    };
+    let of_file = camera(json!({}), json!([]));
+    assert!((of_file.fov - 0.5).abs() < 1e-9, "{of_file:?}");
+    let own = camera(json!({"camera": {"eye": [0, 0, 7], "fov": 0.3}}), json!([]));
+    assert_eq!((own.eye, own.fov), ([0.0, 0.0, 7.0], 0.3));
+    let wider = camera(json!({}), json!([{"target": "camera.fov", "value": 0.8}]));
+    assert_eq!((wider.fov, wider.eye), (0.8, of_file.eye));
+    let keys = json!([{"target": "camera.fov", "keys": [key(0, 0.4), key(24, 0.8)]}]);
+    let keyed = camera(json!({"frames": [0, 24], "rate": 24}), keys);
+    assert!((keyed.fov - 0.6).abs() < 1e-9 && keyed.eye == of_file.eye, "{keyed:?}");
+}

@@ -59,23 +59,24 @@ struct PosedMesh {
 }
 
 impl KnownPoses {
-    /// The setup at a time in seconds: objects that play an animation have their meshes in its
-    /// pose. Without such objects it is the setup as it is.
+    /// The setup at a time in seconds, moved by the shot over it: objects that play an animation
+    /// have their meshes in its pose. Where nothing moves it is the setup as it is.
     pub(super) fn at<'s>(&mut self, setup: &'s Setup, time: f64) -> Cow<'s, Setup> {
-        let plays = setup.objects.iter().any(|object| object.animation.is_some());
-        if !plays && setup.scene.file_camera.is_none() {
-            return Cow::Borrowed(setup);
+        let mut moved = setup.at(time);
+        let plays = moved.objects.iter().any(|object| object.animation.is_some());
+        if !plays && moved.scene.file_camera.is_none() {
+            return moved;
         }
-        let mut moved = setup.clone();
+        let setup = moved.to_mut();
         if let Some(camera) = setup.file_camera(time) {
-            moved.scene.camera = camera;
+            setup.place_camera(camera);
         }
-        for object in &mut moved.objects {
+        for object in &mut setup.objects {
             if let Some(pose) = object.pose(time) {
                 object.mesh = self.mesh(&object.mesh, &pose);
             }
         }
-        Cow::Owned(moved)
+        moved
     }
 
     /// The mesh in a pose; one that is known already is the same one.
@@ -109,10 +110,24 @@ impl KnownPoses {
 }
 
 impl Setup {
-    /// The setup at a time in seconds, as [plans](super::Planner::plan) draw it: with deformed
-    /// meshes, and with the camera of a file that the scene asks for.
+    /// The setup at a time in seconds, as [plans](super::Planner::plan) draw it: moved by the shot
+    /// over it, with deformed meshes, and with the camera of a file that the scene asks for.
     pub fn posed(&self, time: f64) -> Cow<'_, Self> {
         KnownPoses::default().at(self, time)
+    }
+
+    /// Puts a file's camera in place of the scene's. Single values of the camera that a shot
+    /// changes stand over it.
+    fn place_camera(&mut self, camera: Camera) {
+        let changed = match &self.shot {
+            Some(shot) => shot.camera_values(&self.scene),
+            None => Vec::new(),
+        };
+        self.scene.camera = camera;
+        for (address, value) in changed {
+            // What the file's camera cannot have, such as a target at its eye, is the file's.
+            let _ = self.scene.set_value(&address, &value);
+        }
     }
 
     /// The camera that the scene takes from an object's mesh file, at a time in seconds; `None`

@@ -146,10 +146,9 @@ impl Planner {
         options: &PlanOptions,
     ) -> Result<WithWarnings<FramePlan>, Vec<Diagnostic>> {
         self.assets.share(&setup.assets);
-        let moved = setup.at(options.time);
         // Meshes move with the camera and the objects, however long shading is held.
-        let posed = self.poses.at(&moved, options.time);
-        let (setup, time) = (&*posed, moved.shading_time(options.time));
+        let posed = self.poses.at(setup, options.time);
+        let (setup, time) = (&*posed, posed.shading_time(options.time));
         let options = &PlanOptions { time, ..options.clone() };
         let mut dropped = Vec::new();
         let mut scene = self.place(setup, library, live, options);

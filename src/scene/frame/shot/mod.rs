@@ -17,7 +17,7 @@ use serde_json::Value as Json;
 
 use super::setup::SetupLook;
 use crate::diag::Diagnostic;
-use crate::document::{FrameRate, value_address};
+use crate::document::{FrameRate, Scene, Value, value_address};
 use moving::MovingValue;
 
 pub(super) use resolve::open_shot;
@@ -70,6 +70,18 @@ impl ResolvedShot {
     /// True if the shot changes values of the look.
     pub fn changes_look(&self, look: &SetupLook) -> bool {
         self.changes_of(look).next().is_some()
+    }
+
+    /// Single values of the camera that the shot changes, as they are in `scene`.
+    pub(in crate::frame) fn camera_values(&self, scene: &Scene) -> Vec<(String, Value)> {
+        let of_camera = |change: &&ValueChange| {
+            change.stands && change.look.is_none() && change.target.starts_with("camera.")
+        };
+        let read = |change: &ValueChange| {
+            let json = scene.value_at(&change.target).ok()?.value;
+            Some((change.target.clone(), serde_json::from_value(json).ok()?))
+        };
+        self.changes.iter().filter(of_camera).filter_map(read).collect()
     }
 
     fn changes_of(&self, look: &SetupLook) -> impl Iterator<Item = &ValueChange> {

@@ -137,6 +137,7 @@ impl<'s> ShotResolver<'s> {
             }
         }
         self.scene.camera = *camera;
+        self.scene.file_camera = None;
     }
 
     /// Puts an override of a value of the scene into it.
