@@ -512,4 +512,9 @@ fn a_shot_stands_over_the_camera_of_a_file() {
     let keys = json!([{"target": "camera.fov", "keys": [key(0, 0.4), key(24, 0.8)]}]);
     let keyed = camera(json!({"frames": [0, 24], "rate": 24}), keys);
     assert!((keyed.fov - 0.6).abs() < 1e-9 && keyed.eye == of_file.eye, "{keyed:?}");
+    let cut = json!([{"target": "file_camera.name", "keys": [
+        {"frame": 0, "value": "nobody"}, {"frame": 12, "value": "walk"}
+    ]}]);
+    let cut = camera(json!({"frames": [0, 24], "rate": 24}), cut);
+    assert_eq!(cut.eye, of_file.eye, "a cut from a camera to another one is keyed");
 }

@@ -106,6 +106,7 @@ impl Scene {
                 soloed: self.soloed.clone(),
                 illumination: self.illumination,
                 camera: self.camera,
+                file_camera: self.file_camera.clone(),
                 backdrop: self.backdrop,
                 outlines: self.outlines,
                 time: self.time,
