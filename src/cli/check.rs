@@ -13,7 +13,7 @@ use crate::diag::{Diagnostic, Severity, WithWarnings, has_errors};
 use crate::document::{Document, LoadedDocument, Look, Scene, Value};
 use crate::figures::count;
 use crate::files::{self, WalkBounds};
-use crate::frame::{Assets, Rig, SHORTEN, missing_uvs, open, scene_setup, too_deep};
+use crate::frame::{Assets, Rig, SHORTEN, missing_uvs, named_map, open, scene_setup, too_deep};
 use crate::library::{Library, Type};
 use chiaro_scene::hcbtf::LayerOptions;
 
@@ -294,7 +294,12 @@ fn missing_images(
                 Type::Hcbtf => assets
                     .hcbtf(folder, name, LayerOptions::default())
                     .map_or_else(|problems| problems, |warned| warned.warnings),
-                _ => assets.image(folder, name).err().into_iter().collect(),
+                // A map of a mesh is that of whatever wears the look.
+                _ => match named_map(name) {
+                    Ok(Some(_)) => Vec::new(),
+                    Ok(None) => assets.image(folder, name).err().into_iter().collect(),
+                    Err(problem) => vec![problem],
+                },
             };
             found.extend(problems.into_iter().map(|problem| {
                 let mut problem = problem.node(node.path.clone()).port(port.name.clone());

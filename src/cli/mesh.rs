@@ -7,13 +7,16 @@ use serde_json::{Value as Json, json};
 use super::output::Output;
 use crate::diag::Diagnostic;
 use crate::frame::Assets;
-use chiaro_scene::geometry::{CameraLens, Mesh};
+use chiaro_scene::geometry::{CameraLens, MapSource, MaterialMap, Mesh};
 
 const EXAMPLES: &str = "\
 Examples:
-  chiaro mesh walker.glb           its size, materials, animations and cameras
+  chiaro mesh walker.glb           its size, materials and their maps, animations and cameras
   chiaro mesh walker.glb --json
   chiaro mesh shape:creature
+
+A look reads a map of a material as the image \"mesh:base_color\", and so by the names of others; a
+picture within a file has the path walker.glb#images/0.
 
 An object of a scene plays an animation by \"animation\": {\"name\": \"walk\"}, and a scene looks \
 through a file's camera
@@ -51,11 +54,12 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         "brings {}",
         if has.is_empty() { "none but points".into() } else { has.join(", ") }
     ));
-    lines.extend(
-        mesh.parts.iter().map(|part| {
-            format!("material `{}`: {} triangles", part.material, part.indices.len() / 3)
-        }),
-    );
+    lines.extend(mesh.parts.iter().map(|part| {
+        let maps = part.maps.iter().flat_map(|maps| maps.iter());
+        let maps = maps.map(|(map, source)| format!(", {}", map_text(*map, source)));
+        let maps: String = maps.collect();
+        format!("material `{}`: {} triangles{maps}", part.material, part.indices.len() / 3)
+    }));
     if let Some(motion) = &mesh.motion {
         lines.extend(motion.animations().iter().map(|animation| {
             format!("animation `{}`: {:.3} s", animation.name, animation.seconds())
@@ -81,7 +85,12 @@ fn report(mesh: &Mesh) -> Json {
     let (bounds, motion) = (mesh.bounds(), mesh.motion.as_deref());
     let parts = mesh.parts.iter().map(|part| {
         json!({ "material": part.material, "triangles": part.indices.len() / 3,
-            "two_sided": part.two_sided, "alpha_cutoff": part.alpha_cutoff })
+            "two_sided": part.two_sided, "alpha_cutoff": part.alpha_cutoff,
+            "maps": part.maps.iter().flat_map(|maps| maps.iter())
+                .map(|(map, source)| (map.name().to_owned(), json!({
+                    "image": source.image, "factor": source.factor,
+                })))
+                .collect::<serde_json::Map<String, Json>>() })
     });
     let animations = motion.map_or(&[][..], |motion| motion.animations()).iter();
     let cameras = motion.map_or(&[][..], |motion| motion.cameras()).iter();
@@ -109,4 +118,15 @@ fn report(mesh: &Mesh) -> Json {
             })
             .collect::<Vec<Json>>(),
     })
+}
+
+/// A map of a material in words.
+fn map_text(map: MaterialMap, source: &MapSource) -> String {
+    let [r, g, b, a] = source.factor;
+    let factor = match source.factor {
+        [1.0, 1.0, 1.0, 1.0] => String::new(),
+        _ => format!(" {r:.3} {g:.3} {b:.3} {a:.3}"),
+    };
+    let image = source.image.as_ref().map(|image| format!(" `{image}`")).unwrap_or_default();
+    format!("{}{image}{factor}", map.name())
 }

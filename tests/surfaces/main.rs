@@ -14,5 +14,6 @@ mod hcbtf_edits;
 mod hcbtf_examples;
 mod hcbtf_file;
 mod hcbtf_opaque;
+mod material_maps;
 mod memory_files;
 mod motion;

@@ -6,6 +6,7 @@ use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Slider, TextEdit
 use super::InspectedNode;
 use super::keyed;
 use super::marks::{self, FieldTarget};
+use super::path;
 use crate::catalog::Port;
 use crate::commands::{Command, PaintCommand, PanelId};
 use crate::document::{ColorSpace, Edit, Endpoint, Grid, LightSet, Node, Value, Wire};
@@ -366,7 +367,8 @@ pub(crate) fn plain(
         Type::Vec2 => vector(ui, label, port, value, 2),
         Type::Vec3 => vector(ui, label, port, value, 3),
         Type::Vec4 => vector(ui, label, port, value, 4),
-        Type::Image | Type::Hcbtf => path(ui, label, value),
+        Type::Image => path::edit(ui, label, value, true),
+        Type::Hcbtf => path::edit(ui, label, value, false),
         Type::Float | Type::Int | Type::Angle => number(ui, label, port, value),
         _ => {
             ui.label(RichText::new("by wire only").color(theme::of(ui).dim));
@@ -540,23 +542,6 @@ fn light_name(
         });
     let response = combo.response.labelled_by(label).on_hover_text(shown);
     chosen.map(|id| (response.id.with(&id), Value::Text(id)))
-}
-
-fn path(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id, Value)> {
-    let mut text = match value {
-        Some(Value::Text(text)) => text.clone(),
-        _ => String::new(),
-    };
-    let edit = TextEdit::singleline(&mut text)
-        .hint_text("path beside the look")
-        .desired_width(f32::INFINITY);
-    let response = ui.add(edit).labelled_by(label);
-    let changed = response.changed().then_some(response.id);
-    // A long path does not fit.
-    if !text.is_empty() {
-        response.on_hover_text(&text);
-    }
-    changed.map(|id| (id, Value::Text(text)))
 }
 
 /// Shows the WGSL of a custom node.

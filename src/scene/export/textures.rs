@@ -7,7 +7,8 @@ use super::ExportFile;
 use super::modules::ExportImage;
 use crate::compile::ImageShape;
 use crate::diag::{Diagnostic, WithWarnings};
-use crate::frame::{Assets, image_bytes};
+use crate::frame::{Assets, MESH_PREFIX, image_bytes};
+use crate::geometry::WITHIN;
 use crate::hcbtf::{LayerOptions, LayeredTexture, ktx2};
 
 /// Reads every image, relative to `folder`, names the file that carries it, and returns those files
@@ -25,10 +26,11 @@ pub(super) fn carried(
     for image in images.iter_mut().filter(|image| !image.path.is_empty()) {
         let (bytes, ending) = match image.used.shape {
             ImageShape::Flat => {
-                let ending = Path::new(&image.path)
-                    .extension()
-                    .map_or("png".to_owned(), |it| it.to_string_lossy().into());
-                let bytes = image_bytes(&**assets.source(), folder, &image.path);
+                let bytes = match image.path.starts_with(MESH_PREFIX) {
+                    true => Err(of_mesh(&image.path)),
+                    false => image_bytes(&**assets.source(), folder, &image.path),
+                };
+                let ending = ending(&image.path, bytes.as_deref().unwrap_or_default());
                 (bytes.map_err(|problem| vec![problem]), ending)
             }
             ImageShape::Hcbtf { has_levels, storage } => {
@@ -61,6 +63,22 @@ pub(super) fn carried(
     WithWarnings::new(files, problems)
 }
 
+/// Ending of an image's file: its own, or, of a picture within a mesh's file, that of its format.
+fn ending(path: &str, bytes: &[u8]) -> String {
+    if path.contains(WITHIN) {
+        return if bytes.starts_with(b"\xff\xd8") { "jpg" } else { "png" }.to_owned();
+    }
+    let own = Path::new(path).extension();
+    own.map_or("png".to_owned(), |it| it.to_string_lossy().into())
+}
+
+/// The problem of a map of the mesh's own materials, which an exported look has no mesh for.
+fn of_mesh(path: &str) -> Diagnostic {
+    let name = path.trim_start_matches(MESH_PREFIX);
+    let message = format!("each mesh has its own picture for `{name}`, and an exported look none");
+    Diagnostic::error("missing-asset", message)
+}
+
 /// A name that no other file of the export has: the look's name, then the image's own.
 fn name(stem: &str, path: &str, ending: &str, taken: &mut HashSet<String>) -> String {
     let own = Path::new(path).file_stem().map_or("image".into(), |own| own.to_string_lossy());
@@ -76,11 +94,10 @@ fn name(stem: &str, path: &str, ending: &str, taken: &mut HashSet<String>) -> St
 }
 
 fn left_out(problem: &Diagnostic, image: &ExportImage) -> Diagnostic {
-    let problem = Diagnostic::warning(
-        "not-carried",
-        format!("`{}` is not carried along: {}", image.path, problem.message),
-    );
-    problem
-        .node(image.used.node.clone())
-        .hint("the shader is whole; put the file there and export again")
+    let message = format!("`{}` is not carried along: {}", image.path, problem.message);
+    let problem = Diagnostic::warning("not-carried", message).node(image.used.node.clone());
+    problem.hint(match image.path.starts_with(MESH_PREFIX) {
+        true => "the shader is whole; choose a file, such as `hero.glb#images/0`, and export again",
+        false => "the shader is whole; put the file there and export again",
+    })
 }

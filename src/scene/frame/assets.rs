@@ -11,13 +11,16 @@ use super::store::{AssetStore, FileStamp, HcbtfKey};
 use crate::cache::{CachedValue, EntryReader, EntryWriter, cached};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
+use crate::document::{linear_to_srgb, srgb_to_linear};
 use crate::files::{Files, ReadError, SharedFiles};
-use crate::geometry::{self, Mesh};
+use crate::geometry::{self, MaterialMap, Mesh, MeshPart, WITHIN};
 use crate::hcbtf::{self, FilledSamples, LayerOptions, LayeredTexture, Region, TexelCoding};
 use crate::progress::Progress;
 
 /// Prefix of an object's mesh that is a built-in shape instead of a file.
 pub const SHAPE_PREFIX: &str = "shape:";
+/// Prefix of an image that is a map of the mesh's own material, followed by the map's name.
+pub const MESH_PREFIX: &str = "mesh:";
 /// Name in looks of the HCBTF that is being painted, while that has no file.
 pub const UNSAVED_HCBTF: &str = "hcbtf:open";
 /// Largest image that is read, in pixels along a side; a GPU may allow less.
@@ -72,6 +75,26 @@ impl Image {
         (size, count, coding, &bytes).hash(&mut hasher);
         let hash = hasher.finish();
         Self { size, layers: count, coding, bytes, is_opaque, hash, change: None }
+    }
+
+    /// The image multiplied by a linear factor, 0 to 1 a channel; colors are multiplied as light.
+    fn multiplied(&self, factor: [f32; 4], is_color: bool) -> Self {
+        let byte = |x: f64| (x * 255.0).round().clamp(0.0, 255.0) as u8;
+        let tables: [[u8; 256]; 4] = std::array::from_fn(|channel| {
+            let factor = f64::from(factor[channel]);
+            std::array::from_fn(|value| {
+                let value = value as f64 / 255.0;
+                match is_color && channel < 3 {
+                    true => byte(linear_to_srgb(srgb_to_linear(value) * factor)),
+                    false => byte(value * factor),
+                }
+            })
+        });
+        let mut rgba = self.rgba().into_owned();
+        for pixel in rgba.as_chunks_mut::<4>().0 {
+            *pixel = std::array::from_fn(|channel| tables[channel][usize::from(pixel[channel])]);
+        }
+        Self::flat(self.size, rgba)
     }
 
     /// The pixels decoded to RGBA, four bytes a pixel.
@@ -256,6 +279,9 @@ pub struct Assets {
     baked: HashMap<LayerOptions, (Overlay, Arc<Image>)>,
     meshes: HashMap<String, UsedAsset<Mesh>>,
     images: HashMap<PathBuf, UsedAsset<Image>>,
+    /// Maps of materials whose pictures are multiplied, by the picture's hash, the factor's bits
+    /// and whether it is a color, with the round in which they were asked for last.
+    multiplied: HashMap<(u64, [u32; 4], bool), (u64, Arc<Image>)>,
     hcbtfs: HashMap<HcbtfKey, UsedAsset<Image>>,
 }
 
@@ -288,6 +314,7 @@ impl Assets {
         let least = self.round.saturating_sub(MOST_ROUNDS);
         self.meshes.retain(|_, used| used.round >= least);
         self.images.retain(|_, used| used.round >= least);
+        self.multiplied.retain(|_, (round, _)| *round >= least);
         self.hcbtfs.retain(|_, used| used.round >= least);
     }
 
@@ -320,7 +347,10 @@ impl Assets {
     pub fn files(&self) -> impl Iterator<Item = &Path> {
         let meshes =
             self.meshes.keys().filter(|name| !name.starts_with(SHAPE_PREFIX)).map(Path::new);
-        let images = self.images.keys().map(PathBuf::as_path);
+        let images = self.images.keys().map(|path| match within(path) {
+            Some((file, _)) => file,
+            None => path.as_path(),
+        });
         meshes.chain(images).chain(self.hcbtfs.keys().map(|key| key.path.as_path()))
     }
 
@@ -353,13 +383,47 @@ impl Assets {
     /// The reason why the image cannot be used; the caller adds what names the image.
     pub fn image(&mut self, folder: &Path, path: &str) -> Result<Arc<Image>, Diagnostic> {
         let path = folder.join(path);
-        let (stamp, round) = (self.source().metadata(&path), self.round);
+        let file = within(&path).map_or(path.as_path(), |(file, _)| file);
+        let (stamp, round) = (self.source().metadata(file), self.round);
         if let Some(known) = self.images.get_mut(&path).and_then(|used| used.at(stamp, round)) {
             return Ok(known.value);
         }
         let value = self.store.image(&path, stamp, || read_image(&**self.source(), &path))?;
         self.images.insert(path, UsedAsset { stamp, warned: value.clone().into(), round });
         Ok(value)
+    }
+
+    /// The map of the material that a part of a mesh has: its picture, multiplied by its factor.
+    ///
+    /// # Errors
+    /// The reason why the picture cannot be read.
+    pub fn material_map(
+        &mut self,
+        mesh: &Mesh,
+        part: &MeshPart,
+        map: MaterialMap,
+    ) -> Result<Arc<Image>, Diagnostic> {
+        let Some(source) = part.maps.as_ref().and_then(|maps| maps.get(&map)) else {
+            return Ok(Arc::new(Image::single(map.absent())));
+        };
+        let Some(name) = &source.image else {
+            let white = Image::single([255; 4]);
+            return Ok(Arc::new(white.multiplied(source.factor, map.is_color())));
+        };
+        let file = mesh.file.as_deref().unwrap_or(Path::new(""));
+        let image = match name.starts_with(WITHIN) {
+            true => self.image(Path::new(""), &format!("{}{name}", file.display()))?,
+            false => self.image(file.parent().unwrap_or(Path::new("")), name)?,
+        };
+        if source.factor == [1.0; 4] {
+            return Ok(image);
+        }
+        let key = (image.hash, source.factor.map(f32::to_bits), map.is_color());
+        let round = self.round;
+        let made = || Arc::new(image.multiplied(source.factor, map.is_color()));
+        let (used, image) = self.multiplied.entry(key).or_insert_with(|| (round, made()));
+        *used = round;
+        Ok(image.clone())
     }
 
     /// Shows an HCBTF as it is being painted wherever its file is named, from now on; with `None`
@@ -481,7 +545,19 @@ pub fn image_bytes(files: &dyn Files, folder: &Path, path: &str) -> Result<Vec<u
     bytes_of(files, &folder.join(path))
 }
 
+/// The mesh's file that a picture lies within, and the picture's number.
+fn within(path: &Path) -> Option<(&Path, usize)> {
+    let (file, number) = path.to_str()?.rsplit_once(WITHIN)?;
+    Some((Path::new(file), number.parse().ok()?))
+}
+
 fn bytes_of(files: &dyn Files, path: &Path) -> Result<Vec<u8>, Diagnostic> {
+    if let Some((file, number)) = within(path) {
+        return geometry::load_image(files, file, number, MAX_IMAGE_BYTES).map_err(|problem| {
+            let message = format!("of `{}`: {}", file.display(), problem.message);
+            Diagnostic::error("missing-asset", message)
+        });
+    }
     files.read(path, MAX_IMAGE_BYTES).map_err(|error| {
         let name = path.display();
         let message = match error {

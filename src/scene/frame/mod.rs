@@ -50,7 +50,7 @@ pub use crate::compile::{
 pub use crate::library::{PassId, PassOutput, PassRow, PassWork, ScreenExtent, TexelFormat};
 pub use aovs::{AovKind, AovLayer, AovRequest, LayeredPicture};
 pub use assets::{
-    Assets, Change, Image, MAX_IMAGE_SIDE, Overlay, OverlayVersion, SHAPE_PREFIX, UNSAVED_HCBTF,
+    Assets, Change, Image, MAX_IMAGE_SIDE, MESH_PREFIX, Overlay, OverlayVersion, SHAPE_PREFIX, UNSAVED_HCBTF,
     image_bytes,
 };
 pub use camera::{View, widened};
@@ -74,7 +74,9 @@ pub use mix::SOLOED;
 pub use motion::PlayedAnimation;
 pub use picture::Picture;
 pub use place::{PlacementError, place_camera, turn_lights};
-pub use plan::{Draw, DroppedEffect, FramePlan, Pass, PlanOptions, PlanStyle, Planner};
+pub use plan::{
+    Draw, DroppedEffect, FramePlan, Pass, PlanOptions, PlanStyle, Planner, named_map,
+};
 pub use samples::{EvalBatch, EvalSample, Evaluable, LightOverride, eval_batches};
 pub use screen::{Ink, PassImage, ScreenBinding, ScreenModule, ScreenResource, ViewNumber};
 pub use setup::{

@@ -139,6 +139,7 @@ fn parts(runs: &[MaterialRun], materials: &[Material]) -> Vec<MeshPart> {
             indices: 3 * run.triangles.start..3 * run.triangles.end,
             two_sided: material.two_sided.unwrap_or(true),
             alpha_cutoff: material.alpha_cutoff,
+            maps: material.maps.clone(),
         };
         match parts.last_mut() {
             Some(last) if MeshPart { indices: last.indices.clone(), ..part.clone() } == *last => {

@@ -2,10 +2,12 @@
 
 use std::borrow::Cow;
 use std::ops::Range;
+use std::path::PathBuf;
 use std::sync::{Arc, OnceLock, Weak};
 
 use glam::{DMat4, DVec3, Vec3};
 
+use super::maps::MaterialMaps;
 use super::motion::{Motion, Pose};
 use super::tree::MeshTree;
 use crate::cache::{CachedValue, EntryReader, EntryWriter};
@@ -19,6 +21,8 @@ pub const DEFAULT_MATERIAL: &str = "default";
 pub struct Mesh {
     /// Name of the mesh in the file, or the file's own name without its ending.
     pub name: String,
+    /// File that the mesh was read from; `None` for own shapes and for bytes without a path.
+    pub file: Option<PathBuf>,
     /// Positions of the vertices, in object space, in the file's units.
     pub positions: Vec<[f32; 3]>,
     /// Normals of the vertices, in object space, of unit length.
@@ -86,6 +90,8 @@ pub struct MeshPart {
     /// Least alpha of fragments that are drawn, those of lower alpha are cut out; `None` where the
     /// material is solid.
     pub alpha_cutoff: Option<f32>,
+    /// Maps of the material; `None` where the file has none.
+    pub maps: Option<Arc<MaterialMaps>>,
 }
 
 /// The tight axis-aligned box of a mesh, and the least sphere around the mesh with the same center.
@@ -262,6 +268,7 @@ impl CachedValue for Mesh {
                 indices: start..end,
                 two_sided: entry.number()? != 0,
                 alpha_cutoff: entry.vectors::<1>()?.first().map(|cutoff| cutoff[0]),
+                maps: None,
             });
         }
         mesh.has_uvs = entry.number()? != 0;
@@ -292,6 +299,7 @@ mod tests {
             indices,
             two_sided,
             alpha_cutoff,
+            maps: None,
         };
         let mesh = Mesh {
             name: "m".to_owned(),

@@ -10,6 +10,7 @@ mod build;
 mod closed;
 mod import;
 mod map;
+mod maps;
 mod mesh;
 mod motion;
 mod normals;
@@ -21,9 +22,10 @@ mod triangulate;
 mod vertices;
 
 pub use import::{
-    MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, Siblings, import, load, no_siblings,
+    MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, Siblings, import, load, load_image, no_siblings,
 };
 
+pub use maps::{MapSource, MaterialMap, MaterialMaps, WITHIN};
 pub use mesh::{Bounds, DEFAULT_MATERIAL, FitTransform, LazyTree, Mesh, MeshPart};
 pub use motion::{Animation, CameraLens, Motion, NodeCamera, Pose};
 pub use normals::CREASE_ANGLE;

@@ -4,9 +4,11 @@
 
 use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::maps::MaterialMaps;
 use super::motion::Motion;
 use super::normals::place;
 use super::triangulate::triangulate;
@@ -159,12 +161,13 @@ pub(super) struct Material {
     /// all but solids, whose inside cannot be seen.
     pub two_sided: Option<bool>,
     pub alpha_cutoff: Option<f32>,
+    pub maps: Option<Arc<MaterialMaps>>,
 }
 
 impl Material {
     /// A material without holes: only glTF says more.
     pub(super) fn named(name: impl Into<String>) -> Self {
-        Self { name: name.into(), two_sided: None, alpha_cutoff: None }
+        Self { name: name.into(), two_sided: None, alpha_cutoff: None, maps: None }
     }
 }
 
@@ -184,8 +187,8 @@ pub(super) struct TriangleSoup {
     /// Materials of all triangles, in the triangles' order.
     pub runs: Vec<MaterialRun>,
     pub materials: Vec<Material>,
-    /// Indices into `materials`, by name, sides and the bits of the cutoff.
-    pub known_materials: HashMap<(String, Option<bool>, Option<u32>), u32>,
+    /// Indices into `materials`, by name, sides, the bits of the cutoff, and the address of maps.
+    pub known_materials: HashMap<(String, Option<bool>, Option<u32>, Option<usize>), u32>,
     /// Motion of the points, whose numbers are those of [`Self::points`].
     pub motion: Option<Motion>,
 }
@@ -200,10 +203,11 @@ impl TriangleSoup {
     /// because a file may have as many materials as triangles.
     pub(super) fn same_material(&mut self, material: Material) -> u32 {
         let cutoff = material.alpha_cutoff.map(f32::to_bits);
+        let maps = material.maps.as_ref().map(|maps| Arc::as_ptr(maps) as usize);
         let next = self.materials.len() as u32;
         let index = *self
             .known_materials
-            .entry((material.name.clone(), material.two_sided, cutoff))
+            .entry((material.name.clone(), material.two_sided, cutoff, maps))
             .or_insert(next);
         if index == next {
             self.materials.push(material);

@@ -14,7 +14,7 @@ use indexmap::IndexMap;
 
 use super::Draw;
 use super::casters::PlannedCasters;
-use super::images::images;
+use super::images::{images, reads_maps};
 use super::order::{DrawPlace, in_lists};
 use super::placement::{PlacedScene, VisibleObject, values_key};
 use super::planner::Planner;
@@ -28,7 +28,8 @@ use crate::frame::keys::{RigInputs, SceneRig, Wires};
 use crate::frame::links::unlinked_lights;
 use crate::frame::mix::LightMix;
 use crate::frame::object_lights::{Surroundings, near_objects};
-use crate::geometry::MeshPart;
+use crate::frame::setup::SetupLook;
+use crate::geometry::{Mesh, MeshPart};
 use crate::ids::{LightId, ObjectId};
 use crate::library::Stage;
 
@@ -45,15 +46,23 @@ struct WornLook<'a> {
     mix: &'a LightMix,
     /// Keys of the scene's lights.
     scene_rig: Option<&'a SceneRig>,
-    images: Vec<Arc<Image>>,
-    images_before: BTreeMap<Stage, Vec<Arc<Image>>>,
-    /// True if depths are drawn before colors.
-    depth_first: bool,
+    images: DrawImages,
+    /// True if some images are maps of the mesh's own materials, and so another part's differ.
+    reads_maps: bool,
     /// True if values differ between objects of the same exposed values.
     follows_objects: bool,
     /// Values that objects share, by the exposed values of the objects, the lights that reach them,
     /// and what casts the lights' shadows onto them.
     known: HashMap<(String, Option<LightLink>, Option<u64>), Arc<DrawValues>>,
+}
+
+/// Images that the modules of a draw sample.
+#[derive(Clone)]
+struct DrawImages {
+    of_look: Vec<Arc<Image>>,
+    before: BTreeMap<Stage, Vec<Arc<Image>>>,
+    /// True if depths are drawn before colors.
+    depth_first: bool,
 }
 
 /// A part of an object with everything that its draw is made of.
@@ -127,7 +136,16 @@ impl Planner {
                     casters,
                     scene_values: &scene_values,
                 };
-                match part.draw(look) {
+                let of_part = (&*object.mesh, part.part);
+                let setup = &scene.setup.looks[index];
+                let images = match look.images_of(setup, of_part, &mut self.assets) {
+                    Ok(images) => images,
+                    Err(found) => {
+                        problems.extend(found);
+                        continue;
+                    }
+                };
+                match part.draw(look, images) {
                     Ok(draw) => draws.push((draw, place)),
                     Err(problem) => problems.push(problem),
                 }
@@ -157,15 +175,10 @@ impl<'a> WornLook<'a> {
             .iter()
             .filter_map(|stage| Some((*stage, shaders.before.get(stage)?.clone())))
             .collect();
+        let reads_maps =
+            reads_maps(&shaders.draw) || before.values().any(|shader| reads_maps(shader));
         let setup = &scene.setup.looks[index];
-        let mut read = |shader| images(assets, shader, setup);
-        let images = read(&shaders.draw)?;
-        let depth_first = reads_hcbtf(&shaders.draw) && is_opaque(&shaders.draw, &images);
-        let images_before = before
-            .iter()
-            .map(|(stage, shader)| Ok((*stage, read(shader)?)))
-            .collect::<Result<BTreeMap<Stage, Vec<Arc<Image>>>, Vec<Diagnostic>>>(
-        )?;
+        let images = DrawImages::read((&shaders.draw, &before), setup, assets, None)?;
         let reads_object = shaders.draw.host.reads_object()
             || before.values().any(|shader| shader.host.reads_object());
         let lights = scene.lights(index);
@@ -181,10 +194,25 @@ impl<'a> WornLook<'a> {
             mix: &scene.mix,
             scene_rig,
             images,
-            images_before,
-            depth_first,
+            reads_maps,
             known: HashMap::new(),
         })
+    }
+
+    /// The images for a part of a mesh.
+    ///
+    /// # Errors
+    /// Pictures of the part's material that cannot be read.
+    fn images_of(
+        &self,
+        setup: &SetupLook,
+        part: (&Mesh, &MeshPart),
+        assets: &mut Assets,
+    ) -> Result<DrawImages, Vec<Diagnostic>> {
+        if !self.reads_maps {
+            return Ok(self.images.clone());
+        }
+        DrawImages::read((&self.shaders.draw, &self.before), setup, assets, Some(part))
     }
 
     /// The values for an object, whose surroundings are `inputs`; lights that are not linked to it
@@ -257,9 +285,26 @@ impl<'a> WornLook<'a> {
     }
 }
 
+impl DrawImages {
+    fn read(
+        (draw, before): (&CompiledShader, &BTreeMap<Stage, Arc<CompiledShader>>),
+        setup: &SetupLook,
+        assets: &mut Assets,
+        part: Option<(&Mesh, &MeshPart)>,
+    ) -> Result<Self, Vec<Diagnostic>> {
+        let of_look = images(assets, draw, setup, part)?;
+        let read = |(stage, shader): (&Stage, &Arc<CompiledShader>)| {
+            Ok((*stage, images(assets, shader, setup, part)?))
+        };
+        let before = before.iter().map(read).collect::<Result<_, Vec<Diagnostic>>>()?;
+        let depth_first = reads_hcbtf(draw) && is_opaque(draw, &of_look);
+        Ok(Self { of_look, before, depth_first })
+    }
+}
+
 impl PartDraw<'_> {
     /// The draw of the part, which wears the look.
-    fn draw(&self, look: &mut WornLook<'_>) -> Result<Draw, Diagnostic> {
+    fn draw(&self, look: &mut WornLook<'_>, images: DrawImages) -> Result<Draw, Diagnostic> {
         let Self { scene, visible: VisibleObject { number, object }, part, material, .. } = *self;
         let unlinked = || unlinked_lights(scene.setup, object).into_keys().collect();
         let link = (&object.light_link, &unlinked as &dyn Fn() -> Vec<LightId>);
@@ -282,13 +327,13 @@ impl PartDraw<'_> {
             ),
             look_uniforms: values.uniforms.clone(),
             decided: values.decided.clone(),
-            images: look.images.clone(),
-            images_before: look.images_before.clone(),
+            images: images.of_look,
+            images_before: images.before,
             // A solid is seen from behind by an eye within, and through parts that a look cuts
             // away.
             two_sided: part.two_sided || values.cuts || eye_distance < placed.radius,
             is_mirrored: is_mirrored(object.world_from_object),
-            depth_first: look.depth_first,
+            depth_first: images.depth_first,
             distance: view.backward.dot(view.eye - placed.center),
         })
     }

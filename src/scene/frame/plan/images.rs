@@ -4,15 +4,38 @@ use std::sync::Arc;
 
 use crate::compile::{CompiledShader, ImageShape};
 use crate::diag::Diagnostic;
-use crate::frame::assets::{Assets, Image, plain_hcbtf};
+use crate::frame::assets::{Assets, Image, MESH_PREFIX, plain_hcbtf};
 use crate::frame::setup::SetupLook;
+use crate::geometry::{MaterialMap, Mesh, MeshPart};
 use crate::hcbtf::LayerOptions;
 
-/// The images that a module reads, in the order of its needs.
+/// True if a module samples a map of the mesh's own materials.
+pub(super) fn reads_maps(shader: &CompiledShader) -> bool {
+    shader.needs.images.iter().any(|image| image.path.starts_with(MESH_PREFIX))
+}
+
+/// The map of the mesh's material that an image's path names; `None` for any other path.
+///
+/// # Errors
+/// A name that no map has.
+pub fn named_map(path: &str) -> Result<Option<MaterialMap>, Diagnostic> {
+    let Some(name) = path.strip_prefix(MESH_PREFIX) else { return Ok(None) };
+    MaterialMap::named(name).map(Some).ok_or_else(|| {
+        let names = MaterialMap::NAMES.map(|(_, name)| format!("`{MESH_PREFIX}{name}`"));
+        let problem = Diagnostic::error("missing-asset", format!("`{path}` is no map of a mesh"));
+        problem
+            .suggest(path, names.iter().map(|name| name.trim_matches('`')))
+            .hint(format!("the maps are {}", names.join(", ")))
+    })
+}
+
+/// The images that a module reads, in the order of its needs; maps of a mesh's materials are those
+/// of `part`, without one those of a mesh that has none.
 pub(in crate::frame) fn images(
     assets: &mut Assets,
     shader: &CompiledShader,
     setup: &SetupLook,
+    part: Option<(&Mesh, &MeshPart)>,
 ) -> Result<Vec<Arc<Image>>, Vec<Diagnostic>> {
     let mut problems = Vec::new();
     let images = shader
@@ -29,9 +52,13 @@ pub(in crate::frame) fn images(
                 return plain([255; 4]);
             }
             let read = match image.shape {
-                ImageShape::Flat => {
-                    assets.image(&setup.folder, &image.path).map_err(|problem| vec![problem])
+                ImageShape::Flat => match (named_map(&image.path), part) {
+                    (Ok(None), _) => assets.image(&setup.folder, &image.path),
+                    (Ok(Some(map)), Some((mesh, part))) => assets.material_map(mesh, part, map),
+                    (Ok(Some(map)), None) => Ok(Arc::new(Image::single(map.absent()))),
+                    (Err(problem), _) => Err(problem),
                 }
+                .map_err(|problem| vec![problem]),
                 ImageShape::Hcbtf { has_levels, storage } => {
                     let options =
                         LayerOptions { has_levels, is_decoded: image.is_decoded, storage };

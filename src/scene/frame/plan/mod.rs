@@ -44,6 +44,7 @@ use crate::library::{PassId, Stage};
 
 pub(super) use draws::current_params;
 pub(super) use images::images;
+pub use images::named_map;
 pub use planner::Planner;
 pub use style::PlanStyle;
 

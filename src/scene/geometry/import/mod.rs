@@ -105,9 +105,30 @@ pub fn load(files: &dyn Files, path: &Path) -> Result<WithWarnings<Mesh>, Vec<Di
         vec![unreadable(&why).in_file(name.as_str()).hint(hint)]
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    import_file(&name, file, &|sibling| {
+    let mut mesh = import_file(&name, file, &|sibling| {
         files.open(&folder.join(sibling), MAX_FILE_BYTES).map_err(|why| why.to_string())
-    })
+    })?;
+    mesh.value.file = Some(path.to_owned());
+    Ok(mesh)
+}
+
+/// The bytes of a picture within the glTF or GLB file at `path`, by its number, undecoded; at most
+/// `most_bytes`.
+///
+/// # Errors
+/// The reason why it cannot be read.
+pub fn load_image(
+    files: &dyn Files,
+    path: &Path,
+    number: usize,
+    most_bytes: u64,
+) -> Result<Vec<u8>, Diagnostic> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let open = |path: &Path| files.open(path, MAX_FILE_BYTES);
+    let file = open(path).and_then(|file| Source::whole(file).map_err(Into::into));
+    let file = file.map_err(|why| unreadable(&why))?;
+    let siblings = |name: &str| open(&folder.join(name)).map_err(|why| why.to_string());
+    gltf::image_within(&file, number, &siblings, most_bytes).map_err(|problem| *problem)
 }
 
 fn read(

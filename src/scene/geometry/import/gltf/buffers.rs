@@ -96,7 +96,11 @@ pub(super) fn load<'f>(
     buffers
 }
 
-fn from_uri(uri: &str, siblings: Siblings) -> Result<Box<dyn OpenFile>, String> {
+/// Opens what a URI in a glTF names: data, or a file beside it.
+///
+/// # Errors
+/// The reason why it cannot be read, in words that follow what is named.
+pub(super) fn from_uri(uri: &str, siblings: Siblings) -> Result<Box<dyn OpenFile>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
         let (kind, data) = data.split_once(',').ok_or("its data URI has no comma")?;
         if !kind.ends_with(";base64") {
@@ -105,12 +109,21 @@ fn from_uri(uri: &str, siblings: Siblings) -> Result<Box<dyn OpenFile>, String> 
         let bytes = BASE64.decode(data.trim()).map_err(|_| "its base64 is damaged")?;
         return Ok(Box::new(Cursor::new(bytes)));
     }
+    let path = decoded_path(uri)?;
+    siblings(&path).map_err(|why| format!("`{path}`: {why}"))
+}
+
+/// The relative path that a URI means.
+///
+/// # Errors
+/// The reason why it means none.
+pub(super) fn decoded_path(uri: &str) -> Result<String, String> {
     let path = decode_percent(uri).ok_or("its name is not UTF-8")?;
     let has_scheme = path.split('/').next().is_some_and(|first| first.contains(':'));
     if has_scheme || path.starts_with(['/', '\\']) {
         return Err(format!("`{path}` is not a relative path"));
     }
-    siblings(&path).map_err(|why| format!("`{path}`: {why}"))
+    Ok(path)
 }
 
 fn decode_percent(text: &str) -> Option<String> {

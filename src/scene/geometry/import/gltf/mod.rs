@@ -10,6 +10,7 @@ mod accessor;
 mod buffers;
 mod extensions;
 mod instances;
+mod maps;
 mod motion;
 mod primitive;
 
@@ -20,8 +21,11 @@ use gltf::json::validation::{Checked, Error, Validate as _};
 use gltf::json::{self, Root};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
+use serde_json::Value as Json;
 
 use self::instances::PlacedMesh;
+use self::maps::MapsOfFile;
+pub(super) use self::maps::image_within;
 
 use super::Siblings;
 use super::report::{ImportProblem, ImportReport};
@@ -43,6 +47,8 @@ struct GltfMembers {
     nodes: Vec<json::Node>,
     meshes: Vec<json::Mesh>,
     materials: Vec<json::Material>,
+    textures: Vec<Json>,
+    images: Vec<maps::ImageEntry>,
     skins: Vec<IgnoredAny>,
     animations: Vec<IgnoredAny>,
     cameras: Vec<IgnoredAny>,
@@ -74,7 +80,7 @@ fn read_document(
 ) -> TriangleSoup {
     let mut soup = TriangleSoup::default();
     let mut skipped = SkippedParts::default();
-    let Some(document) = parse(json, &mut skipped, report) else { return soup };
+    let Some((document, maps)) = parse(json, &mut skipped, report) else { return soup };
     let buffers = buffers::load(&document, binary, siblings, report);
     if report.has_errors() {
         return soup;
@@ -93,9 +99,13 @@ fn read_document(
         let moved = recorder.as_mut().map(|recorder| (recorder, place));
         // One error is enough: the soup is of no more use, and a mesh may stand in very many
         // places.
-        if let Err(diagnostic) =
-            primitive::append(&primitive, (&world, moved), &buffers, &mut soup, &mut skipped)
-        {
+        if let Err(diagnostic) = primitive::append(
+            &primitive,
+            (&world, moved),
+            (&buffers, &maps),
+            &mut soup,
+            &mut skipped,
+        ) {
             report.add(*diagnostic);
             return TriangleSoup::default();
         }
@@ -129,7 +139,11 @@ impl SkippedParts {
 }
 
 /// Reads and validates the JSON; `None` after an error.
-fn parse(json: &[u8], skipped: &mut SkippedParts, report: &mut ImportReport) -> Option<Document> {
+fn parse(
+    json: &[u8],
+    skipped: &mut SkippedParts,
+    report: &mut ImportReport,
+) -> Option<(Document, MapsOfFile)> {
     let file: GltfMembers = match json::deserialize::from_slice(json) {
         Ok(file) => file,
         Err(error) => {
@@ -149,6 +163,7 @@ fn parse(json: &[u8], skipped: &mut SkippedParts, report: &mut ImportReport) -> 
         || !file.cameras.is_empty()
         || weights.any(Option::is_some)
         || of_meshes.any(Option::is_some);
+    let maps = maps::read(&file, report);
     let Some(root) = geometry_of(file) else {
         let message = "the glTF is not valid: it has no `asset` that tells its version";
         report.error("mesh-syntax", message);
@@ -168,7 +183,7 @@ fn parse(json: &[u8], skipped: &mut SkippedParts, report: &mut ImportReport) -> 
     let is_zeros = |path: &str| path.starts_with("accessors[") && path.ends_with("].bufferView");
     problems.retain(|(path, error)| !(*error == Error::Missing && is_zeros(path)));
     if problems.is_empty() {
-        return Some(Document::from_json_without_validation(root));
+        return Some((Document::from_json_without_validation(root), maps));
     }
     for (path, problem) in problems {
         let diagnostic =

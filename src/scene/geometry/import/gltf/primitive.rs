@@ -6,6 +6,7 @@ use gltf::material::AlphaMode;
 use gltf::mesh::Mode;
 use gltf::{Primitive, Semantic};
 
+use super::maps::MapsOfFile;
 use super::motion::{MeshPlace, MotionRecorder};
 use super::{SkippedParts, accessor};
 use crate::diag::Diagnostic;
@@ -21,7 +22,7 @@ use crate::geometry::soup::{Corner, Material, NONE, TriangleSoup};
 pub(super) fn append(
     primitive: &Primitive,
     (world, moved): (&DMat4, Option<(&mut MotionRecorder, MeshPlace)>),
-    buffers: &[Source],
+    (buffers, maps): (&[Source], &MapsOfFile),
     soup: &mut TriangleSoup,
     skipped: &mut SkippedParts,
 ) -> Result<(), ImportProblem> {
@@ -76,7 +77,7 @@ pub(super) fn append(
         }
         _ => soup.triangles.extend(indices.chunks_exact(3).map(|t| wind([t[0], t[1], t[2]]))),
     }
-    let material = material_of(primitive, soup);
+    let material = material_of(primitive, maps, soup);
     soup.wear(material);
     Ok(())
 }
@@ -105,7 +106,7 @@ fn read_indices(
 }
 
 /// The index of the primitive's material in the soup.
-fn material_of(primitive: &Primitive, soup: &mut TriangleSoup) -> u32 {
+fn material_of(primitive: &Primitive, maps: &MapsOfFile, soup: &mut TriangleSoup) -> u32 {
     let material = primitive.material();
     let name = match (material.name(), material.index()) {
         (Some(name), _) if !name.is_empty() => name.to_owned(),
@@ -114,7 +115,8 @@ fn material_of(primitive: &Primitive, soup: &mut TriangleSoup) -> u32 {
     };
     let cutoff = material.alpha_cutoff().unwrap_or(0.5);
     let alpha_cutoff = (material.alpha_mode() == AlphaMode::Mask).then_some(cutoff);
-    soup.same_material(Material { name, two_sided: Some(material.double_sided()), alpha_cutoff })
+    let (two_sided, maps) = (Some(material.double_sided()), maps.of(material.index()));
+    soup.same_material(Material { name, two_sided, alpha_cutoff, maps })
 }
 
 /// Checks, before any attribute is read, that all attributes of a primitive are of equal length.

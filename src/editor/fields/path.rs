@@ -1,0 +1,59 @@
+//! Paths of pictures and HCBTFs.
+
+use eframe::egui::{Id, TextEdit, Ui};
+
+use crate::document::Value;
+use crate::frame::MESH_PREFIX;
+use crate::geometry::MaterialMap;
+
+/// Maps of a mesh's own materials, as artists name them.
+const MESH_MAPS: [(&str, MaterialMap); 5] = [
+    ("Base color", MaterialMap::BaseColor),
+    ("Normal", MaterialMap::Normal),
+    ("Occlusion", MaterialMap::Occlusion),
+    ("Emissive", MaterialMap::Emissive),
+    ("Roughness and metalness", MaterialMap::MetallicRoughness),
+];
+
+/// Shows a menu of the maps that a mesh's own material has. Returns the path of the chosen one.
+fn mesh_map(ui: &mut Ui) -> Option<String> {
+    let mut chosen = None;
+    let menu = ui.menu_button("Mesh", |ui| {
+        for (name, map) in MESH_MAPS {
+            if ui.button(name).clicked() {
+                chosen = Some(format!("{MESH_PREFIX}{}", map.name()));
+                ui.close();
+            }
+        }
+    });
+    menu.response.on_hover_text("Takes a picture from the material that the mesh's own file has");
+    chosen
+}
+
+/// Shows the path of a picture or an HCBTF; an image may be one of the mesh's own, too. Returns the
+/// widget's id and the new value where it changed.
+pub(crate) fn edit(
+    ui: &mut Ui,
+    label: Id,
+    value: Option<&Value>,
+    is_image: bool,
+) -> Option<(Id, Value)> {
+    let mut text = match value {
+        Some(Value::Text(text)) => text.clone(),
+        _ => String::new(),
+    };
+    let chosen = if is_image { mesh_map(ui) } else { None };
+    let edit = TextEdit::singleline(&mut text)
+        .hint_text("path beside the look")
+        .desired_width(f32::INFINITY);
+    let response = ui.add(edit).labelled_by(label);
+    let changed = (response.changed() || chosen.is_some()).then_some(response.id);
+    if let Some(name) = chosen {
+        text = name;
+    }
+    // A long path does not fit.
+    if !text.is_empty() {
+        response.on_hover_text(&text);
+    }
+    changed.map(|id| (id, Value::Text(text)))
+}

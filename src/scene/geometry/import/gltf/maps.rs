@@ -1,0 +1,169 @@
+//! Maps of glTF materials, and the pictures within files.
+//!
+//! What is wrong in a material or a texture is left out: it keeps no triangle from being used.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use serde::de::IgnoredAny;
+use serde::{Deserialize, Deserializer};
+use serde_json::Value as Json;
+
+use super::GltfMembers;
+use super::buffers::{chunks, decoded_path, from_uri};
+use crate::diag::Diagnostic;
+use crate::geometry::import::Siblings;
+use crate::geometry::import::report::{ImportProblem, ImportReport};
+use crate::geometry::import::source::{Source, unreadable};
+use crate::geometry::maps::{MapSource, MaterialMap, MaterialMaps, WITHIN};
+
+/// A picture that a file names: one beside it, or within it.
+#[derive(Deserialize)]
+#[serde(untagged)]
+pub(super) enum ImageEntry {
+    Named {
+        /// The URI, but for data, which may be long.
+        #[serde(deserialize_with = "without_data")]
+        uri: Option<String>,
+    },
+    Within(IgnoredAny),
+}
+
+fn without_data<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<String>, D::Error> {
+    String::deserialize(deserializer).map(|uri| (!uri.starts_with("data:")).then_some(uri))
+}
+
+/// Maps of the file's materials, by their numbers. Equal ones are one.
+pub(super) struct MapsOfFile(Vec<Option<Arc<MaterialMaps>>>);
+
+impl MapsOfFile {
+    /// The maps of a material, by its number.
+    pub(super) fn of(&self, material: Option<usize>) -> Option<Arc<MaterialMaps>> {
+        self.0.get(material?)?.clone()
+    }
+}
+
+/// Reads the maps of all materials; notes what cannot be shown as the file asks.
+pub(super) fn read(file: &GltfMembers, report: &mut ImportReport) -> MapsOfFile {
+    let pictures = Pictures { file };
+    let mut known: HashMap<String, Arc<MaterialMaps>> = HashMap::new();
+    let mut moved = 0;
+    let maps = file.materials.iter().map(|material| {
+        let maps = pictures.maps(material, &mut moved);
+        let key = format!("{maps:?}");
+        (!maps.is_empty()).then(|| known.entry(key).or_insert_with(|| Arc::new(maps)).clone())
+    });
+    let maps = maps.collect();
+    if moved > 0 {
+        let message = format!(
+            "{moved} pictures of materials are moved or lie by a second set of UVs; a look sees \
+             them by the first, unmoved"
+        );
+        report.add(Diagnostic::note("mesh-unsupported", message));
+    }
+    MapsOfFile(maps)
+}
+
+struct Pictures<'f> {
+    file: &'f GltfMembers,
+}
+
+impl Pictures<'_> {
+    fn maps(&self, material: &gltf::json::Material, moved: &mut usize) -> MaterialMaps {
+        let Ok(json) = serde_json::to_value(material) else { return MaterialMaps::new() };
+        let pbr = &json["pbrMetallicRoughness"];
+        let number = |value: &Json, default: f64| value.as_f64().unwrap_or(default) as f32;
+        let color = |value: &Json, default: f64| -> [f32; 3] {
+            std::array::from_fn(|channel| number(&value[channel], default))
+        };
+        let (base, emissive) = (&pbr["baseColorFactor"], &json["emissiveFactor"]);
+        let [r, g, b] = color(base, 1.0);
+        let [er, eg, eb] = color(emissive, 0.0);
+        let rough = number(&pbr["roughnessFactor"], 1.0);
+        let metal = number(&pbr["metallicFactor"], 1.0);
+        let all = [
+            (MaterialMap::BaseColor, &pbr["baseColorTexture"], [r, g, b, number(&base[3], 1.0)]),
+            (MaterialMap::Normal, &json["normalTexture"], [1.0; 4]),
+            (MaterialMap::Occlusion, &json["occlusionTexture"], [1.0; 4]),
+            (MaterialMap::Emissive, &json["emissiveTexture"], [er, eg, eb, 1.0]),
+            (
+                MaterialMap::MetallicRoughness,
+                &pbr["metallicRoughnessTexture"],
+                [1.0, rough, metal, 1.0],
+            ),
+        ];
+        let mut maps = MaterialMaps::new();
+        for (map, texture, factor) in all {
+            let image = self.image(texture);
+            let is_moved = texture["texCoord"].as_u64().unwrap_or(0) != 0
+                || texture["extensions"]["KHR_texture_transform"].is_object();
+            *moved += usize::from(image.is_some() && is_moved);
+            let factor = factor.map(|x| if x.is_finite() { x.clamp(0.0, 1.0) } else { 1.0 });
+            let absent = map.absent().map(|x| f32::from(x) / 255.0);
+            if image.is_some() || (factor != absent && map != MaterialMap::Normal) {
+                maps.insert(map, MapSource { image, factor });
+            }
+        }
+        maps
+    }
+
+    /// The picture that a texture of a material shows.
+    fn image(&self, texture: &Json) -> Option<String> {
+        let texture = self.file.textures.get(texture["index"].as_u64()? as usize)?;
+        let webp = &texture["extensions"]["EXT_texture_webp"]["source"];
+        let number = texture["source"].as_u64().or_else(|| webp.as_u64())? as usize;
+        match self.file.images.get(number)? {
+            ImageEntry::Named { uri: Some(uri) } => decoded_path(uri).ok(),
+            _ => Some(format!("{WITHIN}{number}")),
+        }
+    }
+}
+
+/// The bytes of a picture within a glTF or GLB file, by its number, undecoded.
+///
+/// # Errors
+/// The reason why there is no such picture.
+pub(crate) fn image_within(
+    file: &Source,
+    number: usize,
+    siblings: Siblings,
+    most_bytes: u64,
+) -> Result<Vec<u8>, ImportProblem> {
+    let problem = |message: &str| -> ImportProblem {
+        Diagnostic::error("missing-asset", format!("picture {number} {message}")).into()
+    };
+    let (json, binary) = match file.head(4)?.as_slice() {
+        b"glTF" => chunks(file)?,
+        _ => (file.clone(), None),
+    };
+    let json: Json = serde_json::from_slice(&json.all()?)
+        .map_err(|_| problem("is of a file that is no glTF"))?;
+    let image = json["images"].get(number).ok_or_else(|| problem("is not there"))?;
+    let part = if let Some(uri) = image["uri"].as_str() {
+        let opened = from_uri(uri, siblings);
+        let opened = opened.map_err(|why| problem(&format!("cannot be read: {why}")))?;
+        Source::whole(opened).map_err(|why| ImportProblem::from(unreadable(&why)))?
+    } else {
+        let view = image["bufferView"].as_u64();
+        let view = view.and_then(|view| json["bufferViews"].get(view as usize));
+        let view = view.ok_or_else(|| problem("is nowhere in the file"))?;
+        let buffer = json["buffers"].get(view["buffer"].as_u64().unwrap_or(0) as usize);
+        let uri = buffer.and_then(|buffer| buffer["uri"].as_str());
+        let buffer = match (uri, binary) {
+            (Some(uri), _) => {
+                let opened = from_uri(uri, siblings);
+                let opened = opened.map_err(|why| problem(&format!("cannot be read: {why}")))?;
+                Source::whole(opened).map_err(|why| ImportProblem::from(unreadable(&why)))?
+            }
+            (None, Some(binary)) => binary,
+            (None, None) => return Err(problem("is nowhere in the file")),
+        };
+        let offset = view["byteOffset"].as_u64().unwrap_or(0);
+        let length = view["byteLength"].as_u64().unwrap_or(0);
+        buffer.part(offset, length).ok_or_else(|| problem("reaches beyond the file"))?
+    };
+    if part.length() > most_bytes {
+        return Err(problem(&format!("is larger than {} MiB", most_bytes >> 20)));
+    }
+    part.all()
+}
