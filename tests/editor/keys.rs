@@ -465,6 +465,7 @@ fn a_value_is_keyed_in_time_and_played() {
     hand.drag(second, second + vec2(40.0, 0.0));
     hand.settle();
     assert!(keys(&hand)[1].time > time);
+    click(&mut hand, "Interpolation");
     click(&mut hand, "Stepped");
     assert_eq!(keys(&hand)[1].interpolation, TimeInterpolation::Stepped);
     // The timeline plays, and only then asks for frames.

@@ -154,8 +154,10 @@ fn keys_are_copied_to_the_playhead_and_go_on_beyond_their_ends() {
     hand.settle();
     hand.click_with(Modifiers::SHIFT, second);
     hand.settle();
+    hand.press("Edit keys");
     hand.press("Copy keys");
     go(&mut hand, 3.0);
+    hand.press("Edit keys");
     hand.press("Paste keys");
     assert_eq!(times(&hand, 0), [0.0, 1.0, 2.0, 3.0, 4.0]);
     assert_eq!(times(&hand, 1), [0.0, 2.0], "only their own track");
@@ -165,12 +167,14 @@ fn keys_are_copied_to_the_playhead_and_go_on_beyond_their_ends() {
     let other = at(&hand, "Time key 1 of Diffuse: Cut-off");
     hand.click(other);
     hand.settle();
+    hand.press("Edit keys");
     hand.press("Paste keys");
     assert_eq!(times(&hand, 1), [0.0, 2.0, 3.0, 4.0]);
-    hand.press("After");
-    hand.press("Cycle with offset");
+    hand.press("Beyond");
+    hand.press("After: cycle with offset");
     let track = &hand.look().time_keys[1];
     assert_eq!((track.before, track.after), (Extrapolation::Hold, Extrapolation::CycleOffset));
+    hand.press("Interpolation");
     hand.press("Stepped");
     let keys = &hand.look().time_keys[1].keys;
     let stepped = keys.iter().filter(|key| key.interpolation == TimeInterpolation::Stepped);

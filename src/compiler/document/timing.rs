@@ -145,7 +145,7 @@ impl HandlePair {
     }
 }
 
-/// What holds before the first key of a track and after the last.
+/// Extrapolation before the first key of a track and after the last.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TrackEnds {
     /// Before the first key.
@@ -173,7 +173,7 @@ impl TimeKeys {
         }
     }
 
-    /// What holds beyond the keys.
+    /// Extrapolation beyond the keys.
     pub fn ends(&self) -> TrackEnds {
         TrackEnds { before: self.before, after: self.after }
     }

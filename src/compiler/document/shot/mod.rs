@@ -135,7 +135,7 @@ impl ShotKey {
 }
 
 impl Override {
-    /// What holds beyond the keys.
+    /// Extrapolation beyond the keys.
     pub fn ends(&self) -> TrackEnds {
         TrackEnds { before: self.before, after: self.after }
     }

@@ -140,10 +140,10 @@ pub(crate) fn with_handle(
         true => (&mut key.outgoing, &mut key.incoming, 1.0),
         false => (&mut key.incoming, &mut key.outgoing, -1.0),
     };
-    let time = way * (way * to[0]).max(0.0);
+    // Without the sign of 0.
+    let time = tidy(way * (way * to[0]).max(0.0)) + 0.0;
     if let Some(own) = own.get_mut(at) {
-        // Without the sign of 0.
-        *own = [tidy(time) + 0.0, to[1]];
+        *own = [time, to[1]];
     }
     if let Some(other) = other.get_mut(at).filter(|_| !is_free && time != 0.0) {
         other[1] = other[0] * to[1] / time;

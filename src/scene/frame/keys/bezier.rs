@@ -117,7 +117,8 @@ mod tests {
             let share = f64::from(i) / 64.0;
             assert!((span.at(share) - (10.0 + 6.0 * share)).abs() < 1e-14, "{share}");
         }
-        assert_eq!((span.at(0.0), span.slopes()), (10.0, [6.0, 6.0]));
+        assert_eq!(span.at(0.0), 10.0);
+        assert!(span.slopes().iter().all(|slope| (slope - 6.0).abs() < 1e-14), "{span:?}");
     }
 
     #[test]

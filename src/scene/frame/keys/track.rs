@@ -25,7 +25,7 @@ const NO_TURN: f64 = 1e-15;
 pub struct Track<'a> {
     /// Keys, in increasing time.
     pub keys: &'a [TimeKey],
-    /// What holds beyond the keys.
+    /// Extrapolation beyond the keys.
     pub ends: TrackEnds,
     /// True for directions (of three numbers) and rotations (quaternions), which turn.
     pub turns: bool,
@@ -59,9 +59,9 @@ impl<'a> Track<'a> {
         match side {
             Extrapolation::Hold => self.between(time),
             Extrapolation::Linear => self.straight_on(is_first, time),
-            Extrapolation::Cycle => again(since.rem_euclid(length)),
+            Extrapolation::Cycle => again(within_round(since, length)),
             Extrapolation::CycleOffset => {
-                let local = since.rem_euclid(length);
+                let local = within_round(since, length);
                 let rounds = ((since - local) / length).round().clamp(-MOST_ROUNDS, MOST_ROUNDS);
                 let value = again(local)?;
                 Some(self.moved_on(&value, rounds).unwrap_or(value))
@@ -305,6 +305,12 @@ impl<'a> Track<'a> {
     }
 }
 
+/// The time since a round began; the end of one, but for rounding, is the beginning of the next.
+fn within_round(since: f64, length: f64) -> f64 {
+    let local = since.rem_euclid(length);
+    if length - local > SAME_TIME.min(0.5 * length) { local } else { 0.0 }
+}
+
 /// A number of a value; colors of three numbers are opaque.
 fn component(numbers: &[f64], at: usize) -> Option<f64> {
     numbers.get(at).copied().or((at == 3 && numbers.len() == 3).then_some(1.0))
@@ -439,7 +445,7 @@ mod tests {
         let steps: Vec<(f64, f64)> = (0..=7).map(|i| (f64::from(i) / 24.0, f64::from(i))).collect();
         let steps = keys(TimeInterpolation::Stepped, &steps);
         let stepped = track(&steps, Extrapolation::Cycle);
-        for frame in -70..70 {
+        for frame in -70..70_i32 {
             let wanted = if frame == 7 { 7 } else { frame.rem_euclid(7) };
             assert_eq!(number(stepped, f64::from(frame) / 24.0), f64::from(wanted), "{frame}");
         }

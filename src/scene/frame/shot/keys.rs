@@ -185,10 +185,12 @@ mod tests {
             let keys = timed_keys(clock, &changed, BlendKind::Numbers, &|_| Ok(())).ok().unwrap();
             keys.held(clock, false).unwrap().0
         };
-        let track = |keys| Track { keys, ends: TrackEnds::default(), turns: false };
-        let at = |keys: &[TimeKey], frame| match track(keys).at(clock.rate.time(frame)) {
-            Some(Value::Number(number)) => (number * 1e9).round() / 1e9,
-            other => panic!("{other:?}"),
+        let at = |keys: &[TimeKey], frame| {
+            let track = Track { keys, ends: TrackEnds::default(), turns: false };
+            match track.at(clock.rate.time(frame)) {
+                Some(Value::Number(number)) => (number * 1e9).round() / 1e9,
+                other => panic!("{other:?}"),
+            }
         };
         for frame in -3..20 {
             let on_ones = at(&keys(1), frame);

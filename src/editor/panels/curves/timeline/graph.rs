@@ -305,7 +305,7 @@ impl Graph<'_> {
         painter.add(Shape::circle_filled(end, 3.5, color));
         focus_ring(ui, &handled.response, end, 4.0);
         handled.response.on_hover_text(
-            "Drag it to shape the curve. Handles: automatic, aligned or free, in the row above",
+            "Drag it to shape the curve. Handles: automatic, aligned or free, in the row below",
         );
     }
 }

@@ -31,11 +31,11 @@ const HANDLES: [(Option<HandlePair>, &str, &str); 3] = [
 
 /// Values beyond the keys, with their names and explanations.
 const BEYOND: [(Extrapolation, &str, &str); 5] = [
-    (Extrapolation::Hold, "Hold", "The value of the key"),
-    (Extrapolation::Linear, "Go on straight", "On with the slope of the curve"),
-    (Extrapolation::Cycle, "Cycle", "All keys again"),
-    (Extrapolation::CycleOffset, "Cycle with offset", "All keys again, from the value reached"),
-    (Extrapolation::Mirror, "To and fro", "All keys backward, then forward again"),
+    (Extrapolation::Hold, "hold", "The value of the key"),
+    (Extrapolation::Linear, "go on straight", "On with the slope of the curve"),
+    (Extrapolation::Cycle, "cycle", "All keys again"),
+    (Extrapolation::CycleOffset, "cycle with offset", "All keys again, from the value reached"),
+    (Extrapolation::Mirror, "to and fro", "All keys backward, then forward again"),
 ];
 
 /// Shows the row.
@@ -55,7 +55,6 @@ pub(super) fn show(
             return;
         }
         one_key(timeline, ui, session, &picked, out);
-        ui.separator();
         interpolation(timeline, ui, session, &picked, out);
         ui.menu_button("Handles", |ui| {
             for (pair, text, help) in HANDLES {
@@ -67,13 +66,8 @@ pub(super) fn show(
         });
         beyond(timeline, ui, session, &picked, out);
         length(timeline, ui, session, out);
-        ui.separator();
-        commands(timeline, ui, session, out);
-        let count: usize = picked.iter().map(|it| it.keys.len()).sum();
-        let text = if count == 1 { "Delete time key" } else { "Delete time keys" };
-        if ui.button(text).on_hover_text("Takes them away (Delete)").clicked() {
-            timeline.sheet.delete(session, out);
-        }
+        scale(timeline, ui, session, out);
+        commands(timeline, ui, session, &picked, out);
     });
 }
 
@@ -126,6 +120,7 @@ fn one_key(
     }
 }
 
+/// Shows the menu of interpolations.
 fn interpolation(
     timeline: &mut Timeline,
     ui: &mut Ui,
@@ -133,18 +128,21 @@ fn interpolation(
     picked: &[PickedTrack],
     out: &mut Vec<Command>,
 ) {
-    for (choice, text, help) in INTERPOLATIONS {
-        let is_it = picked
-            .iter()
-            .all(|it| it.keys.iter().all(|&key| it.track.keys[key].interpolation == choice));
-        if ui.add(Button::selectable(is_it, text)).on_hover_text(help).clicked() && !is_it {
-            let change = |it: &PickedTrack| retime::interpolated(&it.track, &it.keys, choice);
-            timeline.sheet.change(session, change, out);
+    let menu = ui.menu_button("Interpolation", |ui| {
+        for (choice, text, help) in INTERPOLATIONS {
+            let is_it = picked
+                .iter()
+                .all(|it| it.keys.iter().all(|&key| it.track.keys[key].interpolation == choice));
+            if ui.add(Button::selectable(is_it, text)).on_hover_text(help).clicked() && !is_it {
+                let change = |it: &PickedTrack| retime::interpolated(&it.track, &it.keys, choice);
+                timeline.sheet.change(session, change, out);
+            }
         }
-    }
+    });
+    menu.response.on_hover_text("How values go from these keys to the next");
 }
 
-/// Shows the menus of what holds before and after the keys of the tracks.
+/// Shows the menu of what holds before and after the keys of the tracks.
 fn beyond(
     timeline: &mut Timeline,
     ui: &mut Ui,
@@ -152,12 +150,13 @@ fn beyond(
     picked: &[PickedTrack],
     out: &mut Vec<Command>,
 ) {
-    for (text, is_before) in [("Before", true), ("After", false)] {
-        let menu = ui.menu_button(text, |ui| {
+    let menu = ui.menu_button("Beyond", |ui| {
+        for (side, is_before) in [("Before", true), ("After", false)] {
             for (choice, text, help) in BEYOND {
                 let of = |ends: TrackEnds| if is_before { ends.before } else { ends.after };
                 let is_it = picked.iter().all(|it| of(it.track.ends()) == choice);
-                if ui.add(Button::selectable(is_it, text)).on_hover_text(help).clicked() {
+                let button = Button::selectable(is_it, format!("{side}: {text}"));
+                if ui.add(button).on_hover_text(help).clicked() {
                     let change = |it: &PickedTrack| {
                         let mut ends = it.track.ends();
                         *(if is_before { &mut ends.before } else { &mut ends.after }) = choice;
@@ -166,14 +165,15 @@ fn beyond(
                     timeline.sheet.change(session, change, out);
                 }
             }
-        });
-        let end = if is_before { "before the first key" } else { "after the last key" };
-        menu.response.on_hover_text(format!("Values {end} of these tracks"));
-    }
+            if is_before {
+                ui.separator();
+            }
+        }
+    });
+    menu.response.on_hover_text("Values before the first key and after the last");
 }
 
-/// Shows the length of several keys in frames, and the factor by which they are scaled about the
-/// playhead.
+/// Shows the length of several keys in frames.
 fn length(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let Some([start, end]) = timeline.sheet.range(session) else { return };
     if end - start < super::LEAST {
@@ -190,6 +190,13 @@ fn length(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec
         timeline.scale(session, held, (start, scale), response.id, out);
     }
     response.on_hover_text("Stretches the keys to so many frames; the first stays");
+}
+
+/// Shows the factor by which several keys are scaled about the playhead.
+fn scale(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+    if timeline.sheet.range(session).is_none_or(|[start, end]| end - start < super::LEAST) {
+        return;
+    }
     let playhead = session.view.time;
     let mut percent = 100.0;
     let drag = DragValue::new(&mut percent).speed(0.5).max_decimals(1).suffix(" %");
@@ -210,21 +217,36 @@ pub(super) fn range_of(picked: &[PickedTrack]) -> Option<[f64; 2]> {
     (high - low >= super::LEAST).then_some([low, high])
 }
 
-fn commands(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-    if ui.button("Copy keys").on_hover_text("Ctrl+C over this panel").clicked() {
-        timeline.sheet.copy(session);
-    }
+/// Shows the menu of what is done with the keys as they are.
+fn commands(
+    timeline: &mut Timeline,
+    ui: &mut Ui,
+    session: &Session,
+    picked: &[PickedTrack],
+    out: &mut Vec<Command>,
+) {
     let now = timeline.snapped(session.view.time);
-    let paste = Button::new("Paste keys");
-    let help = "Puts the copied keys at the playhead (Ctrl+V): into their tracks, or keys of one \
-                track into that of the selected key";
-    let can_paste = timeline.sheet.has_copies();
-    if ui.add_enabled(can_paste, paste).on_hover_text(help).clicked() {
-        timeline.sheet.paste(session, now, out);
-    }
-    let help = "Puts copies at the playhead (Ctrl+D)";
-    if ui.button("Duplicate keys").on_hover_text(help).clicked() && timeline.sheet.copy(session) {
-        timeline.sheet.active = None;
-        timeline.sheet.paste(session, now, out);
+    ui.menu_button("Edit keys", |ui| {
+        if ui.button("Copy keys").on_hover_text("Ctrl+C over this panel").clicked() {
+            timeline.sheet.copy(session);
+        }
+        let help = "Puts the copied keys at the playhead (Ctrl+V): into their tracks, or keys of \
+                    one track into that of the selected key";
+        let can_paste = timeline.sheet.has_copies();
+        let paste = ui.add_enabled(can_paste, Button::new("Paste keys"));
+        if paste.on_hover_text(help).clicked() {
+            timeline.sheet.paste(session, now, out);
+        }
+        let help = "Puts copies at the playhead (Ctrl+D)";
+        let duplicate = ui.button("Duplicate keys").on_hover_text(help);
+        if duplicate.clicked() && timeline.sheet.copy(session) {
+            timeline.sheet.active = None;
+            timeline.sheet.paste(session, now, out);
+        }
+    });
+    let count: usize = picked.iter().map(|it| it.keys.len()).sum();
+    let text = if count == 1 { "Delete time key" } else { "Delete time keys" };
+    if ui.button(text).on_hover_text("Takes them away (Delete)").clicked() {
+        timeline.sheet.delete(session, out);
     }
 }

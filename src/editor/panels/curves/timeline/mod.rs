@@ -36,13 +36,18 @@ pub(crate) const PANEL: PanelRow = PanelRow::new(
     PanelPlace::BELOW_GRAPH,
     |bench, ui, context| bench.memory.of::<Timeline>().show(ui, context.session),
 )
-.with_each_frame(|bench, ui, _, presence| {
+.with_each_frame(|bench, ui, session, presence| {
     let timeline = bench.memory.of::<Timeline>();
     if presence == Presence::Absent {
         timeline.stop();
         return Vec::new();
     }
-    timeline.tick(ui).map(Command::SetTime).into_iter().collect()
+    let mut commands: Vec<Command> = timeline.tick(ui).map(Command::SetTime).into_iter().collect();
+    // Before the graph, whose keys are some of the same.
+    if let Some(panel) = timeline.panel.filter(|_| presence == Presence::Seen) {
+        sheet::keys(timeline, ui, session, panel, &mut commands);
+    }
+    commands
 });
 
 /// Width of the names of values, in points.
@@ -68,6 +73,9 @@ pub(crate) struct Timeline {
     seen: [f64; 2],
     /// Selected keys, and the tracks as they are shown.
     sheet: KeySheet,
+    /// Place of the panel, and the height of the row of selected keys, in points, as last shown.
+    panel: Option<Rect>,
+    bar_height: f32,
     /// Seconds by which arrow keys move the selected keys in this frame.
     steps: Option<f64>,
     /// True if the selected keys are deleted in this frame.
@@ -88,6 +96,8 @@ impl Default for Timeline {
             range: [0.0, 4.0],
             seen: [-0.2, 4.4],
             sheet: KeySheet::default(),
+            panel: None,
+            bar_height: 0.0,
             steps: None,
             is_deleting: false,
             went: None,
@@ -161,7 +171,6 @@ impl Timeline {
         self.sheet.begin_frame(session);
         let panel = ui.max_rect();
         bar::show(self, ui, session, &mut commands);
-        key_bar::show(self, ui, session, &mut commands);
         let (ruler, _) = ui.allocate_exact_size(vec2(ui.available_width(), RULER), Sense::hover());
         let lane = Rect::from_min_max(
             pos2(ruler.left() + NAMES, ruler.top()),
@@ -183,7 +192,10 @@ impl Timeline {
                  else.",
             );
         } else {
-            ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+            // The row of the selected keys is below, so that no key moves as it is pressed.
+            let height = (ui.available_height() - self.bar_height).max(ROW);
+            let tracks = ScrollArea::vertical().auto_shrink([false, false]).max_height(height);
+            tracks.show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 2.0;
                 for owned in owners(session) {
                     for track in 0..owned.look().time_keys.len() {
@@ -192,7 +204,15 @@ impl Timeline {
                 }
             });
         }
-        let rows = Rect::from_min_max(pos2(lane.left(), top), pos2(lane.right(), panel.bottom()));
+        let bottom = ui.cursor().top().min(panel.bottom());
+        let rows = Rect::from_min_max(pos2(lane.left(), top), pos2(lane.right(), bottom));
+        key_bar::show(self, ui, session, &mut commands);
+        let bar_height = ui.cursor().top() - bottom;
+        if bar_height != self.bar_height {
+            self.bar_height = bar_height;
+            ui.ctx().request_repaint();
+        }
+        self.panel = Some(panel);
         sheet::go_on(self, ui, session, axis, &mut commands);
         if let Some(time) = self.went.take() {
             self.go(time, &mut commands);
@@ -214,7 +234,6 @@ impl Timeline {
         }
         self.navigate(ui, panel, axis, rows);
         playhead(ui, session, axis, rows);
-        sheet::keys(self, ui, session, panel, &mut commands);
         let is_over = ui.rect_contains_pointer(panel) && !keyboard::is_keyboard_taken(ui.ctx());
         if is_over && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Space)) {
             self.toggle(ui, session);

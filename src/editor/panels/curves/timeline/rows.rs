@@ -223,7 +223,8 @@ fn paint(ui: &Ui, owned: OwnedKeys<'_>, axis: Axis, lane: Rect, track: &TimeKeys
     }
     let width = graph::width(track).unwrap_or(1);
     let shown = track.keys.iter().step_by((track.keys.len() / 2000).max(1));
-    let numbers = shown.flat_map(|key| (0..width).filter_map(move |at| graph::number(&key.value, at)));
+    let numbers =
+        shown.flat_map(|key| (0..width).filter_map(move |at| graph::number(&key.value, at)));
     let (low, high) =
         numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
     if !low.is_finite() {
