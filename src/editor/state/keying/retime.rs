@@ -113,7 +113,7 @@ pub(crate) fn handles_of(track: Track<'_>, index: usize) -> Option<[Vec<[f64; 2]
     Some([incoming, outgoing])
 }
 
-/// Turns the incoming handles of a key into line with the outgoing ones; their lengths in time stay.
+/// Turns the incoming handles of a key into line with the outgoing ones; their times stay.
 fn align(key: &mut TimeKey) {
     for (incoming, outgoing) in key.incoming.iter_mut().zip(&key.outgoing) {
         if outgoing[0] > 0.0 && incoming[0] < 0.0 {

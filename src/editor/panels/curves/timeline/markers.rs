@@ -20,7 +20,7 @@ use crate::widgets::theme;
 pub(super) const STRIP: f32 = 20.0;
 
 /// Marker whose name is typed, and the name so far.
-pub(super) type Renaming = Option<(Owner, usize, String)>;
+pub(super) type NameField = Option<(Owner, usize, String)>;
 
 /// Markers of a document.
 fn of(session: &Session, owner: Owner) -> &[Marker] {

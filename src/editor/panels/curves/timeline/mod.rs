@@ -26,7 +26,7 @@ use crate::state::session::Session;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 use axis::Axis;
-use markers::Renaming;
+use markers::NameField;
 use sheet::KeySheet;
 
 pub(crate) const PANEL: PanelRow = PanelRow::new(
@@ -83,7 +83,7 @@ pub(crate) struct Timeline {
     /// Time of a key that the playhead is brought to in this frame.
     went: Option<f64>,
     /// Marker whose name is typed.
-    renaming: Renaming,
+    renaming: NameField,
 }
 
 impl Default for Timeline {
