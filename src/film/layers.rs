@@ -5,16 +5,17 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::compile::{AovSource, Live};
+use crate::compile::{AovSource, Live, ShadowOutput, check};
 use crate::cryptomatte::{Cryptomatte, MatteCoverage};
 use crate::diag::{Diagnostic, WithWarnings};
+use crate::document::NamedAov;
 use crate::exr::{ExrAttribute, ExrLayer};
 use crate::frame::{
     AovLayer, AovRequest, Executor, FramePlan, MattePart, Picture, PlanOptions, Planner, Setup,
 };
 use crate::ids::{NodePath, PortName};
 use crate::library::Library;
-use crate::naming::is_legal;
+use crate::naming::{free_name, is_legal, legal_name};
 use crate::progress::Progress;
 use crate::tables::LayerTable;
 
@@ -92,6 +93,8 @@ pub struct AskedLayers {
     pub lights: Vec<AovRequest>,
     /// Tables that are written beside the picture, for values among the layers.
     pub tables: Vec<LayerTable>,
+    /// Other statements of the header, such as the names of the tables' files.
+    pub notes: Vec<ExrAttribute>,
 }
 
 impl AskedLayers {
@@ -171,6 +174,8 @@ pub struct LayeredPlan {
     written: usize,
     /// Lights of the matte of lights, each with the number of its layer.
     lights: Vec<(String, usize)>,
+    /// Other statements of the header.
+    notes: Vec<ExrAttribute>,
 }
 
 impl LayeredPlan {
@@ -211,7 +216,9 @@ impl LayeredPlan {
         };
         let names = kinds.map(|kind| MatteNames::new(*kind, setup)).collect();
         let written = asked.aovs.len();
-        Ok(WithWarnings::new(Self { first, further, mattes, names, written, lights }, warnings))
+        let notes = asked.notes.clone();
+        let plan = Self { first, further, mattes, names, written, lights, notes };
+        Ok(WithWarnings::new(plan, warnings))
     }
 
     /// The plan of the picture.
@@ -227,7 +234,8 @@ impl LayeredPlan {
         };
         let of_lights = (!self.lights.is_empty()).then(|| self.matte_of_lights(&[], &[]));
         let of_lights = of_lights.iter().flat_map(Cryptomatte::attributes);
-        self.names.iter().flat_map(matte).chain(of_lights).collect()
+        let notes = self.notes.iter().cloned();
+        self.names.iter().flat_map(matte).chain(of_lights).chain(notes).collect()
     }
 
     /// True if values of looks are among the layers.
@@ -344,16 +352,71 @@ impl DrawnLayers {
     }
 }
 
-/// The layer of an output of a node, from `NAME=NODE.OUTPUT` or `NAME=LOOK:NODE.OUTPUT`.
+/// The named outputs of all looks, each once, in their order.
+pub fn named_outputs(setup: &Setup) -> Vec<AovRequest> {
+    let mut requests: Vec<AovRequest> = Vec::new();
+    for (look, worn) in setup.looks.iter().enumerate() {
+        for NamedAov { name, from } in &worn.look.aovs {
+            let source = (Some(look), AovSource::Wire(from.node.clone(), from.port.clone()));
+            let name = legal_name(name.as_str());
+            match requests.iter_mut().find(|request| request.name == name) {
+                Some(request) => request.sources.push(source),
+                None => requests.push(AovRequest { name, sources: vec![source] }),
+            }
+        }
+    }
+    requests
+}
+
+/// The shadows that looks ask for, each light's as a layer of its own.
+///
+/// # Errors
+/// Everything that is wrong with the looks.
+pub fn shadow_outputs(
+    setup: &Setup,
+    library: &Library,
+    time: f64,
+) -> Result<Vec<AovRequest>, Vec<Diagnostic>> {
+    let mut requests: Vec<AovRequest> = Vec::new();
+    for look in 0..setup.looks.len() {
+        let wearer = setup.objects.iter().find(|object| object.looks.contains(&Some(look)));
+        let Some(wearer) = wearer else { continue };
+        let shadows = check(&setup.worn(look, wearer, time), library, None)?.value.shadow_outputs();
+        // Shadows of one light that are computed in other ways, such as of another size, get
+        // numbers.
+        let mut taken = HashSet::new();
+        for ShadowOutput { light, caster, source } in shadows {
+            let name = match caster {
+                "" => format!("shadow_{light}"),
+                caster => format!("shadow_{light}_{caster}"),
+            };
+            let name = free_name(&legal_name(&name), &mut taken);
+            let source = (Some(look), source);
+            match requests.iter_mut().find(|request| request.name == name) {
+                Some(request) => request.sources.push(source),
+                None => requests.push(AovRequest { name, sources: vec![source] }),
+            }
+        }
+    }
+    Ok(requests)
+}
+
+/// The layer of an output of a node, from `NAME=NODE.OUTPUT` or `NAME=LOOK:NODE.OUTPUT`, or of an
+/// output that a look names.
 ///
 /// # Errors
 /// `aov` with the form, and names of looks that are near.
 pub fn wire_request(setup: &Setup, text: &str) -> Result<AovRequest, Diagnostic> {
     let form = || {
         Diagnostic::error("aov", format!("`{text}` names no layer"))
-            .hint("write --aov NAME=NODE.OUTPUT, or --aov list to see what there is")
+            .hint("write --aov NAME=NODE.OUTPUT; --list-aovs shows what there is")
     };
-    let (name, wire) = text.split_once('=').ok_or_else(form)?;
+    let Some((name, wire)) = text.split_once('=') else {
+        let named = named_outputs(setup);
+        let names: Vec<String> = named.iter().map(|request| request.name.clone()).collect();
+        let found = named.into_iter().find(|request| request.name == text);
+        return found.ok_or_else(|| form().suggest(text, names.iter().map(String::as_str)));
+    };
     let (look, wire) = match wire.rsplit_once(':') {
         Some((look, wire)) => (Some(look), wire),
         None => (None, wire),

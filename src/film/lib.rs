@@ -32,7 +32,9 @@ pub use contributions::{ContributionLayers, Contributions, contributions, light_
 pub use cryptomatte::{Cryptomatte, MatteCoverage};
 pub use document::FrameRate;
 pub use frames::{FrameList, FramePattern};
-pub use layers::{AskedLayers, DrawnLayers, LayeredPlan, MatteKind, wire_request};
+pub use layers::{
+    AskedLayers, DrawnLayers, LayeredPlan, MatteKind, named_outputs, shadow_outputs, wire_request,
+};
 pub use naming::{LayerNaming, free_name, is_legal, legal_name};
 pub use plan_hash::PlanHasher;
 pub use stored::{FrameDifference, PLAN_NOTE, StoredFrame};

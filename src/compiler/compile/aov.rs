@@ -13,8 +13,8 @@ use super::check::{TypedGraph, TypedNode, TypedSource, check};
 use super::flatten::FlatGraph;
 use super::parting::{BentSum, Parting};
 use super::transfer::Transfer;
-use crate::diag::Diagnostic;
-use crate::document::{Look, Target};
+use crate::diag::{Diagnostic, Severity};
+use crate::document::{Look, NamedAov, Target};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::library::{Library, LightFeed, Treatment, Type};
 
@@ -46,6 +46,20 @@ pub struct StepId {
     /// `None` for the whole step.
     pub share: Option<BTreeSet<LightId>>,
 }
+
+/// A shadow that a look asks for: what of a light is kept from a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShadowOutput {
+    /// The light.
+    pub light: LightId,
+    /// Word for what casts it; empty for other objects.
+    pub caster: &'static str,
+    /// The shadow, from 0 to 1.
+    pub source: AovSource,
+}
+
+/// Kinds of nodes that give shadows, each with a word for what casts them.
+const SHADOWS: [(&str, &str); 2] = [("cast_shadow", ""), ("self_shadow", "self")];
 
 /// An output of a node that can be written beside the picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -219,14 +233,17 @@ impl TypedAov {
                 if is_writable(&ty) {
                     return Ok(Some(Self { kind: TypedAovKind::Output(node, output), ty }));
                 }
-                let message = format!("values of type {ty} cannot be written as a pass");
-                let hint = "numbers, vectors, colors, angles and lights can: see --aovs";
-                let problem = Diagnostic::error("aov-type", message);
-                Err(problem.node(graph.nodes[node].path.clone()).hint(hint))
+                Err(cannot_be_written(&ty).node(graph.nodes[node].path.clone()))
             }
             (AovSource::Nothing | AovSource::Wire(..) | AovSource::Copy(..), _) => Ok(None),
         }
     }
+}
+
+fn cannot_be_written(ty: &Type) -> Diagnostic {
+    let message = format!("values of type {ty} cannot be written as a pass");
+    let hint = "numbers, vectors, colors, angles and lights can: see --list-aovs";
+    Diagnostic::error("aov-type", message).hint(hint)
 }
 
 /// True for types whose values are at most three numbers and a coverage.
@@ -463,6 +480,60 @@ impl TypedGraph {
 }
 
 impl TypedGraph {
+    /// The shadows that the picture depends on, in the order of the document. Of those that are
+    /// computed in the same way of one light the first stands for all.
+    pub fn shadow_outputs(&self) -> Vec<ShadowOutput> {
+        let mut seen = HashSet::new();
+        let mut open = vec![self.root.0];
+        while let Some(index) = open.pop() {
+            if seen.insert(index) {
+                let inputs = 0..self.nodes[index].inputs.len();
+                open.extend(inputs.filter_map(|input| Some(self.wire(index, input)?.0)));
+            }
+        }
+        let mut known = HashSet::new();
+        let mut found = Vec::new();
+        for (index, node) in self.nodes.iter().enumerate().filter(|(at, _)| seen.contains(at)) {
+            let row = SHADOWS.iter().find(|(kind, _)| *kind == node.def.kind);
+            let light = node.light.clone().filter(|_| !node.is_unlit);
+            let (Some((kind, caster)), Some(light)) = (row, light) else { continue };
+            let values = node.inputs.iter().map(|input| match &input.as_ref()?.source {
+                TypedSource::Param(_, value) => Some(format!("{value:?}")),
+                source => Some(format!("{source:?}")),
+            });
+            let made_of: Vec<Option<String>> = values.collect();
+            let is_new = known.insert((kind, light.clone(), node.tier, made_of));
+            if let Some(source) = self.source_of((index, 0)).filter(|_| is_new) {
+                found.push(ShadowOutput { light, caster, source });
+            }
+        }
+        found
+    }
+
+    /// Warnings of the look's named outputs that name nothing, or nothing that can be written.
+    pub(super) fn check_named(
+        &self,
+        look: &Look,
+        found: Vec<Result<(usize, usize), Diagnostic>>,
+    ) -> Vec<Diagnostic> {
+        let problem = |(aov, found): (&NamedAov, Result<(usize, usize), Diagnostic>)| match found {
+            Err(problem) => Some(problem),
+            Ok((index, output)) => {
+                let node = &self.nodes[index];
+                // A node that was not typed has problems of its own.
+                let is_typed = node.inputs.len() == node.def.inputs.len();
+                let ty = is_typed.then(|| self.output_type(index, output))?;
+                (!is_writable(&ty)).then(|| cannot_be_written(&ty).node(aov.from.node.clone()))
+            }
+        };
+        let problems = look.aovs.iter().zip(found).map(problem).enumerate();
+        let located = problems.filter_map(|(index, problem)| {
+            let problem = problem?.json_path(format!("aovs[{index}].from"));
+            Some(Diagnostic { severity: Severity::Warning, ..problem })
+        });
+        located.collect()
+    }
+
     /// True if keys move an input.
     pub(super) fn is_keyed(&self, path: &NodePath, port: &PortName) -> bool {
         let is_it = |target: &Target| match target {

@@ -38,7 +38,8 @@ use crate::wgsl::{self, ValidModule};
 pub use crate::document::{LightValues, MAX_INTENSITY, MIN_LIGHT_DISTANCE};
 pub use crate::library::Stage;
 pub use aov::{
-    AovSource, BentLights, StackPart, StackParts, StepId, TypedAov, WireOutput, wire_outputs,
+    AovSource, BentLights, ShadowOutput, StackPart, StackParts, StepId, TypedAov, WireOutput,
+    wire_outputs,
 };
 use check::check_with;
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};

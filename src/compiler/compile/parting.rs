@@ -320,7 +320,11 @@ impl TypedGraph {
     }
 
     /// The row of a node that brings lights together, with its two inputs; `None` for all others.
-    fn join(&self, lights: &LightsByNode, index: usize) -> Option<(&'static JoinRow, usize, usize)> {
+    fn join(
+        &self,
+        lights: &LightsByNode,
+        index: usize,
+    ) -> Option<(&'static JoinRow, usize, usize)> {
         let node = &self.nodes[index];
         let row = JoinRow::of(node).filter(|_| node.inputs.len() == node.def.inputs.len())?;
         let (first, second) = (self.input(index, row.first)?, self.input(index, row.second)?);
