@@ -211,6 +211,11 @@ impl AovSource {
 }
 
 impl TypedAov {
+    /// True for parts of the picture, which are premultiplied by its alpha.
+    pub(super) fn is_part_of_picture(&self) -> bool {
+        matches!(self.kind, TypedAovKind::Steps(_) | TypedAovKind::Stack)
+    }
+
     /// Value that is written for a source that [was found](AovSource::find).
     ///
     /// # Errors
