@@ -5,7 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use chiaro::compile::{AovSource, CompileOptions, compile};
+use chiaro::document::Look;
 use chiaro::film::exr::{self, ExrContent, SampleType};
+use chiaro::library::Library;
 use serde_json::{Value as Json, json};
 
 use crate::support::{root, validators::say};
@@ -695,15 +698,15 @@ fn layers_of_what_is_transparent_and_cut_out_are_the_picture() {
 fn layers_that_nobody_asks_for_cost_nothing() {
     let folder = RenderFolder::with_scene();
     let path = folder.path("look.json");
-    let wgsl = |path: &Path| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
-        let output = command.arg("compile").arg(path).output().unwrap();
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        output.stdout
+    let wgsl = |path: &Path, aovs: Vec<AovSource>| {
+        let look = Look::read(&fs::read_to_string(path).unwrap(), "look.json").value.unwrap();
+        let options = CompileOptions { aovs, ..CompileOptions::default() };
+        compile(&look, Library::built_in(), &options).unwrap().value.wgsl.to_string()
     };
-    let plain = wgsl(&path);
+    let plain = wgsl(&path, Vec::new());
     let mut look: Json = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
     look["aovs"] = json!([{"name": "rim_mask", "from": "rim.tone"}]);
     fs::write(&path, look.to_string()).unwrap();
-    assert_eq!(wgsl(&path), plain);
+    assert_eq!(wgsl(&path, Vec::new()), plain);
+    assert_ne!(wgsl(&path, vec![AovSource::Stack]), plain);
 }
