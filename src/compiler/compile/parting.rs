@@ -331,8 +331,11 @@ impl TypedGraph {
         // Lights have no channels, and vectors other ones than colors.
         let is_color = |input: usize| {
             let ty = node.inputs[input].as_ref().map(|input| &input.ty);
-            matches!(ty, Some(Type::Float | Type::Color | Type::Composite | Type::Vec3))
-                || row.rule == CutRule::Either
+            row.rule == CutRule::Either
+                || matches!(
+                    ty,
+                    Some(Type::Float | Type::Color | Type::Composite | Type::Vec3 | Type::Vec4)
+                )
         };
         if let CutRule::Factor(name) = row.rule {
             let factor = self.wire(index, self.input(index, name)?);
@@ -467,10 +470,11 @@ impl TypedGraph {
         if matches!(into, Some(Type::Float)) && from != Type::Float {
             return false;
         }
+        let name = port.name.as_str();
         let known = PROPORTIONAL.iter().find(|(kind, _)| *kind == node.def.kind);
         node.def.special == Treatment::Reroute
             || super::aov::is_step(node)
-            || JoinRow::of(node).is_some()
-            || known.is_some_and(|(_, inputs)| inputs.contains(&port.name.as_str()))
+            || JoinRow::of(node).is_some_and(|row| [row.first, row.second].contains(&name))
+            || known.is_some_and(|(_, inputs)| inputs.contains(&name))
     }
 }

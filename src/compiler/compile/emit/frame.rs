@@ -570,7 +570,7 @@ fn beside(ty: &Type, value: &str) -> String {
         Type::Angle => format!("angle_radians({value}), 0.0, 0.0"),
         Type::Light => format!("{value}.color * {value}.intensity"),
         Type::Composite => format!("{value}.xyz"),
-        Type::Color | Type::Vec4 => format!("{value}.xyz * {value}.w"),
+        Type::Color | Type::Vec4 => format!("{value}.xyz * clamp({value}.w, 0.0, 1.0)"),
         _ => value.to_owned(),
     }
 }

@@ -89,6 +89,8 @@ impl Builder<'_> {
     fn premultiplied(&mut self, node: usize, value: ValueId) -> ValueId {
         match self.values[value].ty {
             Type::Color | Type::Vec4 => {
+                // A sum of colors may have more alpha than there is, as the Output bounds it.
+                let value = self.bounded(node, "alpha", value);
                 self.convert(node, value, "premultiplied($)", &Type::Composite)
             }
             _ => value,
