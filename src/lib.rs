@@ -70,6 +70,8 @@
 //!   `scene/frame/shot/moving.rs` (`at`).
 //! - Frames of a scene: `film/frames.rs` (`FrameList`); drawn by `cli/render/frames.rs`.
 //! - EXR: `film/exr/mod.rs` (`encode`).
+//! - Contributions of layers and lights: `film/contributions.rs`; lights of one step parted:
+//!   `compiler/compile/parting.rs`; tables of what bends them: `compiler/compile/transfer.rs`.
 //! - Layers beside the picture: `film/layers.rs` (`LayeredPlan`), drawn by looks' modules as
 //!   `compiler/compile/aov.rs` (`AovSource`) says; mattes: `scene/frame/mattes.rs` (`MattePart`).
 //!

@@ -70,3 +70,54 @@ fn both_through(a: vec3f, b: vec3f) -> vec3f {
 fn sum_of_both(a: vec3f, b: vec3f) -> vec3f {
     return a + b;
 }
+
+// Shares of what a step adds, among the lights that it comes of. The parts of a share add up to it.
+
+/// A number as the channels of a color.
+fn channels_of_number(number: f32) -> vec3f {
+    return vec3f(number);
+}
+
+/// The channels of a color.
+fn channels_of_color(color: Color) -> vec3f {
+    return color.xyz;
+}
+
+/// The part of a share that a part of a whole has; nothing where the whole is nothing.
+fn share_of_part(share: vec3f, part: vec3f, whole: vec3f) -> vec3f {
+    let some = max(whole, vec3f(1e-30));
+    let proportion = clamp(part / some, vec3f(0.0), vec3f(1.0));
+    return share * select(vec3f(0.0), proportion, whole > vec3f(0.0));
+}
+
+/// The rest of a share beside a part.
+fn rest_of_share(share: vec3f, part: vec3f) -> vec3f {
+    return max(share - part, vec3f(0.0));
+}
+
+/// All of a share where another is not greater, else nothing of it.
+fn share_of_winner(share: vec3f, own: vec3f, other: vec3f) -> vec3f {
+    return select(share, vec3f(0.0), other > own);
+}
+
+/// The part of a share that a color's alpha leaves to what is below.
+fn share_of_below(share: vec3f, below: Composite, color: Color, layers: Composite) -> vec3f {
+    return share_of_part(share, below.xyz * clamp(1.0 - color.w, 0.0, 1.0), layers.xyz);
+}
+
+/// The part of a share that a part of all weights has.
+fn share_of_weight(share: vec3f, part: vec3f, weight: f32, weights: f32, whole: vec3f) -> vec3f {
+    return share_of_part(share, part * clamp(weight / max(weights, 1e-30), 0.0, 1.0), whole);
+}
+
+/// The part of a share that what is mixed has by a factor that leads away from it.
+fn share_of_mixed(share: vec3f, part: vec3f, factor: f32, whole: vec3f) -> vec3f {
+    return share_of_part(share, part * clamp(1.0 - factor, 0.0, 1.0), whole);
+}
+
+/// All of a share where a light is the one that was taken, else nothing of it.
+fn share_of_light(share: vec3f, own: Light, taken: Light) -> vec3f {
+    let is_own = all(own.direction == taken.direction) & all(own.color == taken.color)
+        & (own.intensity == taken.intensity);
+    return select(vec3f(0.0), share, is_own);
+}

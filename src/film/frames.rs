@@ -150,6 +150,13 @@ impl FramePattern {
         self.path(0).parent().map(Path::to_path_buf).unwrap_or_default()
     }
 
+    /// The path of another file beside the frames, whose name begins as theirs do.
+    pub fn beside(&self, name: &str) -> PathBuf {
+        let ends = |c: char| matches!(c, '/' | '\\' | '.' | '_' | '-');
+        let point = if self.before.is_empty() || self.before.ends_with(ends) { "" } else { "." };
+        format!("{}{point}{name}", self.before).into()
+    }
+
     /// The frame whose file has this path; `None` for every other path.
     pub fn frame_of(&self, path: &Path) -> Option<i32> {
         let number = path.to_str()?.strip_prefix(&self.before)?.strip_suffix(&self.after)?;

@@ -3,20 +3,21 @@
 //! One draw writes as many layers beside the picture as the executor can; where more are asked for,
 //! the rest are drawn by further plans of the same picture. Mattes have plans of their own.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::collections::{HashMap, HashSet};
 
-use crate::compile::{AovSource, Live, StackPart, StackParts, StepId, check};
+use crate::compile::{AovSource, Live, ShadowOutput, check};
 use crate::cryptomatte::{Cryptomatte, MatteCoverage};
 use crate::diag::{Diagnostic, WithWarnings};
-use crate::document::Look;
+use crate::document::NamedAov;
 use crate::exr::{ExrAttribute, ExrLayer};
 use crate::frame::{
     AovLayer, AovRequest, Executor, FramePlan, MattePart, Picture, PlanOptions, Planner, Setup,
 };
-use crate::ids::{LightId, NodePath, PortName};
+use crate::ids::{NodePath, PortName};
 use crate::library::Library;
-use crate::naming::{LayerNaming, free_name, is_legal};
+use crate::naming::{free_name, is_legal, legal_name};
 use crate::progress::Progress;
+use crate::tables::LayerTable;
 
 /// The most layers beside a picture: so many take 3 GB for a frame of HDTV.
 const MOST_LAYERS: usize = 128;
@@ -90,6 +91,10 @@ pub struct AskedLayers {
     pub mattes: Vec<MatteKind>,
     /// Contributions of lights for their matte, by the lights' names.
     pub lights: Vec<AovRequest>,
+    /// Tables that are written beside the picture, for values among the layers.
+    pub tables: Vec<LayerTable>,
+    /// Other statements of the header, such as the names of the tables' files.
+    pub notes: Vec<ExrAttribute>,
 }
 
 impl AskedLayers {
@@ -169,6 +174,8 @@ pub struct LayeredPlan {
     written: usize,
     /// Lights of the matte of lights, each with the number of its layer.
     lights: Vec<(String, usize)>,
+    /// Other statements of the header.
+    notes: Vec<ExrAttribute>,
 }
 
 impl LayeredPlan {
@@ -209,7 +216,9 @@ impl LayeredPlan {
         };
         let names = kinds.map(|kind| MatteNames::new(*kind, setup)).collect();
         let written = asked.aovs.len();
-        Ok(WithWarnings::new(Self { first, further, mattes, names, written, lights }, warnings))
+        let notes = asked.notes.clone();
+        let plan = Self { first, further, mattes, names, written, lights, notes };
+        Ok(WithWarnings::new(plan, warnings))
     }
 
     /// The plan of the picture.
@@ -225,7 +234,8 @@ impl LayeredPlan {
         };
         let of_lights = (!self.lights.is_empty()).then(|| self.matte_of_lights(&[], &[]));
         let of_lights = of_lights.iter().flat_map(Cryptomatte::attributes);
-        self.names.iter().flat_map(matte).chain(of_lights).collect()
+        let notes = self.notes.iter().cloned();
+        self.names.iter().flat_map(matte).chain(of_lights).chain(notes).collect()
     }
 
     /// True if values of looks are among the layers.
@@ -342,172 +352,71 @@ impl DrawnLayers {
     }
 }
 
-/// Slices of a picture into contributions, of which each adds up to the whole.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Contributions {
-    /// By layer of the looks' stacks.
-    Layers,
-    /// By light.
-    Lights,
-    /// By group of lights.
-    Groups,
-    /// By light, and of each light by layer.
-    LightsByLayer,
-}
-
-/// Words of the slices, for people.
-const SLICES: [(&str, Contributions); 4] = [
-    ("layers", Contributions::Layers),
-    ("lights", Contributions::Lights),
-    ("groups", Contributions::Groups),
-    ("lights-by-layer", Contributions::LightsByLayer),
-];
-
-/// Names for what comes of no light, of lights that cannot be told apart, and of lights that are
-/// in no group.
-const UNLIT: &str = "unlit";
-const MIXED: &str = "mixed";
-const UNGROUPED: &str = "ungrouped";
-
-impl Contributions {
-    /// The slices, each with its name for people.
-    pub fn all() -> impl Iterator<Item = (&'static str, Self)> {
-        SLICES.into_iter()
-    }
-
-    /// Name of the layer that a part of a stack belongs to.
-    fn name(self, part: &StackPart, layer: &str, lights: &Groups, naming: LayerNaming) -> String {
-        let light = match part.lights.iter().next() {
-            None => UNLIT,
-            Some(light) if part.lights.len() == 1 => light.as_str(),
-            Some(_) => MIXED,
-        };
-        match self {
-            Self::Layers => naming.of_layer(layer),
-            Self::Lights => naming.of_light(light),
-            Self::LightsByLayer => naming.of_light(&format!("{light}_{layer}")),
-            Self::Groups => naming.of_light(lights.of(&part.lights)),
-        }
-    }
-}
-
-/// Groups of a look's lights, by light.
-struct Groups(HashMap<LightId, Vec<String>>);
-
-impl Groups {
-    fn new(setup: &Setup, look: &Look) -> Self {
-        let lights = look.lights.iter().chain(&setup.scene.lights);
-        let groups = lights.map(|(id, light)| {
-            (id.clone(), light.groups.iter().map(ToString::to_string).collect())
-        });
-        Self(groups.collect())
-    }
-
-    /// The first group that all of these lights are in, or what stands for none.
-    fn of(&self, lights: &BTreeSet<LightId>) -> &str {
-        let mut lights =
-            lights.iter().map(|light| self.0.get(light).map_or(&[][..], Vec::as_slice));
-        let Some(first) = lights.next() else { return UNLIT };
-        let rest: Vec<&[String]> = lights.collect();
-        let is_of_all = |group: &&String| rest.iter().all(|groups| groups.contains(group));
-        match first.iter().find(is_of_all) {
-            Some(group) => group,
-            None if first.is_empty() && rest.iter().all(|groups| groups.is_empty()) => UNGROUPED,
-            None => MIXED,
-        }
-    }
-}
-
-/// The layers of contributions, and of their sum. Warns of looks whose stacks are followed by what
-/// cannot be parted.
-///
-/// # Errors
-/// Everything that is wrong with the looks.
-pub fn contributions(
-    setup: &Setup,
-    library: &Library,
-    time: f64,
-    slices: &[Contributions],
-    naming: LayerNaming,
-) -> Result<WithWarnings<Vec<AovRequest>>, Vec<Diagnostic>> {
-    let mut warnings = Vec::new();
-    let mut order: Vec<String> = Vec::new();
-    let mut steps: HashMap<String, BTreeMap<usize, BTreeSet<StepId>>> = HashMap::new();
-    let mut is_whole = true;
-    for index in 0..setup.looks.len() {
-        let Some(object) = setup.objects.iter().find(|object| object.looks.contains(&Some(index)))
-        else {
-            continue;
-        };
-        let look = setup.worn(index, object, time);
-        let StackParts { parts, after } = check(&look, library, None)?.value.stack_parts();
-        is_whole &= after.is_empty();
-        warnings.extend(after.first().map(|node| cannot_be_parted(&look, node)));
-        let groups = Groups::new(setup, &look);
-        let mut taken = HashSet::new();
-        // Copies of a node for each light are one layer.
-        let mut names: HashMap<&NodePath, String> = HashMap::new();
-        // Below first, as people read a stack.
-        for part in parts.iter().rev() {
-            let name = names.entry(&part.id.path);
-            let layer = name.or_insert_with(|| free_name(&part.name, &mut taken));
-            for slice in slices {
-                let name = slice.name(part, layer, &groups, naming);
-                if !steps.contains_key(&name) {
-                    order.push(name.clone());
-                }
-                let of_look = steps.entry(name).or_default().entry(index).or_default();
-                of_look.insert(part.id.clone());
+/// The named outputs of all looks, each once, in their order.
+pub fn named_outputs(setup: &Setup) -> Vec<AovRequest> {
+    let mut requests: Vec<AovRequest> = Vec::new();
+    for (look, worn) in setup.looks.iter().enumerate() {
+        for NamedAov { name, from } in &worn.look.aovs {
+            let source = (Some(look), AovSource::Wire(from.node.clone(), from.port.clone()));
+            let name = legal_name(name.as_str());
+            match requests.iter_mut().find(|request| request.name == name) {
+                Some(request) => request.sources.push(source),
+                None => requests.push(AovRequest { name, sources: vec![source] }),
             }
         }
     }
-    let whole = if is_whole { naming.of_whole() } else { format!("{}_stack", naming.of_whole()) };
-    let mut requests = vec![AovRequest { name: whole, sources: vec![(None, AovSource::Stack)] }];
-    requests.extend(order.into_iter().map(|name| {
-        let of_looks = steps.remove(&name).unwrap_or_default();
-        let source = |(look, steps)| (Some(look), AovSource::Steps(steps));
-        AovRequest { name, sources: of_looks.into_iter().map(source).collect() }
-    }));
-    Ok(WithWarnings::new(requests, warnings))
+    requests
 }
 
-fn cannot_be_parted(look: &Look, node: &NodePath) -> Diagnostic {
-    let message = format!(
-        "`{}` changes the sum of the layers of `{}` and cannot be parted: contributions add up to \
-         what goes into it",
-        node, look.name
-    );
-    Diagnostic::warning("not-parted", message)
-        .node(node.clone())
-        .hint("grade the layers before they are laid over one another, or grade in the compositor")
-}
-
-/// The contributions of lights by the lights' names, for a matte of them.
+/// The shadows that looks ask for, each light's as a layer of its own.
 ///
 /// # Errors
-/// As [`contributions`].
-pub fn light_shares(
+/// Everything that is wrong with the looks.
+pub fn shadow_outputs(
     setup: &Setup,
     library: &Library,
     time: f64,
 ) -> Result<Vec<AovRequest>, Vec<Diagnostic>> {
-    let slices = [Contributions::Lights];
-    let mut made = contributions(setup, library, time, &slices, LayerNaming::Bare)?.value;
-    // All but the sum.
-    made.remove(0);
-    Ok(made)
+    let mut requests: Vec<AovRequest> = Vec::new();
+    for look in 0..setup.looks.len() {
+        let wearer = setup.objects.iter().find(|object| object.looks.contains(&Some(look)));
+        let Some(wearer) = wearer else { continue };
+        let shadows = check(&setup.worn(look, wearer, time), library, None)?.value.shadow_outputs();
+        // Shadows of one light that are computed in other ways, such as of another size, get
+        // numbers.
+        let mut taken = HashSet::new();
+        for ShadowOutput { light, caster, source } in shadows {
+            let name = match caster {
+                "" => format!("shadow_{light}"),
+                caster => format!("shadow_{light}_{caster}"),
+            };
+            let name = free_name(&legal_name(&name), &mut taken);
+            let source = (Some(look), source);
+            match requests.iter_mut().find(|request| request.name == name) {
+                Some(request) => request.sources.push(source),
+                None => requests.push(AovRequest { name, sources: vec![source] }),
+            }
+        }
+    }
+    Ok(requests)
 }
 
-/// The layer of an output of a node, from `NAME=NODE.OUTPUT` or `NAME=LOOK:NODE.OUTPUT`.
+/// The layer of an output of a node, from `NAME=NODE.OUTPUT` or `NAME=LOOK:NODE.OUTPUT`, or of an
+/// output that a look names.
 ///
 /// # Errors
 /// `aov` with the form, and names of looks that are near.
 pub fn wire_request(setup: &Setup, text: &str) -> Result<AovRequest, Diagnostic> {
     let form = || {
         Diagnostic::error("aov", format!("`{text}` names no layer"))
-            .hint("write --aov NAME=NODE.OUTPUT, or --aov list to see what there is")
+            .hint("write --aov NAME=NODE.OUTPUT; --list-aovs shows what there is")
     };
-    let (name, wire) = text.split_once('=').ok_or_else(form)?;
+    let Some((name, wire)) = text.split_once('=') else {
+        let named = named_outputs(setup);
+        let names: Vec<String> = named.iter().map(|request| request.name.clone()).collect();
+        let found = named.into_iter().find(|request| request.name == text);
+        return found.ok_or_else(|| form().suggest(text, names.iter().map(String::as_str)));
+    };
     let (look, wire) = match wire.rsplit_once(':') {
         Some((look, wire)) => (Some(look), wire),
         None => (None, wire),

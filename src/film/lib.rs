@@ -14,6 +14,7 @@ use chiaro_language::{diag, ids, progress};
 use chiaro_scene::{frame, geometry};
 
 mod animation;
+mod contributions;
 mod cryptomatte;
 pub mod exr;
 pub mod farm;
@@ -24,15 +25,17 @@ mod naming;
 mod plan_hash;
 pub mod sheet;
 mod stored;
+mod tables;
 
 pub use animation::{animated, rgb8};
+pub use contributions::{ContributionLayers, Contributions, contributions, light_shares};
 pub use cryptomatte::{Cryptomatte, MatteCoverage};
 pub use document::FrameRate;
 pub use frames::{FrameList, FramePattern};
 pub use layers::{
-    AskedLayers, Contributions, DrawnLayers, LayeredPlan, MatteKind, contributions, light_shares,
-    wire_request,
+    AskedLayers, DrawnLayers, LayeredPlan, MatteKind, named_outputs, shadow_outputs, wire_request,
 };
 pub use naming::{LayerNaming, free_name, is_legal, legal_name};
 pub use plan_hash::PlanHasher;
 pub use stored::{FrameDifference, PLAN_NOTE, StoredFrame};
+pub use tables::{CUBE, LayerTable};

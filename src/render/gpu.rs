@@ -11,6 +11,9 @@ use crate::frame::FramePlan;
 use crate::hcbtf::TexelCoding;
 use crate::{hcbtf, milestones};
 
+/// Format of pictures in 32-bit floats.
+const FLOATS: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
+
 /// A device of our own or of a window, with its store of uploaded resources.
 #[derive(Clone, Debug)]
 pub struct Gpu {
@@ -22,6 +25,8 @@ pub struct Gpu {
     pub info: wgpu::AdapterInfo,
     /// Format that pictures are drawn in.
     pub(super) picture: wgpu::TextureFormat,
+    /// True if the device can blend and average several samples of 32-bit floats.
+    samples_floats: bool,
     /// Errors that no scope caught, and the loss of the device.
     problem: Arc<Mutex<Option<RenderError>>>,
     /// Resources that were uploaded and compiled, shared by all renderers.
@@ -80,12 +85,23 @@ impl Gpu {
         }
         let adapter = found.ok_or(RenderError::NoAdapter { message: failure })?;
         milestones::reached("adapter");
-        let descriptor = device_descriptor(&adapter);
+        let mut descriptor = device_descriptor(&adapter);
+        // What a format can do beyond what WebGPU says of all devices.
+        let own = wgpu::Features::TEXTURE_ADAPTER_SPECIFIC_FORMAT_FEATURES;
+        descriptor.required_features |= adapter.features() & own;
         let refused =
             |error: wgpu::RequestDeviceError| RenderError::NoAdapter { message: error.to_string() };
         let (device, queue) = adapter.request_device(&descriptor).await.map_err(refused)?;
         milestones::reached("device");
-        Ok(Self::new(device, queue, adapter.get_info()))
+        let samples_floats = device.features().contains(own) && {
+            let flags = adapter.get_texture_format_features(FLOATS).flags;
+            flags.contains(
+                wgpu::TextureFormatFeatureFlags::MULTISAMPLE_X4
+                    | wgpu::TextureFormatFeatureFlags::MULTISAMPLE_RESOLVE
+                    | wgpu::TextureFormatFeatureFlags::BLENDABLE,
+            )
+        };
+        Ok(Self { samples_floats, ..Self::new(device, queue, adapter.get_info()) })
     }
 
     /// Wraps a device that was opened by others.
@@ -101,7 +117,8 @@ impl Gpu {
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             set(&uncaught, from_wgpu(error));
         }));
-        Self { device, queue, info, picture: PICTURE, problem, store: Store::default() }
+        let store = Store::default();
+        Self { device, queue, info, picture: PICTURE, samples_floats: false, problem, store }
     }
 
     /// The device with pictures in 32-bit floats if it can blend them: for comparisons, with one
@@ -109,10 +126,25 @@ impl Gpu {
     #[must_use]
     pub fn precise(&self) -> Self {
         let can = self.device.features().contains(wgpu::Features::FLOAT32_BLENDABLE);
-        Self {
-            picture: if can { wgpu::TextureFormat::Rgba32Float } else { PICTURE },
-            ..self.clone()
+        Self { picture: if can { FLOATS } else { PICTURE }, ..self.clone() }
+    }
+
+    /// The device with pictures and layers in 32-bit floats, with so many samples a pixel.
+    ///
+    /// # Errors
+    /// A warning of a device that cannot blend or average them.
+    pub fn in_floats(&self, samples: u32) -> Result<Self, Diagnostic> {
+        let blends = self.device.features().contains(wgpu::Features::FLOAT32_BLENDABLE);
+        if blends && (samples == 1 || self.samples_floats) {
+            return Ok(self.precise());
         }
+        let lacks = if blends { "average samples" } else { "blend" };
+        let message = format!(
+            "{} cannot {lacks} in 32 bits: numbers are drawn in 16 bits and written in 32",
+            self.name()
+        );
+        let hint = if blends { "--samples 1 draws in 32 bits" } else { "--on reference can" };
+        Err(Diagnostic::warning("no-floats", message).hint(hint))
     }
 
     /// The device with a store of its own, which frees its resources when it is dropped: for

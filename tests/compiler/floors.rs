@@ -49,8 +49,8 @@ const CRATES: &[(&str, &[&[&str]])] = &[
     (
         "film",
         &[
-            &["frames", "label", "naming"],
-            &["exr"],
+            &["frames", "label", "naming", "tables"],
+            &["contributions", "exr"],
             &["cryptomatte"],
             &["layers"],
             &["animation", "farm", "plan_hash", "sheet"],

@@ -5,7 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use chiaro::compile::{AovSource, CompileOptions, compile};
+use chiaro::document::Look;
 use chiaro::film::exr::{self, ExrContent, SampleType};
+use chiaro::library::Library;
 use serde_json::{Value as Json, json};
 
 use crate::support::{root, validators::say};
@@ -350,4 +353,362 @@ fn others_read_the_layers_and_decode_the_mattes() {
     assert_eq!(found["names"], json!(["left", "right"]));
     assert!(found["coverage"].as_f64().unwrap() < 1e-6, "{found}");
     assert!(found["sum"].as_f64().unwrap() < 4.0 * 2.0_f64.powi(-11), "{found}");
+}
+
+/// A look of two lamps, key and rim, of which `group` makes one color; `wire` leads from there.
+fn lamps_look(join: &str, nodes: &[Json], wires: &[Json]) -> Json {
+    let of_light =
+        |id: &str, kind: &str, values: Json| json!({"id": id, "kind": kind, "values": values});
+    let wire = |from: &str, to: &str| json!({"from": from, "to": to});
+    let output = if join == "sum_of_lights" { "sum" } else { "greatest" };
+    let own = [
+        json!({"id": "lamps", "kind": "each_lamp", "for_each": "*"}),
+        json!({"id": "output", "kind": "output"}),
+    ];
+    json!({
+        "chiaro": "look", "version": 1, "name": "Lamps",
+        "lights": {
+            "key": {"direction": [-0.5, 0.6, 0.6], "color": [1.0, 0.8, 0.5], "intensity": 0.6},
+            "rim": {"direction": [0.6, 0.3, 0.6], "color": [0.3, 0.6, 1.0], "intensity": 0.4}
+        },
+        "definitions": {"each_lamp": {
+            "outputs": [{"name": "color"}],
+            "nodes": [
+                of_light("lamp", "light", json!({})),
+                of_light("angle", "parametrization", json!({})),
+                of_light("tone", "profile", json!({})),
+                of_light("parts", "light_parts", json!({})),
+                of_light("strength", "multiply", json!({})),
+                of_light("lit", "multiply", json!({})),
+                of_light("join", join, json!({}))
+            ],
+            "wires": [
+                wire("lamp", "angle.light"), wire("angle", "tone.angle"),
+                wire("lamp", "parts.light"), wire("parts.color", "strength.a"),
+                wire("parts.intensity", "strength.b"), wire("strength", "lit.a"),
+                wire("tone", "lit.b"), wire("lit", "join.value"),
+                wire(&format!("join.{output}"), "outputs.color")
+            ]
+        }},
+        "nodes": own.iter().chain(nodes).collect::<Vec<_>>(),
+        "wires": wires
+    })
+}
+
+/// A layer of lamps that is multiplied, added to and limited.
+fn plain_lamps(join: &str) -> Json {
+    let nodes = [
+        json!({"id": "paint", "kind": "multiply", "values": {"b": [0.9, 0.7, 0.5, 1.0]}}),
+        json!({"id": "night", "kind": "add", "values": {"b": [0.02, 0.03, 0.06, 1.0]}}),
+        json!({"id": "limit", "kind": "limit_color"}),
+    ];
+    let wires = [
+        json!({"from": "lamps.color", "to": "paint.a"}),
+        json!({"from": "paint", "to": "night.a"}),
+        json!({"from": "night", "to": "limit.color"}),
+        json!({"from": "limit", "to": "output.color"}),
+    ];
+    lamps_look(join, &nodes, &wires)
+}
+
+#[test]
+fn lights_of_one_sum_are_told_apart() {
+    let folder = RenderFolder::new();
+    let path = folder.path("lamps.json");
+    let mut look = plain_lamps("sum_of_lights");
+    fs::write(&path, look.to_string()).unwrap();
+    let asked = ["--aov", "lights", "--mesh", "shape:sphere", "--samples", "1"];
+    let drawn = folder.layers(&path, &asked);
+    let names: Vec<_> = drawn.names().into_iter().filter(|name| name.ends_with(".R")).collect();
+    assert_eq!(names, ["beauty.R", "light_key.R", "light_rim.R", "light_unlit.R"]);
+    assert!(drawn.worst_sum("light_", "beauty") <= 1.0);
+    let exact = folder.layers(&path, &[&asked[..], &["--on", "reference"]].concat());
+    assert!(exact.worst_sum("light_", "beauty") <= 1.0);
+    // What a light adds is what goes when it goes out.
+    look["lights"]["rim"]["intensity"] = json!(0.0);
+    fs::write(&path, look.to_string()).unwrap();
+    let without = folder.layers(&path, &asked);
+    let mut seen = 0;
+    for channel in ["R", "G", "B"] {
+        let of = |layer: &str| drawn.channel(&format!("{layer}.{channel}"));
+        let alone = without.channel(&format!("beauty.{channel}"));
+        let truth = exact.channel(&format!("light_rim.{channel}"));
+        for pixel in 0..alone.len() {
+            let rest = of("beauty")[pixel] - of("light_rim")[pixel];
+            assert!((rest - alone[pixel]).abs() < 2e-3, "{channel} {pixel}");
+            if exact.channel("A")[pixel] == drawn.channel("A")[pixel] {
+                assert!((truth[pixel] - of("light_rim")[pixel]).abs() < 2e-3, "{channel} {pixel}");
+            }
+            seen += usize::from(of("light_rim")[pixel] > 0.05);
+        }
+    }
+    assert!(seen > 100, "the rim is seen");
+}
+
+#[test]
+fn the_greatest_light_has_all_of_what_it_wins() {
+    let folder = RenderFolder::new();
+    let path = folder.path("lamps.json");
+    fs::write(&path, plain_lamps("greatest_of_lights").to_string()).unwrap();
+    let asked = ["--aov", "lights", "--mesh", "shape:sphere", "--samples", "1"];
+    let drawn = folder.layers(&path, &asked);
+    assert!(drawn.worst_sum("light_", "beauty") <= 1.0);
+    let mut won = [0, 0];
+    for channel in ["R", "G", "B"] {
+        let [key, rim] =
+            ["key", "rim"].map(|light| drawn.channel(&format!("light_{light}.{channel}")));
+        for (key, rim) in key.iter().zip(rim) {
+            assert!(key.min(*rim) == 0.0, "one has all: {key} {rim}");
+            won[0] += usize::from(*key > 0.0);
+            won[1] += usize::from(*rim > 0.0);
+        }
+    }
+    assert!(won[0] > 100 && won[1] > 100, "{won:?}");
+}
+
+/// A look in which a node bends the sum of two lights' tones.
+fn bent_look(kind: &str, values: Json) -> Json {
+    let light = |id: &str| {
+        [
+            json!({"id": format!("{id}_lamp"), "kind": "light", "values": {"light": id}}),
+            json!({"id": format!("{id}_angle"), "kind": "parametrization"}),
+            json!({"id": format!("{id}_tone"), "kind": "profile"}),
+        ]
+    };
+    let leads = |id: &str, to: &str| {
+        [
+            json!({"from": format!("{id}_lamp"), "to": format!("{id}_angle.light")}),
+            json!({"from": format!("{id}_angle"), "to": format!("{id}_tone.angle")}),
+            json!({"from": format!("{id}_tone"), "to": to}),
+        ]
+    };
+    let own = [
+        json!({"id": "both", "kind": "add"}),
+        json!({"id": "cut", "kind": kind, "values": values}),
+        json!({"id": "ground", "kind": "base", "values": {"color": [0.0, 0.0, 0.0, 1.0]}}),
+        json!({"id": "stack", "kind": "blend", "values": {"color": [1.0, 1.0, 1.0, 1.0]}}),
+        json!({"id": "output", "kind": "output"}),
+    ];
+    let wires = [
+        json!({"from": "both", "to": "cut.value"}),
+        json!({"from": "cut", "to": "stack.tone"}),
+        json!({"from": "ground", "to": "stack.below"}),
+        json!({"from": "stack", "to": "output.color"}),
+    ];
+    json!({
+        "chiaro": "look", "version": 1, "name": "Bent",
+        "lights": {
+            "key": {"direction": [-0.5, 0.6, 0.6]}, "rim": {"direction": [0.8, 0.2, 0.4]}
+        },
+        "nodes": light("key").iter().chain(&light("rim")).chain(&own).collect::<Vec<_>>(),
+        "wires": leads("key", "both.a").iter().chain(&leads("rim", "both.b")).chain(&wires)
+            .collect::<Vec<_>>()
+    })
+}
+
+/// A table of one column that counts, by linear interpolation.
+struct Cube {
+    last: f64,
+    rows: Vec<f64>,
+}
+
+impl Cube {
+    fn read(path: &Path) -> Self {
+        let text = fs::read_to_string(path).unwrap();
+        let numbers = |line: &str| -> Vec<f64> {
+            line.split_whitespace().filter_map(|word| word.parse().ok()).collect()
+        };
+        let last =
+            text.lines().find(|line| line.starts_with("DOMAIN_MAX")).map(numbers).unwrap()[0];
+        let is_row = |line: &&str| line.starts_with(|c: char| c.is_ascii_digit() || c == '-');
+        Self { last, rows: text.lines().filter(is_row).map(|line| numbers(line)[0]).collect() }
+    }
+
+    fn at(&self, value: f64) -> f64 {
+        let place = (value / self.last).clamp(0.0, 1.0) * (self.rows.len() - 1) as f64;
+        let below = (place as usize).min(self.rows.len() - 2);
+        let share = place - below as f64;
+        self.rows[below] * (1.0 - share) + self.rows[below + 1] * share
+    }
+}
+
+#[test]
+fn what_bends_a_sum_is_refused_and_given_as_a_table() {
+    let folder = RenderFolder::new();
+    let path = folder.path("bent.json");
+    let asked = ["--aov", "lights", "--mesh", "shape:sphere", "--samples", "1", "--depth", "float"];
+    for (kind, values) in [
+        ("smooth_step_value", json!({"low": 0.2, "high": 1.6})),
+        ("threshold", json!({"edge": 0.7, "softness": 0.3})),
+    ] {
+        fs::write(&path, bent_look(kind, values).to_string()).unwrap();
+        let told = folder.run(&path, &[&asked[..], &["-o", "out.exr", "--force"]].concat());
+        let told = String::from_utf8_lossy(&told.stderr).into_owned();
+        assert!(
+            told.contains("`cut` of `Bent` bends") && told.contains("before_cut.cube"),
+            "{told}"
+        );
+        let drawn = folder.layers(&path, &asked);
+        let cube = Cube::read(&folder.path("out.before_cut.cube"));
+        let (value, layer) = (drawn.channel("before_cut.V"), drawn.channel("light_mixed.R"));
+        let (mut seen, mut wrong) = (0, 0);
+        for (pixel, value) in value.iter().enumerate() {
+            let found = cube.at(f64::from(*value));
+            let off = (found - f64::from(layer[pixel])).abs();
+            wrong += usize::from(off >= 2.0_f64.powi(-10));
+            seen += usize::from(found > 0.1 && found < 0.9);
+        }
+        // An edge is as wide as a pixel where that is wider than its softness.
+        let most = if kind == "threshold" { value.len() / 50 } else { 0 };
+        assert!(seen > 50 && wrong <= most, "{kind}: {seen} seen, {wrong} wrong");
+        let header = fs::read(folder.path("out.exr")).unwrap();
+        let name = b"out.before_cut.cube";
+        assert!(header.windows(name.len()).any(|bytes| bytes == name), "the header names it");
+    }
+    // A sum of what was cut by each light can be parted, and nothing is told.
+    let mut each = bent_look("clamp_range", json!({}));
+    each["nodes"][3]["kind"] = json!("maximum");
+    fs::write(&path, each.to_string()).unwrap();
+    let drawn = folder.layers(&path, &asked);
+    assert!(!drawn.names().iter().any(|name| name.contains("mixed")), "{:?}", drawn.names());
+}
+
+#[test]
+fn names_of_a_look_and_shadows_are_layers() {
+    let folder = RenderFolder::with_scene();
+    let path = folder.path("look.json");
+    let mut look: Json = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    look["aovs"] =
+        json!([{"name": "rim_mask", "from": "rim.tone"}, {"name": "soil", "from": "base"}]);
+    fs::write(&path, look.to_string()).unwrap();
+    let scene = folder.path("scene.json");
+    let asked = ["--aov", "named", "--aov", "same=rim.tone", "--samples", "1"];
+    let drawn = folder.layers(&scene, &asked);
+    assert_eq!(drawn.channel("rim_mask.V"), drawn.channel("same.V"));
+    assert!(drawn.names().contains(&"soil.R"), "{:?}", drawn.names());
+    let one = folder.layers(&scene, &["--aov", "rim_mask", "--samples", "1"]);
+    assert_eq!(one.channel("rim_mask.V"), drawn.channel("rim_mask.V"));
+    let listed = folder.run(&scene, &["--list-aovs"]);
+    assert!(String::from_utf8_lossy(&listed.stdout).contains("rim_mask  --aov named"));
+    let wrong = folder.run(&scene, &["-o", "a.exr", "--aov", "rim_masc"]);
+    assert!(String::from_utf8_lossy(&wrong.stderr).contains("did you mean `rim_mask`"));
+
+    let street = root().join("examples/scenes/comic-street.json");
+    let drawn = folder.layers(&street, &["--aov", "shadows", "--samples", "1"]);
+    let shadows: Vec<&str> =
+        drawn.names().into_iter().filter(|name| name.ends_with(".V")).collect();
+    assert!(shadows.iter().all(|name| name.starts_with("shadow_")), "{shadows:?}");
+    assert!(shadows.len() > 1 && shadows.iter().any(|name| name.ends_with("_self.V")));
+    for name in shadows {
+        let numbers = drawn.channel(name);
+        assert!(numbers.iter().all(|x| (-1e-3..=1.001).contains(x)), "{name}");
+        assert!(numbers.iter().any(|x| *x > 0.5), "{name} is seen");
+    }
+}
+
+#[test]
+fn floats_are_nearer_the_truth_than_halves() {
+    let folder = RenderFolder::with_scene();
+    let scene = folder.path("scene.json");
+    let asked = ["--aov", "lit=key/lit.color", "--aov", "layers", "--samples", "1", "--depth"];
+    let worst = |drawn: &FileLayers, truth: &FileLayers| {
+        let mut worst = 0.0_f32;
+        for name in ["lit.R", "lit.G", "beauty.R", "layer_RIM.B"] {
+            let same = drawn.channel("A").iter().zip(truth.channel("A")).enumerate();
+            for (pixel, _) in same.filter(|(_, (a, b))| a == b) {
+                worst = worst.max((drawn.channel(name)[pixel] - truth.channel(name)[pixel]).abs());
+            }
+        }
+        worst
+    };
+    let with =
+        |depth: &str, more: &[&str]| folder.layers(&scene, &[&asked[..], &[depth], more].concat());
+    let truth = with("float", &["--on", "reference"]);
+    let (half, float) = (with("half", &[]), with("float", &[]));
+    let (half, float) = (worst(&half, &truth), worst(&float, &truth));
+    assert!(float < 0.1 * half && half < 1e-3, "half {half}, float {float}");
+    // Several samples are averaged in 32 bits, too: the sum of layers is nearer than halves are.
+    let drawn = folder.layers(&scene, &["--aov", "layers", "--depth", "float"]);
+    assert!(drawn.worst_sum("layer_", "beauty") < 0.01);
+}
+
+#[test]
+fn layers_of_what_is_transparent_and_cut_out_are_the_picture() {
+    let folder = RenderFolder::with_scene();
+    let path = folder.path("look.json");
+    let plain: Json = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    let mut glass = plain.clone();
+    glass["nodes"][0]["values"]["color"] = json!([0.2, 0.1, 0.3, 0.4]);
+    fs::write(folder.path("glass.json"), glass.to_string()).unwrap();
+    // Half of it is cut away by its own tone.
+    let mut cut = glass.clone();
+    cut["nodes"][3]["values"] = json!({"cutoff": 0.55});
+    fs::write(folder.path("cut.json"), cut.to_string()).unwrap();
+    let object = |id: &str, look: &str, at: [f64; 3]| json!({"id": id, "mesh": "shape:sphere", "looks": {"*": look}, "transform": {"translate": at}});
+    let scene = json!({
+        "chiaro": "scene", "version": 1,
+        "outlines": {"width": 0.01},
+        "objects": [
+            object("behind", "look.json", [0.0, 0.0, -1.0]),
+            object("before", "glass.json", [-0.5, 0.0, 0.6]),
+            object("holes", "cut.json", [0.7, 0.0, 0.6])
+        ]
+    });
+    fs::write(folder.path("scene.json"), scene.to_string()).unwrap();
+    let asked =
+        ["--aov", "layers", "--aov", "seen=base.below", "--samples", "1", "--depth", "float"];
+    let without = |value: &Json| {
+        let mut scene = value.clone();
+        scene.as_object_mut().unwrap().remove("outlines");
+        scene
+    };
+    for (with_ink, on) in [(false, "gpu"), (true, "gpu"), (false, "reference")] {
+        let now = if with_ink { scene.clone() } else { without(&scene) };
+        fs::write(folder.path("now.json"), now.to_string()).unwrap();
+        let asked = [&asked[..], &["--on", on]].concat();
+        let drawn = folder.layers(&folder.path("now.json"), &asked);
+        assert!(drawn.worst_sum("layer_", "beauty") <= 0.1, "{on}");
+        let alpha = drawn.channel("A");
+        let partly = alpha.iter().filter(|a| **a > 0.0 && **a < 1.0).count();
+        assert!(partly > 50, "{on}: {partly} pixels are seen through");
+        if with_ink {
+            continue;
+        }
+        for channel in ["R", "G", "B"] {
+            let shown = drawn.channel(&format!("beauty.{channel}"));
+            for (pixel, light) in drawn.channel(channel).iter().enumerate() {
+                let alpha = f64::from(alpha[pixel]);
+                let straight = if alpha > 0.0 { f64::from(shown[pixel]) / alpha } else { 0.0 };
+                let decoded = match straight <= 0.04045 {
+                    true => straight / 12.92,
+                    false => ((straight + 0.055) / 1.055).powf(2.4),
+                };
+                let off = (decoded * alpha - f64::from(*light)).abs();
+                assert!(off < 1e-4, "{on} {channel} {pixel}: {decoded} * {alpha}, {light}");
+            }
+        }
+    }
+    // A backdrop is behind the picture, and in no layer.
+    let drawn = folder.layers(&folder.path("now.json"), &asked);
+    let backed = [&asked[..], &["--backdrop", "#804020"]].concat();
+    let backed = folder.layers(&folder.path("now.json"), &backed);
+    assert_eq!(drawn.channel("beauty.R"), backed.channel("beauty.R"));
+    assert!(backed.channel("A").iter().all(|alpha| *alpha == 1.0));
+}
+
+#[test]
+fn layers_that_nobody_asks_for_cost_nothing() {
+    let folder = RenderFolder::with_scene();
+    let path = folder.path("look.json");
+    let wgsl = |path: &Path, aovs: Vec<AovSource>| {
+        let look = Look::read(&fs::read_to_string(path).unwrap(), "look.json").value.unwrap();
+        let options = CompileOptions { aovs, ..CompileOptions::default() };
+        compile(&look, Library::built_in(), &options).unwrap().value.wgsl.to_string()
+    };
+    let plain = wgsl(&path, Vec::new());
+    let mut look: Json = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    look["aovs"] = json!([{"name": "rim_mask", "from": "rim.tone"}]);
+    fs::write(&path, look.to_string()).unwrap();
+    assert_eq!(wgsl(&path, Vec::new()), plain);
+    assert_ne!(wgsl(&path, vec![AovSource::Stack]), plain);
 }

@@ -1,6 +1,6 @@
 //! Layers that `chiaro render` writes beside the picture: `--aov`, `--matte`, `--naming`.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
@@ -8,12 +8,19 @@ use super::Arguments;
 use super::format::PictureFormat;
 use crate::compile::wire_outputs;
 use crate::diag::{Diagnostic, WithWarnings};
+use crate::files::Outputs;
+use crate::film::exr::ExrAttribute;
 use crate::film::{
-    AskedLayers, Contributions, LayerNaming, MatteKind, contributions, light_shares, wire_request,
+    AskedLayers, CUBE, ContributionLayers, Contributions, FramePattern, LayerNaming, LayerTable,
+    MatteKind, contributions, light_shares, named_outputs, shadow_outputs, wire_request,
 };
 use crate::frame::Setup;
 use crate::library::Library;
 use crate::output::Output;
+
+/// Words for the named outputs of all looks, and for the shadows of all lights.
+const NAMED: &str = "named";
+const SHADOWS: &str = "shadows";
 
 pub(super) fn parse_matte(text: &str) -> Result<MatteKind, String> {
     word(text, MatteKind::all())
@@ -56,19 +63,25 @@ pub(super) fn asked(
     asked.mattes.sort();
     asked.mattes.dedup();
     let mut slices = Vec::new();
+    let time = arguments.time_of(setup);
+    let moved = setup.at(time);
     for text in &arguments.aovs {
         match Contributions::all().find(|(name, _)| name == text) {
             Some((_, slice)) if slices.contains(&slice) => {}
             Some((_, slice)) => slices.push(slice),
+            None if text == NAMED => asked.aovs.extend(named_outputs(setup)),
+            None if text == SHADOWS => {
+                asked.aovs.extend(shadow_outputs(&moved, library, time)?);
+            }
             None => asked.aovs.push(wire_request(setup, text).map_err(one)?),
         }
     }
     let mut warnings = Vec::new();
-    let time = arguments.time_of(setup);
-    let moved = setup.at(time);
     if !slices.is_empty() {
         let made = contributions(&moved, library, time, &slices, arguments.naming)?;
-        asked.aovs.splice(0..0, made.tell(&mut warnings));
+        let ContributionLayers { layers, tables } = made.tell(&mut warnings);
+        asked.aovs.splice(0..0, layers);
+        asked.tables = tables;
     }
     if asked.mattes.contains(&MatteKind::Lights) {
         asked.lights = light_shares(&moved, library, time)?;
@@ -77,12 +90,66 @@ pub(super) fn asked(
     Ok(WithWarnings::new(asked, warnings))
 }
 
+/// Checks that the tables of layers can be written beside the picture, and lets the header say
+/// which file is whose.
+///
+/// # Errors
+/// As [`Outputs::check`].
+pub(super) fn check_tables(
+    asked: &mut AskedLayers,
+    (target, pattern): (&Path, Option<&FramePattern>),
+    outputs: &Outputs,
+) -> Result<(), Diagnostic> {
+    for LayerTable { layer, .. } in &asked.tables {
+        let path = table_path(target, pattern, layer);
+        outputs.check(&path, CUBE)?;
+        let text = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        asked.notes.push(ExrAttribute { name: format!("chiaro/table/{layer}"), text });
+    }
+    Ok(())
+}
+
+/// Writes the tables of layers beside the picture.
+///
+/// # Errors
+/// As [`Outputs::write`].
+pub(super) fn write_tables(
+    asked: &AskedLayers,
+    (target, pattern): (&Path, Option<&FramePattern>),
+    outputs: &mut Outputs,
+) -> Result<(), Diagnostic> {
+    let mut tables = asked.tables.iter();
+    tables.try_for_each(|table| {
+        outputs.write(&table_path(target, pattern, &table.layer), CUBE, &table.cube())
+    })
+}
+
+fn table_path(target: &Path, pattern: Option<&FramePattern>, layer: &str) -> PathBuf {
+    match pattern {
+        Some(pattern) => pattern.beside(&format!("{layer}.cube")),
+        None => target.with_extension(format!("{layer}.cube")),
+    }
+}
+
 /// Lists the outputs of nodes that `--aov` can name.
 pub(super) fn list(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let mut warnings = Vec::new();
     let stage = arguments.open(&mut warnings)?;
     output.diagnostics(&warnings);
     let mut told = Vec::new();
+    let time = stage.options.time;
+    let words = [
+        (NAMED, named_outputs(&stage.setup)),
+        (SHADOWS, shadow_outputs(&stage.setup.at(time), &stage.library, time)?),
+    ];
+    for (word, request) in words.iter().flat_map(|(word, of)| of.iter().map(move |it| (word, it))) {
+        let name = &request.name;
+        if arguments.json {
+            told.push(json!({"layer": name, "by": word}));
+        } else {
+            output.result(&format!("{name}  --aov {word}"));
+        }
+    }
     for (index, _) in stage.setup.looks.iter().enumerate() {
         let objects = &stage.setup.objects;
         let wearer = objects.iter().find(|object| object.looks.contains(&Some(index)));

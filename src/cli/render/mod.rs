@@ -105,8 +105,9 @@ pub(super) struct Arguments {
     #[arg(long, default_value = "zip", value_parser = parse_compression)]
     compression: LosslessCompression,
     /// A layer of an EXR beside the picture: `NAME=NODE.OUTPUT` for an output of a node (of one
-    /// look alone `NAME=LOOK:NODE.OUTPUT`), or `layers`, `lights`, `groups` or `lights-by-layer`
-    /// for what each of them adds to the picture; may be given several times
+    /// look alone `NAME=LOOK:NODE.OUTPUT`), `NAME` for one that looks name, `named` for all of
+    /// those, `shadows` for those of each light, or `layers`, `lights`, `groups` or
+    /// `lights-by-layer` for what each of them adds to the picture; may be given several times
     #[arg(long = "aov", value_name = "NAME=NODE.OUTPUT")]
     aovs: Vec<String>,
     /// Lists the outputs that --aov can name, and ends
@@ -234,25 +235,28 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let clock = Clock::start();
     let mut warnings = Vec::new();
     let mut stage = arguments.open(&mut warnings)?;
+    let pattern = sequence.as_ref().map(|sequence| &sequence.pattern);
+    layers::check_tables(&mut stage.asked, (target, pattern), &outputs).map_err(one)?;
     // How many layers one draw can write is the executor's to say.
     let mut early = None;
     if !stage.asked.is_empty() {
-        let executor = executor(arguments.on, output).await.map_err(one)?;
+        let executor = arguments.executor(output).await.map_err(one)?;
         stage.most_layers = executor.most_layers();
         early = Some(executor);
     }
-    if let Some(FrameFiles { frames, rate, pattern }) = &sequence {
+    if let Some(FrameFiles { frames, rate, pattern: files }) = &sequence {
         refuse_warnings(arguments.strict, &mut warnings)?;
         output.diagnostics(&warnings);
         reads_all(&mut outputs, &stage.setup, &stage.planner.assets);
+        layers::write_tables(&stage.asked, (target, pattern), &mut outputs).map_err(one)?;
         let mut executor = match early {
             Some(executor) => executor,
-            None => executor(arguments.on, output).await.map_err(one)?,
+            None => arguments.executor(output).await.map_err(one)?,
         };
         let sequence = Sequence {
             frames,
             rate: *rate,
-            pattern,
+            pattern: files,
             format,
             is_strict: arguments.strict,
             has_json: arguments.json,
@@ -262,13 +266,13 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     }
     let options = stage.options.clone();
     let plan = stage.plan(&options)?.tell(&mut warnings);
-    let Stage { setup, library, planner, .. } = &mut stage;
+    let Stage { setup, library, planner, asked, .. } = &mut stage;
     milestones::reached("first shaders");
     refuse_warnings(arguments.strict, &mut warnings)?;
     output.diagnostics(&warnings);
     let mut executor = match early {
         Some(executor) => executor,
-        None => executor(arguments.on, output).await.map_err(one)?,
+        None => arguments.executor(output).await.map_err(one)?,
     };
     let of_device = executor.warnings(plan.picture());
     let drawn = output
@@ -288,6 +292,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     };
     let bytes = format.encode(&drawn, &header).map_err(one)?;
     reads_all(&mut outputs, setup, &planner.assets);
+    layers::write_tables(asked, (target, pattern), &mut outputs).map_err(one)?;
     outputs.write(target, format.kind(), &bytes).map_err(one)?;
     let [width, height] = drawn.picture.size;
     let (file, adapter) = (target.display().to_string(), executor.name());
@@ -434,15 +439,44 @@ pub(super) fn size_of(asked: Option<&Size>, setup: &Setup) -> [u32; 2] {
     [(SIDE * aspect).round() as u32, SIDE as u32]
 }
 
+impl Arguments {
+    /// The executor of the picture's depth.
+    async fn executor(&self, output: &Output) -> Result<Box<dyn Executor>, Diagnostic> {
+        let samples = (self.depth == SampleType::Float).then_some(self.samples);
+        deep_executor(self.on, samples, output).await
+    }
+}
+
 /// The executor: a GPU if there is one and the reference was not asked for, else the reference.
 pub(super) async fn executor(
     on: Option<ExecutorChoice>,
     output: &Output,
 ) -> Result<Box<dyn Executor>, Diagnostic> {
+    deep_executor(on, None, output).await
+}
+
+/// [`executor`] that draws in floats of 32 bits where a number of samples a pixel is given.
+async fn deep_executor(
+    on: Option<ExecutorChoice>,
+    float_samples: Option<u32>,
+    output: &Output,
+) -> Result<Box<dyn Executor>, Diagnostic> {
+    #[cfg(not(feature = "gpu"))]
+    let _ = float_samples;
     #[cfg(feature = "gpu")]
     if on != Some(ExecutorChoice::Reference) {
         match Gpu::headless().await {
-            Ok(gpu) => return Ok(gpu.executor()),
+            Ok(gpu) => {
+                let deep = float_samples.map(|samples| gpu.in_floats(samples));
+                return Ok(match deep {
+                    Some(Ok(deep)) => deep.executor(),
+                    Some(Err(warning)) => {
+                        output.diagnostics(&[warning]);
+                        gpu.executor()
+                    }
+                    None => gpu.executor(),
+                });
+            }
             Err(error) if on.is_none() => output.message(&format!(
                 "{error}: drawing on the reference, in software, which takes seconds"
             )),

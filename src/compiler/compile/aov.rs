@@ -11,8 +11,10 @@ use std::collections::HashSet;
 
 use super::check::{TypedGraph, TypedNode, TypedSource, check};
 use super::flatten::FlatGraph;
-use crate::diag::Diagnostic;
-use crate::document::Look;
+use super::parting::{BentSum, Parting};
+use super::transfer::Transfer;
+use crate::diag::{Diagnostic, Severity};
+use crate::document::{Look, NamedAov, Target};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::library::{Library, LightFeed, Treatment, Type};
 
@@ -23,6 +25,8 @@ pub enum AovSource {
     Nothing,
     /// An output of a node, by its path and name.
     Wire(NodePath, PortName),
+    /// An output of a node's copy for a light, in a group that runs for each.
+    Copy(NodePath, PortName, LightId),
     /// The sum of the contributions of these steps of the look's stack.
     Steps(BTreeSet<StepId>),
     /// The stack itself, premultiplied, as it is before anything that follows it.
@@ -38,7 +42,24 @@ pub struct StepId {
     pub light: Option<LightId>,
     /// True for what lies below the lowest step, where that is a value of the step itself.
     pub is_below: bool,
+    /// Lights of the part of the step that is meant: one, none, or those that cannot be parted;
+    /// `None` for the whole step.
+    pub share: Option<BTreeSet<LightId>>,
 }
+
+/// A shadow that a look asks for: what of a light is kept from a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShadowOutput {
+    /// The light.
+    pub light: LightId,
+    /// Word for what casts it; empty for other objects.
+    pub caster: &'static str,
+    /// The shadow, from 0 to 1.
+    pub source: AovSource,
+}
+
+/// Kinds of nodes that give shadows, each with a word for what casts them.
+const SHADOWS: [(&str, &str); 2] = [("cast_shadow", ""), ("self_shadow", "self")];
 
 /// An output of a node that can be written beside the picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,15 +83,33 @@ pub struct StackPart {
     pub name: String,
     /// The lights that the step's own color depends on.
     pub lights: BTreeSet<LightId>,
+    /// Parts of a step of several lights, each of one, of none, or of those that cannot be parted.
+    /// Together they are the step.
+    pub shares: Vec<StepId>,
+}
+
+/// Sum of lights that cannot be parted, for a node bends it.
+#[derive(Clone, Debug)]
+pub struct BentLights {
+    /// The node that bends it.
+    pub node: NodePath,
+    /// Name of the node for people.
+    pub name: String,
+    /// The value that goes into the node, where there is one of which all comes.
+    pub value: Option<AovSource>,
+    /// The table from that value to what the layer is made of, where it depends on nothing else.
+    pub transfer: Result<Transfer, String>,
 }
 
 /// A look's stack of layers, for whoever asks for contributions.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct StackParts {
     /// The steps, from the top; the last one is what lies below all layers.
     pub parts: Vec<StackPart>,
     /// Nodes between the stack and the Output, from the Output on: their results cannot be parted.
     pub after: Vec<NodePath>,
+    /// Sums of lights within the steps that cannot be parted.
+    pub bent: Vec<BentLights>,
 }
 
 /// Value that is written for a source.
@@ -145,6 +184,11 @@ impl Passage {
     }
 }
 
+/// True for a node that is a step of a stack.
+pub(super) fn is_step(node: &TypedNode) -> bool {
+    PassageRow::of(node).is_some()
+}
+
 impl PassageRow {
     fn of(node: &TypedNode) -> Option<&'static Self> {
         PASSAGES.iter().find(|row| row.kind == node.def.kind)
@@ -160,12 +204,18 @@ impl AovSource {
     pub(super) fn find(&self, flat: &FlatGraph) -> Result<Option<(usize, usize)>, Diagnostic> {
         match self {
             Self::Wire(path, port) => flat.output(path, port).map(Some),
+            Self::Copy(path, port, light) => flat.output_of_copy(path, port, light).map(Some),
             Self::Nothing | Self::Steps(_) | Self::Stack => Ok(None),
         }
     }
 }
 
 impl TypedAov {
+    /// True for parts of the picture, which are premultiplied by its alpha.
+    pub(super) fn is_part_of_picture(&self) -> bool {
+        matches!(self.kind, TypedAovKind::Steps(_) | TypedAovKind::Stack)
+    }
+
     /// Value that is written for a source that [was found](AovSource::find).
     ///
     /// # Errors
@@ -183,19 +233,22 @@ impl TypedAov {
             (AovSource::Stack, _) => {
                 Ok(Some(Self { kind: TypedAovKind::Stack, ty: Type::Composite }))
             }
-            (AovSource::Wire(..), Some((node, output))) => {
+            (AovSource::Wire(..) | AovSource::Copy(..), Some((node, output))) => {
                 let ty = graph.output_type(node, output);
                 if is_writable(&ty) {
                     return Ok(Some(Self { kind: TypedAovKind::Output(node, output), ty }));
                 }
-                let message = format!("values of type {ty} cannot be written as a pass");
-                let hint = "numbers, vectors, colors, angles and lights can: see --aovs";
-                let problem = Diagnostic::error("aov-type", message);
-                Err(problem.node(graph.nodes[node].path.clone()).hint(hint))
+                Err(cannot_be_written(&ty).node(graph.nodes[node].path.clone()))
             }
-            (AovSource::Nothing | AovSource::Wire(..), _) => Ok(None),
+            (AovSource::Nothing | AovSource::Wire(..) | AovSource::Copy(..), _) => Ok(None),
         }
     }
+}
+
+fn cannot_be_written(ty: &Type) -> Diagnostic {
+    let message = format!("values of type {ty} cannot be written as a pass");
+    let hint = "numbers, vectors, colors, angles and lights can: see --list-aovs";
+    Diagnostic::error("aov-type", message).hint(hint)
 }
 
 /// True for types whose values are at most three numbers and a coverage.
@@ -216,7 +269,7 @@ fn is_writable(ty: &Type) -> bool {
 }
 
 impl TypedGraph {
-    fn output_type(&self, node: usize, output: usize) -> Type {
+    pub(super) fn output_type(&self, node: usize, output: usize) -> Type {
         let node = &self.nodes[node];
         let variant = node.variant();
         match node.def.outputs.get(output) {
@@ -287,12 +340,12 @@ impl TypedGraph {
         (0..node.def.inputs.len()).find(is_below)
     }
 
-    fn input(&self, index: usize, name: &str) -> Option<usize> {
+    pub(super) fn input(&self, index: usize, name: &str) -> Option<usize> {
         self.nodes[index].def.inputs.iter().position(|input| input.name.as_str() == name)
     }
 
     /// The output that an input is wired to.
-    fn wire(&self, index: usize, input: usize) -> Option<(usize, usize)> {
+    pub(super) fn wire(&self, index: usize, input: usize) -> Option<(usize, usize)> {
         match self.nodes[index].inputs.get(input)?.as_ref()?.source {
             TypedSource::Wire { node, output } => Some((node, output)),
             _ => None,
@@ -314,7 +367,7 @@ impl TypedGraph {
     pub(super) fn step_id(&self, index: usize) -> StepId {
         let node = &self.nodes[index];
         let light = node.light.clone().filter(|_| node.def.joins_lights());
-        StepId { path: node.path.clone(), light, is_below: false }
+        StepId { path: node.path.clone(), light, is_below: false, share: None }
     }
 
     /// The lights that a step's inputs depend on, but for what is below.
@@ -371,28 +424,128 @@ impl TypedGraph {
     /// The stack with the names and lights of its steps.
     pub fn stack_parts(&self) -> StackParts {
         let stack = self.stack();
-        let step = |&(index, below): &(usize, usize)| StackPart {
-            id: self.step_id(index),
-            name: self.layer_name(index),
-            lights: self.lights_of(index, Some(below)),
+        let known = self.lights_by_node();
+        let mut bent = Vec::new();
+        let mut shares = |id: &StepId, lights: &BTreeSet<LightId>, part: &dyn Fn() -> Parting| {
+            if lights.len() < 2 {
+                return Vec::new();
+            }
+            let parting = part();
+            bent.extend(parting.bent.iter().map(|sum| self.bent_lights(sum)));
+            let share = |(lights, _)| StepId { share: Some(lights), ..id.clone() };
+            parting.by_lights().into_iter().map(share).collect()
         };
-        let mut parts: Vec<StackPart> = stack.steps.iter().map(step).collect();
-        let lowest = match (stack.bottom, stack.steps.last()) {
-            (Some((index, _)), _) => Some(StackPart {
-                id: self.step_id(index),
-                name: self.layer_name(index),
-                lights: self.lights_of(index, None),
-            }),
-            (None, Some(&(index, _))) => Some(StackPart {
+        let mut parts = Vec::with_capacity(stack.steps.len() + 1);
+        for &(index, below) in &stack.steps {
+            let (id, lights) = (self.step_id(index), self.lights_of(index, Some(below)));
+            let shares = shares(&id, &lights, &|| self.part_step(&known, index, below));
+            parts.push(StackPart { id, name: self.layer_name(index), lights, shares });
+        }
+        match (stack.bottom, stack.steps.last()) {
+            (Some(source @ (index, _)), _) => {
+                let (id, lights) = (self.step_id(index), self.lights_of(index, None));
+                let shares = shares(&id, &lights, &|| self.part_output(&known, source));
+                parts.push(StackPart { id, name: self.layer_name(index), lights, shares });
+            }
+            (None, Some(&(index, _))) => parts.push(StackPart {
                 id: StepId { is_below: true, ..self.step_id(index) },
                 name: format!("below {}", self.layer_name(index)),
                 lights: BTreeSet::new(),
+                shares: Vec::new(),
             }),
-            (None, None) => None,
-        };
-        parts.extend(lowest);
+            (None, None) => {}
+        }
         let after = stack.after.iter().map(|&index| self.nodes[index].path.clone()).collect();
-        StackParts { parts, after }
+        StackParts { parts, after, bent }
+    }
+
+    fn bent_lights(&self, sum: &BentSum) -> BentLights {
+        let node = &self.nodes[sum.node];
+        let value = sum.value.and_then(|source| self.source_of(source));
+        let unknown = || "more than one way leads from it to the layer".to_owned();
+        let transfer = sum.chain.as_ref().ok_or_else(unknown);
+        BentLights {
+            node: node.path.clone(),
+            name: self.layer_name(sum.node),
+            value,
+            transfer: transfer.and_then(|chain| Transfer::new(self, chain)),
+        }
+    }
+
+    /// The source that names an output, if its values can be written.
+    fn source_of(&self, (index, output): (usize, usize)) -> Option<AovSource> {
+        let node = &self.nodes[index];
+        let (path, port) = (node.path.clone(), node.def.outputs.get(output)?.name.clone());
+        let source = match node.light.clone().filter(|_| node.copy.is_some()) {
+            Some(light) => AovSource::Copy(path, port, light),
+            None => AovSource::Wire(path, port),
+        };
+        is_writable(&self.output_type(index, output)).then_some(source)
+    }
+}
+
+impl TypedGraph {
+    /// The shadows that the picture depends on, in the order of the document. Of those that are
+    /// computed in the same way of one light the first stands for all.
+    pub fn shadow_outputs(&self) -> Vec<ShadowOutput> {
+        let mut seen = HashSet::new();
+        let mut open = vec![self.root.0];
+        while let Some(index) = open.pop() {
+            if seen.insert(index) {
+                let inputs = 0..self.nodes[index].inputs.len();
+                open.extend(inputs.filter_map(|input| Some(self.wire(index, input)?.0)));
+            }
+        }
+        let mut known = HashSet::new();
+        let mut found = Vec::new();
+        for (index, node) in self.nodes.iter().enumerate().filter(|(at, _)| seen.contains(at)) {
+            let row = SHADOWS.iter().find(|(kind, _)| *kind == node.def.kind);
+            let light = node.light.clone().filter(|_| !node.is_unlit);
+            let (Some((kind, caster)), Some(light)) = (row, light) else { continue };
+            let values = node.inputs.iter().map(|input| match &input.as_ref()?.source {
+                TypedSource::Param(_, value) => Some(format!("{value:?}")),
+                source => Some(format!("{source:?}")),
+            });
+            let made_of: Vec<Option<String>> = values.collect();
+            let is_new = known.insert((kind, light.clone(), node.tier, made_of));
+            if let Some(source) = self.source_of((index, 0)).filter(|_| is_new) {
+                found.push(ShadowOutput { light, caster, source });
+            }
+        }
+        found
+    }
+
+    /// Warnings of the look's named outputs that name nothing, or nothing that can be written.
+    pub(super) fn check_named(
+        &self,
+        look: &Look,
+        found: Vec<Result<(usize, usize), Diagnostic>>,
+    ) -> Vec<Diagnostic> {
+        let problem = |(aov, found): (&NamedAov, Result<(usize, usize), Diagnostic>)| match found {
+            Err(problem) => Some(problem),
+            Ok((index, output)) => {
+                let node = &self.nodes[index];
+                // A node that was not typed has problems of its own.
+                let is_typed = node.inputs.len() == node.def.inputs.len();
+                let ty = is_typed.then(|| self.output_type(index, output))?;
+                (!is_writable(&ty)).then(|| cannot_be_written(&ty).node(aov.from.node.clone()))
+            }
+        };
+        let problems = look.aovs.iter().zip(found).map(problem).enumerate();
+        let located = problems.filter_map(|(index, problem)| {
+            let problem = problem?.json_path(format!("aovs[{index}].from"));
+            Some(Diagnostic { severity: Severity::Warning, ..problem })
+        });
+        located.collect()
+    }
+
+    /// True if keys move an input.
+    pub(super) fn is_keyed(&self, path: &NodePath, port: &PortName) -> bool {
+        let is_it = |target: &Target| match target {
+            Target::Input { node, port: of } => node == path && of == port,
+            Target::Light { .. } => false,
+        };
+        self.keyed.iter().any(is_it)
     }
 }
 

@@ -193,6 +193,7 @@ fn check_all(
     let order = order(&flat, &mut problems);
     let root = find_root(&flat, root, &mut problems);
     let found: Vec<_> = aovs.iter().map(|source| source.find(&flat)).collect();
+    let named = look.aovs.iter().map(|aov| flat.output(&aov.from.node, &aov.from.port)).collect();
     let mut wrong_drivers = Vec::new();
     let driving = drivers::find(look, &flat, &mut wrong_drivers);
     // The picture depends on what drives its keys, too.
@@ -251,6 +252,7 @@ fn check_all(
     };
     let typed = |(source, found): (&AovSource, Result<_, _>)| TypedAov::of(&graph, source, found?);
     graph.aovs = aovs.iter().zip(found).map(typed).collect();
+    problems.extend(graph.check_named(look, named));
     let mut wrong_targets = wrong_drivers;
     let (drivers, mut found) = drivers::typed(&graph, look, driving);
     wrong_targets.append(&mut found);

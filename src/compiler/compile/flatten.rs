@@ -208,6 +208,21 @@ impl FlatGraph {
         })?;
         Ok((node, output))
     }
+
+    /// The node and the index of an output of a node's copy for a light.
+    ///
+    /// # Errors
+    /// As [`output`](Self::output); where there is no such copy, the output of any.
+    pub(super) fn output_of_copy(
+        &self,
+        path: &NodePath,
+        port: &PortName,
+        light: &LightId,
+    ) -> Result<(usize, usize), Diagnostic> {
+        let (any, output) = self.output(path, port)?;
+        let is_copy = |node: &FlatNode| node.path == *path && node.each_light() == Some(light);
+        Ok((self.nodes.iter().position(is_copy).unwrap_or(any), output))
+    }
 }
 
 enum FlatSlot {

@@ -17,11 +17,13 @@ mod intervals;
 mod items;
 mod layout;
 mod names;
+mod parting;
 mod reach;
 mod removal;
 mod specialize;
 mod tiers;
 mod titles;
+mod transfer;
 mod value;
 
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -35,7 +37,10 @@ use crate::wgsl::{self, ValidModule};
 
 pub use crate::document::{LightValues, MAX_INTENSITY, MIN_LIGHT_DISTANCE};
 pub use crate::library::Stage;
-pub use aov::{AovSource, StackPart, StackParts, StepId, TypedAov, WireOutput, wire_outputs};
+pub use aov::{
+    AovSource, BentLights, ShadowOutput, StackPart, StackParts, StepId, TypedAov, WireOutput,
+    wire_outputs,
+};
 use check::check_with;
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
 pub use drivers::TypedDriver;
@@ -55,6 +60,7 @@ pub use removal::{Proof, Removal};
 use specialize::LightLoop;
 pub use specialize::{ImageShape, ImageUse, Needs};
 pub use titles::node_title;
+pub use transfer::{TRANSFER_SIZE, Transfer, TransferTable};
 pub use value::{document_value, typed_value};
 
 /// The largest `Look` uniform while every value is live; a longer look keeps fewer values live.

@@ -29,6 +29,7 @@ impl Look {
             check.definition(id, definition);
         }
         check.exposed(self);
+        check.aovs(self);
         check.direction_keys(self);
         check.time_keys(self);
         check.finish()
@@ -384,6 +385,17 @@ impl Check {
         );
         for (index, exposed) in look.exposed.iter().enumerate() {
             self.target(look, &exposed.target, format!("exposed[{index}].target"));
+        }
+    }
+
+    fn aovs(&mut self, look: &Look) {
+        self.unique(
+            look.aovs.iter().map(|aov| &aov.name),
+            |index| format!("aovs[{index}].name"),
+            "output",
+        );
+        for (index, aov) in look.aovs.iter().enumerate() {
+            self.node_at(look, &aov.from.node, format!("aovs[{index}].from"));
         }
     }
 

@@ -64,6 +64,9 @@ described! {
         /// Inputs that scenes, scripts and exported shaders may set.
         exposed: Vec<ExposedValue> = Vec::new(),
             FieldKind::List(&FieldKind::Object(ExposedValue::shape), 10_000);
+        /// Outputs that a picture's file can have as layers of their own, by name.
+        aovs: Vec<NamedAov> = Vec::new(),
+            FieldKind::List(&FieldKind::Object(NamedAov::shape), 1000);
         /// Values that change with a direction.
         direction_keys: Vec<DirectionKeys> = Vec::new(),
             FieldKind::List(&FieldKind::Object(DirectionKeys::shape), 1000);
@@ -343,6 +346,16 @@ described! {
         target: Target, FieldKind::Target, required;
         /// Text beside the parameter; empty for the port's label.
         label: String = String::new(), FieldKind::Text(LINE);
+    }
+}
+
+described! {
+    /// An output of a node that films ask for by a name of its own.
+    pub struct NamedAov("named output", Line, by name) {
+        /// Name of the layer, used once.
+        name: PortName, FieldKind::Slug, required;
+        /// The output, with the groups around its node; without a port the first.
+        from: OutputPort, FieldKind::OutputInGroups, required;
     }
 }
 

@@ -118,7 +118,7 @@ impl Random {
     fn other_edit(&mut self, look: &Look, kinds: &[String]) -> Edit {
         let index = self.below(3);
         let definition = self.pick(kinds).cloned().unwrap_or("g".to_owned());
-        let edit = match self.below(14) {
+        let edit = match self.below(16) {
             0 => Some(Edit::AddDefinition {
                 id: self.slug().as_str().into(),
                 definition: self.definition(kinds),
@@ -140,6 +140,7 @@ impl Random {
             8 => Some(Edit::RemoveDirectionKeys { index }),
             9 => self.time_keys(look).map(|keys| Edit::AddTimeKeys { keys, index: None }),
             13 => Some(Edit::SetMarkers { markers: self.markers() }),
+            14 => Some(Edit::SetAovs { aovs: self.aovs(look) }),
             11 => Some(Edit::SetLookTier { tier: self.look().tier }),
             12 => Some(Edit::SetMaxError { max_error: self.below(256) as f64 / 255.0 }),
             10 => self.time_keys(look).map(|keys| Edit::SetTimeKeys { index, keys }),

@@ -1,13 +1,15 @@
 //! Random documents and edits from a seed; a small size makes small documents.
 
+use std::collections::HashSet;
+
 use chiaro_compiler::document::{
     Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint,
     ExposedValue, Extrapolation, FileCamera, Frame, Graph, GroupMaster, HandlePair, InterfacePort,
     Interpolation, KeyDirection, KeyScheme, LayerLink, Light, LightField, LightKind, LightQuantity,
-    LightSet, LightSpace, Look, Marker, MeshAnimation, Node, NodeLinks, Note, Object, ObjectSet,
-    Override, Projection, Ramp, RampStop, Scene, SceneOutlines, Shot, ShotKey, ShotMarker, Target,
-    Tier, TimeInterpolation, TimeKey, TimeKeys, TimeRange, Transform, UnknownFields, Value, Values,
-    Wire,
+    LightSet, LightSpace, Look, Marker, MeshAnimation, NamedAov, Node, NodeLinks, Note, Object,
+    ObjectSet, OutputPort, Override, Projection, Ramp, RampStop, Scene, SceneOutlines, Shot,
+    ShotKey, ShotMarker, Target, Tier, TimeInterpolation, TimeKey, TimeKeys, TimeRange, Transform,
+    UnknownFields, Value, Values, Wire,
 };
 use chiaro_language::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
@@ -401,6 +403,17 @@ impl Random {
             target: self.target(look)?,
             label: self.text(),
         })
+    }
+
+    pub(crate) fn aovs(&mut self, look: &Look) -> Vec<NamedAov> {
+        let named = (0..self.below(3)).filter_map(|_| {
+            let Target::Input { node, port } = self.target(look)? else { return None };
+            Some(NamedAov { name: self.slug().into(), from: OutputPort { node, port } })
+        });
+        let mut aovs: Vec<NamedAov> = named.collect();
+        let mut seen = HashSet::new();
+        aovs.retain(|aov| seen.insert(aov.name.clone()));
+        aovs
     }
 
     pub(crate) fn direction_keys(&mut self, look: &Look) -> DirectionKeys {

@@ -129,7 +129,7 @@ impl Emitter<'_> {
             ("normalize_or", stage.draws_normals() && !self.is_unit_root()),
             ("surface_texel", stage.draws_normals()),
             ("facet_number", stage.row().tells_parts),
-            ("straight", *root == Type::Composite),
+            ("straight", *root == Type::Composite || self.straightens_beside()),
             ("angle_radians", *root == Type::Angle || self.has_angles_beside()),
             ("finite_vec4", !stage.draws_normals() && (!self.is_finite_root() || self.has_aovs())),
             ("display_from_linear", self.encodes()),
@@ -144,6 +144,10 @@ impl Emitter<'_> {
     /// True if the module writes values beside the picture.
     fn has_aovs(&self) -> bool {
         self.options.stage.is_picture() && !self.graph.aovs.is_empty()
+    }
+
+    fn straightens_beside(&self) -> bool {
+        self.has_aovs() && (0..self.graph.aovs.len()).any(|number| self.is_straightened(number))
     }
 
     fn has_angles_beside(&self) -> bool {
@@ -161,6 +165,12 @@ impl Emitter<'_> {
         self.out.push_str("}\n");
     }
 
+    /// True if a value beside the picture is a part of a picture that may be transparent.
+    fn is_straightened(&self, number: usize) -> bool {
+        let aov = self.graph.aovs[number].as_ref().ok().and_then(Option::as_ref);
+        aov.is_some_and(|aov| aov.is_part_of_picture()) && !self.special.is_opaque()
+    }
+
     /// The values beside a picture's pixel, each with the pixel's alpha.
     fn aov_pixels(&self) -> Vec<String> {
         let value = |number: usize| {
@@ -169,6 +179,10 @@ impl Emitter<'_> {
                 return "vec4f(0.0, 0.0, 0.0, pixel.w)".to_owned();
             };
             let numbers = beside(&self.special.values[value].ty, &format!("shaded.{name}"));
+            if self.is_straightened(number) {
+                // What is drawn is multiplied by the pixel's alpha, which contributions hold.
+                return format!("finite_vec4(straight(vec4f({numbers}, pixel.w)))");
+            }
             format!("finite_vec4(vec4f({numbers}, pixel.w))")
         };
         (0..self.graph.aovs.len()).map(value).collect()
@@ -556,7 +570,7 @@ fn beside(ty: &Type, value: &str) -> String {
         Type::Angle => format!("angle_radians({value}), 0.0, 0.0"),
         Type::Light => format!("{value}.color * {value}.intensity"),
         Type::Composite => format!("{value}.xyz"),
-        Type::Color | Type::Vec4 => format!("{value}.xyz * {value}.w"),
+        Type::Color | Type::Vec4 => format!("{value}.xyz * clamp({value}.w, 0.0, 1.0)"),
         _ => value.to_owned(),
     }
 }

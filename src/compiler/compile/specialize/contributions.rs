@@ -1,10 +1,11 @@
 //! Values that are written beside the picture: outputs of nodes, and contributions of a stack's
 //! steps.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::{Argument, Builder, Function, ValueId};
 use crate::compile::aov::{Passage, Stack, StepId, TypedAovKind};
+use crate::compile::parting::{Cut, CutRule, Parting};
 use crate::interp;
 use crate::library::{Library, Type};
 
@@ -16,6 +17,15 @@ const BOTH: &str = "both_through";
 const SUM: &str = "sum_of_both";
 const PASSAGE: &str = "blend_passage";
 const GREATER: &str = "greater_passage";
+const NUMBER_CHANNELS: &str = "channels_of_number";
+const COLOR_CHANNELS: &str = "channels_of_color";
+const SHARE_OF_PART: &str = "share_of_part";
+const SHARE_OF_WINNER: &str = "share_of_winner";
+const SHARE_OF_BELOW: &str = "share_of_below";
+const SHARE_OF_WEIGHT: &str = "share_of_weight";
+const SHARE_OF_MIXED: &str = "share_of_mixed";
+const SHARE_OF_LIGHT: &str = "share_of_light";
+const REST_OF_SHARE: &str = "rest_of_share";
 
 /// Words of *Blend*'s modes in the order of the numbers that `blend_passage` knows.
 const MODES: [&str; 5] = ["add", "multiply", "subtract", "alpha", "shade"];
@@ -38,7 +48,10 @@ impl Builder<'_> {
         let is_of_stack = |kind: &TypedAovKind| !matches!(kind, TypedAovKind::Output(..));
         let mut aovs = graph.aovs.iter().filter_map(|aov| aov.as_ref().ok()?.as_ref());
         let stack = aovs.any(|aov| is_of_stack(&aov.kind)).then(|| graph.stack());
-        let contributions = stack.as_ref().map(|stack| self.contributions(stack));
+        let mut contributions = stack.as_ref().map(|stack| self.contributions(stack));
+        if let (Some(stack), Some(known)) = (&stack, &mut contributions) {
+            self.light_shares(stack, known);
+        }
         let mut found = Vec::new();
         for (number, aov) in graph.aovs.iter().enumerate() {
             let Ok(Some(aov)) = aov else { continue };
@@ -76,6 +89,8 @@ impl Builder<'_> {
     fn premultiplied(&mut self, node: usize, value: ValueId) -> ValueId {
         match self.values[value].ty {
             Type::Color | Type::Vec4 => {
+                // A sum of colors may have more alpha than there is, as the Output bounds it.
+                let value = self.bounded(node, "alpha", value);
                 self.convert(node, value, "premultiplied($)", &Type::Composite)
             }
             _ => value,
@@ -129,6 +144,115 @@ impl Builder<'_> {
             found.insert(id, self.of_library(index, HELD, &[value, through], Type::Vec3));
         }
         found
+    }
+
+    /// Parts the contributions of steps among lights, where parts of them are written.
+    fn light_shares(&mut self, stack: &Stack, known: &mut HashMap<StepId, ValueId>) {
+        let graph = self.graph;
+        let mut wanted = HashSet::new();
+        for aov in graph.aovs.iter().filter_map(|aov| aov.as_ref().ok()?.as_ref()) {
+            let TypedAovKind::Steps(steps) = &aov.kind else { continue };
+            let parted = steps.iter().filter(|step| step.share.is_some());
+            wanted.extend(parted.map(|step| StepId { share: None, ..step.clone() }));
+        }
+        if wanted.is_empty() {
+            return;
+        }
+        let lights = graph.lights_by_node();
+        let steps = stack.steps.iter().map(|&(index, below)| (index, Some(below)));
+        let bottom = stack.bottom.map(|source| (source.0, None));
+        for (index, below) in steps.chain(bottom) {
+            let id = graph.step_id(index);
+            let Some(&seen) = known.get(&id).filter(|_| wanted.contains(&id)) else { continue };
+            let parting = match (below, stack.bottom) {
+                (Some(below), _) => graph.part_step(&lights, index, below),
+                (None, Some(source)) => graph.part_output(&lights, source),
+                (None, None) => continue,
+            };
+            let shares = self.shares(index, &parting);
+            for (lights, ends) in parting.by_lights() {
+                let mut sum: Option<ValueId> = None;
+                for end in ends.iter().filter_map(|end| shares.get(*end).copied()) {
+                    sum = Some(match sum {
+                        None => end,
+                        Some(sum) => self.of_library(index, SUM, &[sum, end], Type::Vec3),
+                    });
+                }
+                if let Some(share) = sum {
+                    let part = self.of_library(index, BOTH, &[seen, share], Type::Vec3);
+                    known.insert(StepId { share: Some(lights), ..id.clone() }, part);
+                }
+            }
+        }
+    }
+
+    /// The value of each share of a step, as `vec3f`.
+    fn shares(&mut self, index: usize, parting: &Parting) -> Vec<ValueId> {
+        let ones = interp::Value::vec(&[1.0; 3]);
+        let mut shares = vec![self.constant(index, Type::Vec3, ones)];
+        for cut in &parting.cuts {
+            let share = shares[cut.share];
+            let none = interp::Value::vec(&[0.0; 3]);
+            let first = match self.first_of_cut(cut, share) {
+                Some(first) => first,
+                None => self.constant(cut.node, Type::Vec3, none),
+            };
+            let rest = self.of_library(cut.node, REST_OF_SHARE, &[share, first], Type::Vec3);
+            shares.extend([first, rest]);
+        }
+        shares
+    }
+
+    /// The first part of a share that a node cuts.
+    fn first_of_cut(&mut self, cut: &Cut, share: ValueId) -> Option<ValueId> {
+        let (graph, at) = (self.graph, cut.node);
+        let node = &graph.nodes[at];
+        let inputs = self.inputs(at, node);
+        let first = inputs[cut.first]?;
+        let whole = *self.outputs[at].get(cut.output)?;
+        let input = |name: &str| inputs[graph.input(at, name)?];
+        let output = |name: &str| node.def.output(name);
+        let (function, arguments) = match cut.rule {
+            CutRule::Sum => {
+                let [first, whole] = [self.channels(at, first)?, self.channels(at, whole)?];
+                (SHARE_OF_PART, vec![share, first, whole])
+            }
+            CutRule::Greatest => {
+                let [first, whole] = [self.channels(at, first)?, self.channels(at, whole)?];
+                (SHARE_OF_WINNER, vec![share, first, whole])
+            }
+            CutRule::Over => (SHARE_OF_BELOW, vec![share, first, input("color")?, whole]),
+            CutRule::Mean(before, weights) => {
+                let weights = *self.outputs[at].get(output(weights)?)?;
+                let before = input(before)?;
+                let [first, whole] = [self.channels(at, first)?, self.channels(at, whole)?];
+                (SHARE_OF_WEIGHT, vec![share, first, before, weights, whole])
+            }
+            CutRule::Factor(factor) => {
+                let factor = input(factor)?;
+                let [first, whole] = [self.channels(at, first)?, self.channels(at, whole)?];
+                (SHARE_OF_MIXED, vec![share, first, factor, whole])
+            }
+            CutRule::Winner(before, after) => {
+                let after = *self.outputs[at].get(output(after)?)?;
+                let [before, after] = [input(before)?, after];
+                let [before, after] = [self.channels(at, before)?, self.channels(at, after)?];
+                (SHARE_OF_WINNER, vec![share, before, after])
+            }
+            CutRule::Either => (SHARE_OF_LIGHT, vec![share, first, whole]),
+        };
+        Some(self.of_library(at, function, &arguments, Type::Vec3))
+    }
+
+    /// The channels of a number or a color, as `vec3f`.
+    fn channels(&mut self, node: usize, value: ValueId) -> Option<ValueId> {
+        let function = match self.values[value].ty {
+            Type::Float => NUMBER_CHANNELS,
+            Type::Color | Type::Composite | Type::Vec4 => COLOR_CHANNELS,
+            Type::Vec3 => return Some(value),
+            _ => return None,
+        };
+        Some(self.of_library(node, function, &[value], Type::Vec3))
     }
 
     /// The share of what is below that a step's rule lets through, as `vec3f`.

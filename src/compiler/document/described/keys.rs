@@ -188,7 +188,7 @@ fn driver(r: &mut Reader<'_>, at: ValueIndex) -> Option<Driver> {
 }
 
 /// Reads an output of a node, with the groups around it.
-fn output(r: &mut Reader<'_>, at: ValueIndex) -> Option<OutputPort> {
+pub(super) fn output(r: &mut Reader<'_>, at: ValueIndex) -> Option<OutputPort> {
     let text = r.tree.string(at).unwrap_or_default();
     let is_port = |port: &str| port.is_empty() || is_slug(port);
     let is_one = |output: &OutputPort| {

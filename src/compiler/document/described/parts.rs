@@ -10,8 +10,8 @@ use crate::document::shape::{self, FieldKind};
 use crate::document::word::WordChoice as _;
 use crate::document::{
     ColorSpace, Endpoint, Extrapolation, HandlePair, Interpolation, KeyScheme, LightKind,
-    LightSpace, MemberSet, Projection, SetMember, Target, Tier, TimeInterpolation, UnknownFields,
-    Value,
+    LightSpace, MemberSet, OutputPort, Projection, SetMember, Target, Tier, TimeInterpolation,
+    UnknownFields, Value,
 };
 use crate::ids::{LightGroup, NodeId, ObjectId, PortName};
 
@@ -313,6 +313,26 @@ impl FieldType for Target {
     ) -> Option<Self> {
         let text = r.text_at(at, 10_000)?;
         r.target_from(at, &text)
+    }
+
+    fn write(&self, w: &mut JsonWriter, _unknown: Option<&UnknownFields>) {
+        w.string(&self.to_string());
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
+/// Output of a node, with the groups around it.
+impl FieldType for OutputPort {
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        _kind: &'static FieldKind,
+        _: &mut UnknownFields,
+    ) -> Option<Self> {
+        super::keys::output(r, at)
     }
 
     fn write(&self, w: &mut JsonWriter, _unknown: Option<&UnknownFields>) {

@@ -6,7 +6,7 @@ use super::parts::{insert, remove_named};
 use super::{Edit, EditResult, group, impossible, missing, nothing};
 use crate::diag::Diagnostic;
 use crate::document::{
-    Bookmark, DirectionKeys, Frame, Graph, GraphId, Look, Node, Note, Target, Value, Wire,
+    Bookmark, DirectionKeys, Frame, Graph, GraphId, Look, NamedAov, Node, Note, Target, Value, Wire,
 };
 use crate::ids::{DefinitionId, FrameId, NodeId, NodePath, NoteId, PortName};
 
@@ -54,7 +54,7 @@ pub(super) fn remove_node(look: &mut Look, graph: GraphId, id: NodeId) -> EditRe
         edits.push(Edit::SetFrame { graph: graph.clone(), id: frame_id.clone(), frame });
     }
     edits.extend(drop_targets(look, |look, target| leads_through(look, target, &graph, &id)));
-    edits.extend(drop_driven(look, |path| {
+    edits.extend(drop_outputs(look, |path| {
         steps(look, path).any(|(of, step)| of == graph && step == id)
     }));
     if edits.is_empty() {
@@ -92,11 +92,19 @@ pub(super) fn drop_targets(look: &Look, drops: impl Fn(&Look, &Target) -> bool) 
     edits
 }
 
-/// Edits that remove direction keys which an output of these nodes drives.
-fn drop_driven(look: &Look, drops: impl Fn(&NodePath) -> bool) -> Vec<Edit> {
+/// Edits that remove direction keys which an output of these nodes drives, and the names of their
+/// outputs.
+fn drop_outputs(look: &Look, drops: impl Fn(&NodePath) -> bool) -> Vec<Edit> {
     let is_driven = |keys: &DirectionKeys| keys.by.outputs().any(|output| drops(&output.node));
     let driven = look.direction_keys.iter().enumerate().rev().filter(|(_, keys)| is_driven(keys));
-    driven.map(|(index, _)| Edit::RemoveDirectionKeys { index }).collect()
+    let mut edits: Vec<Edit> =
+        driven.map(|(index, _)| Edit::RemoveDirectionKeys { index }).collect();
+    let kept = |aov: &&NamedAov| !drops(&aov.from.node);
+    let aovs: Vec<NamedAov> = look.aovs.iter().filter(kept).cloned().collect();
+    if aovs.len() < look.aovs.len() {
+        edits.push(Edit::SetAovs { aovs });
+    }
+    edits
 }
 
 /// True if a target is an input of this node or lies in the group that the node is.
@@ -138,7 +146,7 @@ pub(super) fn set_kind(
         leads_nowhere(look, node)
     };
     let mut edits = drop_targets(look, broken);
-    edits.extend(drop_driven(look, |path| leads_nowhere(look, path)));
+    edits.extend(drop_outputs(look, |path| leads_nowhere(look, path)));
     if edits.is_empty() {
         return Ok(Edit::SetKind { graph, id, kind: old });
     }

@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Bookmark, ColorSpace, Definition, DirectionKeys, ExposedValue, Frame, GraphId, InterfacePort,
-    Light, LightSet, Look, Marker, Node, NodeLinks, Note, Tier, TimeKeys, Value, Wire,
+    Light, LightSet, Look, Marker, NamedAov, Node, NodeLinks, Note, Tier, TimeKeys, Value, Wire,
 };
 use crate::diag::Diagnostic;
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NoteId, PortName};
@@ -133,6 +133,9 @@ pub enum Edit {
     /// Removes an exposed parameter.
     RemoveExposed { index: usize },
 
+    /// Sets the outputs that films ask for by name.
+    SetAovs { aovs: Vec<NamedAov> },
+
     /// Adds a set of direction keys.
     AddDirectionKeys { keys: DirectionKeys, index: Option<usize> },
     /// Changes a set of direction keys.
@@ -198,6 +201,7 @@ impl Edit {
             Self::AddExposed { exposed, .. } => format!("expose {}", exposed.name),
             Self::SetExposed { .. } => "change a parameter".to_owned(),
             Self::RemoveExposed { .. } => "remove a parameter".to_owned(),
+            Self::SetAovs { .. } => "change named outputs".to_owned(),
             Self::AddDirectionKeys { .. } | Self::AddTimeKeys { .. } => "add keys".to_owned(),
             Self::SetDirectionKeys { .. } | Self::SetTimeKeys { .. } => "change keys".to_owned(),
             Self::RemoveDirectionKeys { .. } | Self::RemoveTimeKeys { .. } => {

@@ -48,6 +48,9 @@ pub(super) fn apply(look: &mut Look, edit: Edit) -> EditResult<Edit> {
             at(&mut look.exposed, index)?;
             Ok(Edit::AddExposed { exposed: look.exposed.remove(index), index: Some(index) })
         }
+        Edit::SetAovs { aovs } => {
+            Ok(Edit::SetAovs { aovs: std::mem::replace(&mut look.aovs, aovs) })
+        }
         keys => apply_keys(look, keys),
     }
 }

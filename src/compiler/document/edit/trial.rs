@@ -8,8 +8,8 @@ use super::{Edit, SceneEdit, impossible, missing};
 use crate::diag::Diagnostic;
 use crate::document::check::{check_output, check_target};
 use crate::document::{
-    DirectionKeys, Endpoint, ExposedValue, Frame, Graph, GraphId, Look, Node, Object, Scene,
-    Target, TimeKeys, Wire,
+    DirectionKeys, Endpoint, ExposedValue, Frame, Graph, GraphId, Look, NamedAov, Node, Object,
+    Scene, Target, TimeKeys, Wire,
 };
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, NodePath, is_slug};
 
@@ -71,6 +71,7 @@ pub(super) fn check(look: &Look, edit: &Edit) -> Check {
         Edit::RemoveDefinition { id } => check_unused(look, id),
         Edit::AddExposed { exposed, .. } => check_exposed(look, exposed, usize::MAX),
         Edit::SetExposed { exposed, index } => check_exposed(look, exposed, *index),
+        Edit::SetAovs { aovs } => check_aovs(look, aovs),
         Edit::AddDirectionKeys { keys, .. } | Edit::SetDirectionKeys { keys, .. } => {
             check_direction_keys(look, keys)
         }
@@ -259,6 +260,17 @@ fn check_exposed(look: &Look, exposed: &ExposedValue, own: usize) -> Check {
     slug(exposed.name.as_str())?;
     first_error(check_target(look, &exposed.target))?;
     readable_alone(|trial| trial.exposed.push(exposed.clone()))
+}
+
+fn check_aovs(look: &Look, aovs: &[NamedAov]) -> Check {
+    for (index, aov) in aovs.iter().enumerate() {
+        if aovs[..index].iter().any(|other| other.name == aov.name) {
+            return Err(impossible(format!("two outputs have the name `{}`", aov.name)));
+        }
+        slug(aov.name.as_str())?;
+        first_error(check_output(look, &aov.from))?;
+    }
+    readable_alone(|trial| trial.aovs.extend_from_slice(aovs))
 }
 
 fn check_direction_keys(look: &Look, keys: &DirectionKeys) -> Check {

@@ -22,9 +22,9 @@ pub(super) fn path_of(ids: &[NodeId]) -> Option<NodePath> {
     Some(rest.iter().fold(NodePath::root(first.clone()), |path, id| path.join(id.clone())))
 }
 
-/// Edits that let all keys and exposed parameters follow: `moved` gives the new targets of a
-/// target, and `moved_output` the new output of a driver; `None` leaves a target or an output
-/// alone.
+/// Edits that let all keys, exposed parameters and named outputs follow: `moved` gives the new
+/// targets of a target, and `moved_output` the new output of a driver or a name; `None` leaves a
+/// target or an output alone.
 pub(super) fn follow(
     look: &Look,
     moved: impl Fn(&NodePath, &PortName) -> Option<Vec<Target>>,
@@ -41,6 +41,13 @@ pub(super) fn follow(
             exposed.target = target;
             edits.push(Edit::SetExposed { index, exposed });
         }
+    }
+    let mut aovs = look.aovs.clone();
+    for aov in &mut aovs {
+        aov.from = moved_output(&aov.from).unwrap_or_else(|| aov.from.clone());
+    }
+    if aovs != look.aovs {
+        edits.push(Edit::SetAovs { aovs });
     }
     for (index, keys) in look.direction_keys.iter().enumerate() {
         let mut changed = keys.clone();

@@ -87,6 +87,8 @@ pub(super) enum FieldKind {
     Word(&'static [(&'static str, &'static str)]),
     /// Output `node.port`; the port may be left out.
     Output,
+    /// Output `path/to/node.port`; the port may be left out.
+    OutputInGroups,
     /// Input `node.port`.
     Input,
     /// Target `path/to/node.port` or `lights.light.field`.

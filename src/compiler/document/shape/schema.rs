@@ -130,6 +130,7 @@ fn kind(of: &FieldKind, definitions: &mut Definitions) -> Value {
         }
         FieldKind::Word(words) => choice(words),
         FieldKind::Output => json!({ "type": "string", "pattern": OUTPUT }),
+        FieldKind::OutputInGroups => json!({ "type": "string", "pattern": OUTPUT_IN_GROUPS }),
         FieldKind::Input => json!({ "type": "string", "pattern": INPUT }),
         FieldKind::Target => json!({ "type": "string", "pattern": TARGET }),
         FieldKind::KeyDirection => json!({ "anyOf": [

@@ -154,6 +154,9 @@ pub(in crate::document) fn kind_words(kind: &FieldKind) -> String {
             words.iter().map(|(word, _)| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", ")
         }
         FieldKind::Output => "`\"node.port\"` or `\"node\"`".to_owned(),
+        FieldKind::OutputInGroups => {
+            "`\"node.port\"`, `\"node\"` or `\"group/node.port\"`".to_owned()
+        }
         FieldKind::Input => "`\"node.port\"`".to_owned(),
         FieldKind::Target => "a [target](#targets)".to_owned(),
         FieldKind::KeyDirection => {

@@ -1,0 +1,274 @@
+//! What layers of stacks, lights and groups of lights add to a picture, as layers of its file.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+
+use crate::compile::{AovSource, BentLights, StackPart, StackParts, StepId, Transfer, check};
+use crate::diag::{Diagnostic, WithWarnings};
+use crate::document::Look;
+use crate::frame::{AovRequest, Setup};
+use crate::ids::{LightId, NodePath};
+use crate::library::Library;
+use crate::naming::{LayerNaming, free_name, legal_name};
+use crate::tables::LayerTable;
+
+/// Slices of a picture into contributions, of which each adds up to the whole.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Contributions {
+    /// By layer of the looks' stacks.
+    Layers,
+    /// By light.
+    Lights,
+    /// By group of lights.
+    Groups,
+    /// By light, and of each light by layer.
+    LightsByLayer,
+}
+
+/// Words of the slices, for people.
+const SLICES: [(&str, Contributions); 4] = [
+    ("layers", Contributions::Layers),
+    ("lights", Contributions::Lights),
+    ("groups", Contributions::Groups),
+    ("lights-by-layer", Contributions::LightsByLayer),
+];
+
+/// Names for what comes of no light, of lights that cannot be told apart, and of lights that are
+/// in no group.
+const UNLIT: &str = "unlit";
+const MIXED: &str = "mixed";
+const UNGROUPED: &str = "ungrouped";
+
+impl Contributions {
+    /// The slices, each with its name for people.
+    pub fn all() -> impl Iterator<Item = (&'static str, Self)> {
+        SLICES.into_iter()
+    }
+
+    /// True if lights are told apart.
+    fn is_by_light(self) -> bool {
+        self != Self::Layers
+    }
+
+    /// The steps of a part of a stack that are told apart, each with its lights.
+    fn steps<'p>(self, part: &'p StackPart) -> Vec<(StepId, &'p BTreeSet<LightId>)> {
+        if !self.is_by_light() || part.shares.is_empty() {
+            return vec![(part.id.clone(), &part.lights)];
+        }
+        let lit = |step: &'p StepId| Some((step.clone(), step.share.as_ref()?));
+        part.shares.iter().filter_map(lit).collect()
+    }
+
+    /// Name of the layer that a part of a stack belongs to, by its lights and its layer.
+    fn name(
+        self,
+        lights: &BTreeSet<LightId>,
+        layer: &str,
+        groups: &Groups,
+        naming: LayerNaming,
+    ) -> String {
+        let light = match lights.iter().next() {
+            None => UNLIT,
+            Some(light) if lights.len() == 1 => light.as_str(),
+            Some(_) => MIXED,
+        };
+        match self {
+            Self::Layers => naming.of_layer(layer),
+            Self::Lights => naming.of_light(light),
+            Self::LightsByLayer => naming.of_light(&format!("{light}_{layer}")),
+            Self::Groups => naming.of_light(groups.of(lights)),
+        }
+    }
+}
+
+/// Groups of a look's lights, by light.
+struct Groups(HashMap<LightId, Vec<String>>);
+
+impl Groups {
+    fn new(setup: &Setup, look: &Look) -> Self {
+        let lights = look.lights.iter().chain(&setup.scene.lights);
+        let groups = lights.map(|(id, light)| {
+            (id.clone(), light.groups.iter().map(ToString::to_string).collect())
+        });
+        Self(groups.collect())
+    }
+
+    /// The first group that all of these lights are in, or what stands for none.
+    fn of(&self, lights: &BTreeSet<LightId>) -> &str {
+        let mut lights =
+            lights.iter().map(|light| self.0.get(light).map_or(&[][..], Vec::as_slice));
+        let Some(first) = lights.next() else { return UNLIT };
+        let rest: Vec<&[String]> = lights.collect();
+        let is_of_all = |group: &&String| rest.iter().all(|groups| groups.contains(group));
+        match first.iter().find(is_of_all) {
+            Some(group) => group,
+            None if first.is_empty() && rest.iter().all(|groups| groups.is_empty()) => UNGROUPED,
+            None => MIXED,
+        }
+    }
+}
+
+/// Layers of contributions, with those of values that cannot be parted.
+#[derive(Clone, Debug, Default)]
+pub struct ContributionLayers {
+    /// The sum of all contributions, each of them, and the values.
+    pub layers: Vec<AovRequest>,
+    /// Tables of what becomes of the values.
+    pub tables: Vec<LayerTable>,
+}
+
+/// Steps that contributions are the sums of, by the layers' names in their order and by look.
+#[derive(Debug, Default)]
+struct SlicedSteps {
+    order: Vec<String>,
+    steps: HashMap<String, BTreeMap<usize, BTreeSet<StepId>>>,
+}
+
+impl SlicedSteps {
+    fn add(&mut self, name: String, look: usize, step: StepId) {
+        if !self.steps.contains_key(&name) {
+            self.order.push(name.clone());
+        }
+        self.steps.entry(name).or_default().entry(look).or_default().insert(step);
+    }
+
+    fn requests(mut self) -> Vec<AovRequest> {
+        let request = |name: String| {
+            let of_looks = self.steps.remove(&name).unwrap_or_default();
+            let source = |(look, steps)| (Some(look), AovSource::Steps(steps));
+            AovRequest { name, sources: of_looks.into_iter().map(source).collect() }
+        };
+        std::mem::take(&mut self.order).into_iter().map(request).collect()
+    }
+}
+
+/// The layers of contributions, and of their sum. Warns of looks whose stacks are followed by what
+/// cannot be parted, and of sums of lights that cannot.
+///
+/// # Errors
+/// Everything that is wrong with the looks.
+pub fn contributions(
+    setup: &Setup,
+    library: &Library,
+    time: f64,
+    slices: &[Contributions],
+    naming: LayerNaming,
+) -> Result<WithWarnings<ContributionLayers>, Vec<Diagnostic>> {
+    let mut warnings = Vec::new();
+    let mut sliced = SlicedSteps::default();
+    let mut found = ContributionLayers::default();
+    let mut names_of_values = HashSet::new();
+    let mut is_whole = true;
+    for index in 0..setup.looks.len() {
+        let Some(object) = setup.objects.iter().find(|object| object.looks.contains(&Some(index)))
+        else {
+            continue;
+        };
+        let look = setup.worn(index, object, time);
+        let StackParts { parts, after, bent } = check(&look, library, None)?.value.stack_parts();
+        is_whole &= after.is_empty();
+        warnings.extend(after.first().map(|node| cannot_be_parted(&look, node)));
+        if slices.iter().any(|slice| slice.is_by_light()) {
+            for bent in &bent {
+                let (value, table) = found.push_value(index, bent, &mut names_of_values);
+                warnings.push(bends_lights(&look, bent, value, table));
+            }
+        }
+        let groups = Groups::new(setup, &look);
+        let mut taken = HashSet::new();
+        // Copies of a node for each light are one layer.
+        let mut names: HashMap<&NodePath, String> = HashMap::new();
+        // Below first, as people read a stack.
+        for part in parts.iter().rev() {
+            let name = names.entry(&part.id.path);
+            let layer = name.or_insert_with(|| free_name(&part.name, &mut taken));
+            for slice in slices {
+                for (step, lights) in slice.steps(part) {
+                    sliced.add(slice.name(lights, layer, &groups, naming), index, step);
+                }
+            }
+        }
+    }
+    let whole = if is_whole { naming.of_whole() } else { format!("{}_stack", naming.of_whole()) };
+    let whole = AovRequest { name: whole, sources: vec![(None, AovSource::Stack)] };
+    let values = std::mem::take(&mut found.layers);
+    found.layers = std::iter::once(whole).chain(sliced.requests()).chain(values).collect();
+    Ok(WithWarnings::new(found, warnings))
+}
+
+impl ContributionLayers {
+    /// Adds the value before a node that bends the sum of lights of a look, and its table. Returns
+    /// the name of the layer, and the reason why there is no table.
+    fn push_value(
+        &mut self,
+        look: usize,
+        bent: &BentLights,
+        taken: &mut HashSet<String>,
+    ) -> (Option<String>, Option<String>) {
+        let Some(source) = bent.value.clone() else { return (None, None) };
+        let name = free_name(&legal_name(&format!("before_{}", bent.node)), taken);
+        let sources = vec![(Some(look), source)];
+        self.layers.push(AovRequest { name: name.clone(), sources });
+        let table = bent.transfer.as_ref().map_err(Clone::clone).and_then(Transfer::table);
+        let missing = match table {
+            Ok(table) => {
+                self.tables.push(LayerTable { layer: name.clone(), table });
+                None
+            }
+            Err(reason) => Some(reason),
+        };
+        (Some(name), missing)
+    }
+}
+
+fn bends_lights(
+    look: &Look,
+    bent: &BentLights,
+    value: Option<String>,
+    no_table: Option<String>,
+) -> Diagnostic {
+    let node = &bent.node;
+    let message = format!(
+        "`{node}` of `{}` bends what several lights give together: their contributions cannot be \
+         parted and stay one layer, `{MIXED}`",
+        look.name
+    );
+    let hint = match (value, no_table) {
+        (Some(value), None) => format!(
+            "the layer `{value}` is what goes into it, and {value}.cube what becomes of that"
+        ),
+        (Some(value), Some(reason)) => {
+            format!("the layer `{value}` is what goes into it; it has no table, for {reason}")
+        }
+        (None, _) => format!("let `{node}` run for each light, in a group that sums up after it"),
+    };
+    Diagnostic::warning("not-parted", message).node(node.clone()).hint(hint)
+}
+
+fn cannot_be_parted(look: &Look, node: &NodePath) -> Diagnostic {
+    let message = format!(
+        "`{}` changes the sum of the layers of `{}` and cannot be parted: contributions add up to \
+         what goes into it",
+        node, look.name
+    );
+    Diagnostic::warning("not-parted", message)
+        .node(node.clone())
+        .hint("grade the layers before they are laid over one another, or grade in the compositor")
+}
+
+/// The contributions of lights by the lights' names, for a matte of them.
+///
+/// # Errors
+/// As [`contributions`].
+pub fn light_shares(
+    setup: &Setup,
+    library: &Library,
+    time: f64,
+) -> Result<Vec<AovRequest>, Vec<Diagnostic>> {
+    let slices = [Contributions::Lights];
+    let made = contributions(setup, library, time, &slices, LayerNaming::Bare)?.value.layers;
+    // All but the sum, and values that cannot be parted.
+    let is_light = |request: &AovRequest| {
+        request.sources.iter().all(|(_, source)| matches!(source, AovSource::Steps(_)))
+    };
+    Ok(made.into_iter().filter(is_light).collect())
+}
