@@ -10,8 +10,8 @@
 //! result = back(rest * gain + layer_1 * gain_1 + ... + layer_n * gain_n)
 //! ```
 //!
-//! With all gains at 1 that is the picture. A compositor is a row of [`COMPOSITORS`] and a file that
-//! writes its document as text.
+//! With all gains at 1 that is the picture. A compositor is a row of [`COMPOSITORS`] and a file
+//! that writes its document as text.
 
 mod blender;
 mod nuke;

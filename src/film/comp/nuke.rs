@@ -1,8 +1,8 @@
 //! Nuke: a script of nodes as text.
 //!
 //! A node takes its inputs off a stack, the first one from the top, and lays itself on it; `set`
-//! names what lies on top, and `push` lays it there again. Columns stand from left to right: what is
-//! in no layer, then each layer; they are written from the right, so that each sum finds the one
+//! names what lies on top, and `push` lays it there again. Columns stand from left to right: what
+//! is in no layer, then each layer; they are written from the right, so that each sum finds the one
 //! before on top and its layer below.
 
 use std::fmt::Write as _;

@@ -1,7 +1,7 @@
 //! Compositors' documents: what they put together is the picture, and its regrade.
 //!
-//! Nuke is not here: its script is read and computed as its manual says. Blender's is run by Blender
-//! as a module of Python, where `scripts/setup blender` has fetched it.
+//! Nuke is not here: its script is read and computed as its manual says. Blender's is run by
+//! Blender as a module of Python, where `scripts/setup blender` has fetched it.
 
 mod nuke;
 
