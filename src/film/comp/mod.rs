@@ -21,7 +21,7 @@ use crate::FrameRate;
 use crate::diag::Diagnostic;
 use crate::exr::SampleType;
 
-pub use parts::{LayerSpace, PictureParts};
+pub use parts::{LayerSpace, PicturePart, PictureParts};
 
 /// Picture, or frames, to be put together.
 #[derive(Clone, Debug, PartialEq)]
