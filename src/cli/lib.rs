@@ -16,6 +16,7 @@ mod accuracy;
 #[cfg(feature = "gpu")]
 mod bench;
 mod check;
+mod comp;
 mod desktop;
 #[cfg(feature = "gpu")]
 mod eval;
@@ -121,6 +122,8 @@ enum Command {
     Sheet(sheet::Arguments),
     /// Make a movie of frames, for review
     Movie(movie::Arguments),
+    /// Write the Nuke script or Blender's compositor that puts frames together from their layers
+    Comp(comp::Arguments),
     /// Write the job by which a render farm draws frames
     Farm(farm::Arguments),
     /// Print a look's value, or any node's, at given surface samples
@@ -252,6 +255,7 @@ async fn carry_out(command: &Command, output: &Output) -> Outcome {
         Command::Verify(arguments) => verify::run(arguments, output),
         Command::Sheet(arguments) => sheet::run(arguments, output),
         Command::Movie(arguments) => movie::run(arguments, output),
+        Command::Comp(arguments) => comp::run(arguments, output),
         Command::Farm(arguments) => farm::run(arguments, output),
         #[cfg(feature = "gpu")]
         Command::Eval(arguments) => eval::run(arguments, output).await,

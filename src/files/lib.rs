@@ -12,6 +12,7 @@ pub mod cache;
 mod disk;
 pub mod journal;
 mod outputs;
+mod paths;
 pub mod png;
 mod write;
 
@@ -21,4 +22,5 @@ pub use chiaro_compiler::files::{
 };
 pub use disk::{Disk, read, walk};
 pub use outputs::{FileSet, OutputKind, Outputs, remove_abandoned, remove_unfinished};
+pub use paths::relative;
 pub use write::{TextDocument, link, make_folder, read_text, write_atomic};

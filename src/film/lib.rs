@@ -6,7 +6,8 @@
 //!
 //! A [`StoredFrame`] is a file read back: whole or not, compared with another, shown over a
 //! backdrop. [`sheet`] lays pictures side by side with labels, [`animated`] makes them move, and
-//! [`farm`] writes the jobs of render farms.
+//! [`farm`] writes the jobs of render farms. [`comp`] writes what puts a picture together from its
+//! layers, in a compositor.
 
 use chiaro_compiler::{compile, document, library};
 use chiaro_files as files;
@@ -14,6 +15,7 @@ use chiaro_language::{diag, ids, progress};
 use chiaro_scene::{frame, geometry};
 
 mod animation;
+pub mod comp;
 mod contributions;
 mod cryptomatte;
 pub mod exr;

@@ -53,7 +53,7 @@ const CRATES: &[(&str, &[&[&str]])] = &[
             &["contributions", "exr"],
             &["cryptomatte"],
             &["layers"],
-            &["animation", "farm", "plan_hash", "sheet"],
+            &["animation", "comp", "farm", "plan_hash", "sheet"],
             &["stored"],
         ],
     ),

@@ -134,7 +134,7 @@ fn every_subcommand_has_help_with_examples_and_exit_codes_are_documented() {
     for command in [
         &[
             "edit", "new", "check", "explain", "shot", "nodes", "fit", "export", "import", "mesh",
-            "hcbtf", "desktop", "verify", "sheet", "movie", "wedge", "farm",
+            "hcbtf", "desktop", "verify", "sheet", "movie", "wedge", "farm", "comp",
         ],
         drawing,
     ]

@@ -4,6 +4,7 @@ use chiaro_test_drawing as support;
 
 mod bench;
 mod cli;
+mod comp;
 mod desktop;
 mod film;
 mod fit;

@@ -131,6 +131,12 @@ const CASES: &[Case] = &[
         names: File(".png"),
     },
     Case {
+        output: ("comp", "output"),
+        line: "comp target.png --to nuke -o {}",
+        inputs: &["target.png"],
+        names: File(".nk"),
+    },
+    Case {
         output: ("farm", "job"),
         line: "farm look.json -o ####.exr --frames 1-4 --to slurm --job {}",
         inputs: &["look.json"],

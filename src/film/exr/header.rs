@@ -19,7 +19,7 @@ pub(super) const SEAL: &str = "seal";
 /// Note of the space in which layers were blended.
 const BLENDED_IN: &str = "blendedIn";
 /// Note of the space that layers of contributions and values of looks are in.
-const LAYERS_IN: &str = "layersIn";
+pub(super) const LAYERS_IN: &str = "layersIn";
 /// Attribute of the space of the colors, by the names of the Color Interop Forum.
 const COLOR_SPACE: &str = "colorInteropID";
 
@@ -171,6 +171,13 @@ fn world_to_picture(view: &View) -> DMat4 {
 /// right, column by column.
 fn rows(matrix: DMat4) -> [f32; 16] {
     matrix.to_cols_array().map(|x| x as f32)
+}
+
+/// The frames per second, where they are said and are some.
+pub(super) fn rate_of(attributes: &LayerAttributes) -> Option<FrameRate> {
+    let (frames, seconds) = attributes.frames_per_second?;
+    let frames = u32::try_from(frames).ok()?;
+    (frames > 0 && seconds > 0).then_some(FrameRate { frames, seconds })
 }
 
 /// A note of Chiaro's.

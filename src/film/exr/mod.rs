@@ -17,6 +17,7 @@ use siphasher::sip::SipHasher13;
 
 pub use header::{ExrAttribute, ExrHeader, FrameStamp};
 
+use crate::FrameRate;
 use crate::diag::Diagnostic;
 use crate::document::srgb_to_linear;
 use crate::files::OutputKind;
@@ -187,6 +188,10 @@ pub struct ExrContent {
     pub plan: Option<String>,
     /// True if the numbers are those that Chiaro wrote.
     pub is_sealed: bool,
+    /// The space of layers of values, as its writer said.
+    pub layers_in: Option<String>,
+    /// Frames per second, of a picture among others.
+    pub rate: Option<FrameRate>,
 }
 
 /// Reads a file of one part without deep data.
@@ -208,6 +213,8 @@ pub fn decode(bytes: &[u8]) -> Result<ExrContent, Diagnostic> {
         samples: list.iter().map(|channel| SampleType::of(&channel.sample_data)).collect(),
         plan: header::note_of(&layer.attributes, header::PLAN),
         is_sealed: header::note_of(&layer.attributes, header::SEAL) == Some(seal),
+        layers_in: header::note_of(&layer.attributes, header::LAYERS_IN),
+        rate: header::rate_of(&layer.attributes),
     })
 }
 

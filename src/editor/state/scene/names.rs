@@ -8,6 +8,8 @@ use crate::document::Scene;
 use crate::examples;
 use crate::frame::SHAPE_PREFIX;
 
+pub(crate) use crate::files::relative;
+
 /// A path without `.` and `..`, as far as they can be removed without asking the file system.
 pub(crate) fn clean(path: &Path) -> PathBuf {
     let mut cleaned = PathBuf::new();
@@ -32,20 +34,6 @@ pub(crate) fn real(path: &Path) -> PathBuf {
 
 fn absolute(path: &Path) -> PathBuf {
     clean(&crate::state::paths::absolute(path))
-}
-
-/// Relative path from a folder to a file, both absolute; the file itself where there is none, as
-/// from one drive to another.
-pub(crate) fn relative(folder: &Path, file: &Path) -> String {
-    let (from, to): (Vec<_>, Vec<_>) = (folder.components().collect(), file.components().collect());
-    let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
-    // Not even the root is shared, or nothing else is.
-    if shared < 2 && from.len() > 1 {
-        return file.to_string_lossy().into_owned();
-    }
-    let up = from[shared..].iter().map(|_| "..".to_owned());
-    let down = to[shared..].iter().map(|part| part.as_os_str().to_string_lossy().into_owned());
-    up.chain(down).collect::<Vec<_>>().join("/")
 }
 
 /// The folder of a file.
