@@ -61,6 +61,7 @@ impl App {
     pub(super) fn apply(&mut self, ui: &Ui, command: Command) {
         if !keeps_message(&command) {
             self.message = None;
+            self.refused = None;
         }
         self.carry_out(ui, command);
     }
@@ -270,6 +271,9 @@ impl App {
     }
 
     fn ask_where_to_save(&mut self) {
+        if let Some(path) = self.session.shot().map(|shot| shot.path().to_path_buf()) {
+            return self.dialogs.ask(FilePurpose::Save, Some(&path));
+        }
         let by_name = || PathBuf::from(format!("{}.json", stem_of(&self.session.look().name)));
         let near = self.session.path().map_or_else(by_name, Path::to_path_buf);
         self.dialogs.ask(FilePurpose::Save, Some(&near));
@@ -313,6 +317,8 @@ impl App {
     pub(super) fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {
         if let Err(problem) = edit(&mut self.session) {
             self.message = Some(problem.message);
+            // What no shot says is changed in its own file.
+            self.refused = problem.place.file.map(PathBuf::from);
         }
     }
 
@@ -322,6 +328,10 @@ impl App {
         let Some(did_paint) = self.save_painting_first() else {
             return;
         };
+        if self.session.shot().is_some() {
+            // Look and scene are what the shot makes of their files, which stay.
+            return self.save_scene();
+        }
         let is_scene_dirty = self.session.open_scene().is_some_and(OpenScene::is_dirty);
         let saves_look = self.session.is_look_dirty() || !is_scene_dirty && !did_paint;
         if saves_look {

@@ -62,9 +62,11 @@ impl App {
         }
         self.open_alone(path);
         self.open_lacking_look();
-        if self.session.open_scene().is_some_and(|open_scene| open_scene.path() == Some(path)) {
+        let of_shot = self.session.shot().is_some_and(|shot| shot.path() == path);
+        let is_scene = |open_scene: &OpenScene| open_scene.path() == Some(path);
+        if of_shot || self.session.open_scene().is_some_and(is_scene) {
             self.lay_out();
-            self.dock.open(PanelId::OBJECTS);
+            self.dock.open(if of_shot { PanelId::SHOT } else { PanelId::OBJECTS });
             // The scene was asked for, and the look came with it: the scene is the recent file.
             self.safety.opened(path);
         }
@@ -294,7 +296,9 @@ impl App {
                 _ if self.is_painting_at_risk() && self.at_risk() == (false, false) => {
                     self.session.painting().map(OpenPainting::name).unwrap_or_default()
                 }
-                Some(open_scene) if !self.at_risk().0 && self.at_risk().1 => open_scene.name(),
+                Some(open_scene) if !self.at_risk().0 && self.at_risk().1 => {
+                    open_scene.name_of_changed()
+                }
                 _ => self.session.name(),
             };
             ui.label(RichText::new(format!("{name} has changes")).heading());

@@ -19,7 +19,7 @@ pub(crate) mod shortcuts_and_palette;
 pub(crate) mod tour;
 mod welcome;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -82,6 +82,8 @@ pub struct App {
     pending: Option<PendingAction>,
     /// Message about a file or an edit, until the next command.
     message: Option<String>,
+    /// File that has what the last message says could not be changed here.
+    refused: Option<PathBuf>,
     /// Number of presses of the pointer: together with a widget and the keyboard's focus they
     /// identify the gesture that edits.
     presses: u64,
@@ -133,6 +135,7 @@ impl App {
             path_field: None,
             pending: None,
             message: None,
+            refused: None,
             presses: 0,
             closes: false,
             shows_first_picture: false,

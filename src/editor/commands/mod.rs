@@ -15,6 +15,7 @@ mod picture;
 mod placing;
 mod recovery;
 mod scene;
+mod shot;
 pub(crate) mod table;
 mod tour;
 
@@ -37,6 +38,7 @@ pub(crate) use picture::{PictureExport, ViewCommand};
 pub(crate) use placing::{LightMark, PlacingCommand};
 pub(crate) use recovery::RecoveryCommand;
 pub(crate) use scene::SceneCommand;
+pub(crate) use shot::ShotCommand;
 pub(crate) use tour::TourTopic;
 
 /// Command to the window.

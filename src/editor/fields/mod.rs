@@ -11,6 +11,7 @@ pub(crate) mod marks;
 pub(crate) mod mix;
 pub(crate) mod node_links;
 pub(crate) mod row;
+pub(crate) mod shot;
 
 use crate::catalog::NodeKind;
 use crate::document::Node;

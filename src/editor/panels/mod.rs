@@ -22,6 +22,7 @@ mod painting;
 mod picture;
 mod probe;
 pub(crate) mod problems;
+mod shot;
 pub(crate) mod start;
 mod table;
 mod thumbs;
@@ -43,6 +44,7 @@ pub(crate) static PANELS: &[PanelRow] = &[
     layers::PANEL,
     lights::PANEL,
     objects::PANEL,
+    shot::PANEL,
     library::PANEL,
     history::PANEL,
     inspector::PANEL,

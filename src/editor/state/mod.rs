@@ -18,6 +18,7 @@ pub(crate) mod scene;
 pub(crate) mod selection;
 pub(crate) mod session;
 pub mod settings;
+pub(crate) mod shot;
 pub(crate) mod sketch;
 pub(crate) mod snapshot;
 pub(crate) mod solo;
