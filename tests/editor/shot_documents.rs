@@ -36,12 +36,8 @@ const SHOT: &str = r#"{"chiaro": "shot", "scene": "sequence.json", "made_by": "h
    {"look": "look.json", "target": "layer.opacity", "value": 0.75}]}
 "#;
 
-const FILES: [(&str, &str); 4] = [
-    ("look.json", LOOK),
-    ("scene.json", SCENE),
-    ("sequence.json", SEQUENCE),
-    ("shot.json", SHOT),
-];
+const FILES: [(&str, &str); 4] =
+    [("look.json", LOOK), ("scene.json", SCENE), ("sequence.json", SEQUENCE), ("shot.json", SHOT)];
 
 fn shot_file(home: &Home) -> PathBuf {
     for (name, text) in FILES {
@@ -255,7 +251,7 @@ fn a_shot_comes_back_after_a_crash_and_follows_its_files() {
     let later = home.after_a_crash();
     let mut again = later.window(None);
     again.settle();
-    again.press("Take back");
+    again.press("Restore it");
     assert_eq!(scene(&again).lights["sun"].intensity, 3.0);
     assert_eq!(opacity(again.look()), Some(&Value::Number(0.75)));
     again.undo();

@@ -147,7 +147,7 @@ impl App {
             Command::OpenExample(index) => self.do_or_ask(PendingAction::Example(index)),
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::SelectKey(key) => self.session.selection.key = key,
-            Command::SetTime(time) => self.session.view.time = time,
+            Command::SetTime(time) => self.session.set_time(time),
             Command::View(command) => self.apply_to_view(command),
             Command::Graph(command) => {
                 self.start = None;

@@ -194,11 +194,12 @@ impl App {
         let within = |open_scene: &OpenScene| {
             if open_scene.name() == session.name() { " in the scene " } else { " in " }
         };
-        let is_scene_dirty =
-            |open_scene: &OpenScene| !open_scene_of_shot && open_scene.is_dirty();
-        all.extend(open_scene.map(|open_scene| {
-            (within(open_scene), open_scene.name(), is_scene_dirty(open_scene))
-        }));
+        let is_scene_dirty = |open_scene: &OpenScene| !open_scene_of_shot && open_scene.is_dirty();
+        all.extend(
+            open_scene.map(|open_scene| {
+                (within(open_scene), open_scene.name(), is_scene_dirty(open_scene))
+            }),
+        );
         let between = if all.is_empty() { "" } else { ", " };
         all.extend(work.map(|work| (between, work.name(), work.is_dirty())));
         all

@@ -28,8 +28,7 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 /// Rates that are offered.
 const RATES: [&str; 6] = ["23.976", "24", "25", "29.97", "30", "60"];
 /// Steps in the words of animators.
-const STEPS: [(u32, &str); 4] =
-    [(1, "on ones"), (2, "on twos"), (3, "on threes"), (4, "on fours")];
+const STEPS: [(u32, &str); 4] = [(1, "on ones"), (2, "on twos"), (3, "on threes"), (4, "on fours")];
 
 /// Shows the panel.
 fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
@@ -75,7 +74,9 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
             let response = ui.add(DragValue::new(frame).speed(0.2));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
             if response.changed() {
-                let frames = if name == "First frame" { [*frame, before[1].max(*frame)] } else {
+                let frames = if name == "First frame" {
+                    [*frame, before[1].max(*frame)]
+                } else {
                     [before[0].min(*frame), *frame]
                 };
                 let edit = ShotEdit::SetFrames { frames: Some(frames) };

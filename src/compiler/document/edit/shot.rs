@@ -115,15 +115,9 @@ impl Editable for Shot {
             ShotEdit::SetFrames { frames } => {
                 ShotEdit::SetFrames { frames: replace(&mut self.frames, frames) }
             }
-            ShotEdit::SetRate { rate } => {
-                ShotEdit::SetRate { rate: replace(&mut self.rate, rate) }
-            }
-            ShotEdit::SetSize { size } => {
-                ShotEdit::SetSize { size: replace(&mut self.size, size) }
-            }
-            ShotEdit::SetStep { step } => {
-                ShotEdit::SetStep { step: replace(&mut self.step, step) }
-            }
+            ShotEdit::SetRate { rate } => ShotEdit::SetRate { rate: replace(&mut self.rate, rate) },
+            ShotEdit::SetSize { size } => ShotEdit::SetSize { size: replace(&mut self.size, size) },
+            ShotEdit::SetStep { step } => ShotEdit::SetStep { step: replace(&mut self.step, step) },
             ShotEdit::SetShotCamera { camera } => {
                 ShotEdit::SetShotCamera { camera: replace(&mut self.camera, camera) }
             }

@@ -117,6 +117,7 @@ pub(super) fn check_scene(edit: &SceneEdit) -> Check {
             }
         }
         SceneEdit::SetCamera { camera } => trial.camera = *camera,
+        SceneEdit::SetFileCamera { camera } => trial.file_camera.clone_from(camera),
         SceneEdit::SetBackdrop { color } => trial.backdrop = *color,
         SceneEdit::SetMaster { group, master, .. } => {
             slug(group.as_str())?;

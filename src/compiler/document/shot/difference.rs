@@ -61,12 +61,16 @@ impl Scene {
         same_ids("light", &self.lights, &after.lights)?;
         let objects = changed(&self.objects, &after.objects);
         for [before, after] in objects {
-            walk_documents([before, after].map(|of| part(&of, &no_lights, &no_groups)), &mut found)?;
+            walk_documents(
+                [before, after].map(|of| part(&of, &no_lights, &no_groups)),
+                &mut found,
+            )?;
         }
         for [before, after] in changed(&self.lights, &after.lights) {
             walk_documents([before, after].map(|of| part(&none, &of, &no_groups)), &mut found)?;
         }
-        let mut groups: Vec<_> = self.light_groups.keys().chain(after.light_groups.keys()).collect();
+        let mut groups: Vec<_> =
+            self.light_groups.keys().chain(after.light_groups.keys()).collect();
         groups.dedup();
         for group in groups {
             let of = |scene: &Self| {
@@ -146,7 +150,8 @@ impl Look {
             let uses = self.uses_of(id);
             let [path] = uses.as_slice() else {
                 let count = uses.len();
-                let message = format!("the group is used {count} times, and this is of all of them");
+                let message =
+                    format!("the group is used {count} times, and this is of all of them");
                 return Err(Diagnostic::error("not-of-a-shot", message));
             };
             let mut inner = Found::new();

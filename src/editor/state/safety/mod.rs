@@ -160,7 +160,8 @@ impl Safety {
     pub(crate) fn put_aside(&mut self, session: &Session) {
         let Some(open_scene) = session.open_scene() else { return };
         let shot = session.shot().map(OpenShot::path);
-        self.aside.extend([open_scene.path(), session.path(), shot].into_iter().flatten().map(real));
+        self.aside
+            .extend([open_scene.path(), session.path(), shot].into_iter().flatten().map(real));
     }
 
     /// Remembers that a file was put aside, and is wanted back with the work on it.

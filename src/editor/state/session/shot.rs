@@ -78,6 +78,12 @@ impl Session {
         }
     }
 
+    /// Moves the playhead, in seconds.
+    pub fn set_time(&mut self, time: f64) {
+        self.view.time = time;
+        self.show_shot_at_time(false);
+    }
+
     /// Brings scene and looks up to date with the shot over them.
     pub(super) fn resolve_shot(&mut self) {
         let Some(open_scene) = &mut self.open_scene else { return };
@@ -144,10 +150,8 @@ impl Session {
             let message = "the look has no file yet, by which a shot could name it";
             return Err(Box::new(Diagnostic::error("not-of-a-shot", message)));
         };
-        let present = crate::state::reading::LookWithLibrary {
-            look: &after,
-            ..self.look_with_library()
-        };
+        let present =
+            crate::state::reading::LookWithLibrary { look: &after, ..self.look_with_library() };
         let value_of = |target: &str| present.own_value(&Target::parse(target)?);
         let mut writer = ShotWriter::new(shot, Some(look), self.view.time);
         writer.write(differences, &value_of).map_err(refused)?;
@@ -174,8 +178,7 @@ impl Session {
             writer.set_time(before.time, after.time);
             differences.retain(|it| !is_under(&it.target, "time."));
         }
-        if differences.iter().any(|it| is_under(&it.target, "camera."))
-            && writer.set_camera(&after)
+        if differences.iter().any(|it| is_under(&it.target, "camera.")) && writer.set_camera(&after)
         {
             differences.retain(|it| !is_under(&it.target, "camera."));
         }

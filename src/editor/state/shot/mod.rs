@@ -23,7 +23,7 @@ use crate::state::orbit::Orbit;
 use crate::state::paths::absolute;
 use crate::state::revision::StepTime;
 use crate::state::scene::{folder_of, real, relative};
-pub(crate) use writing::{ShotWriter, same_json};
+pub(crate) use writing::ShotWriter;
 
 /// The look that is open, as its file has it.
 pub(crate) struct LookUnderShot {
@@ -229,7 +229,10 @@ impl OpenShot {
         let folder = folder_of(self.path());
         let file = real(Path::new(look));
         let known = known.into_iter().find(|name| real(&folder.join(name)) == file);
-        known.map_or_else(|| relative(&folder, &folder_of(Path::new(look)).join(file_name(look))), str::to_owned)
+        known.map_or_else(
+            || relative(&folder, &folder_of(Path::new(look)).join(file_name(look))),
+            str::to_owned,
+        )
     }
 
     /// Brings the scene up to date with the shot's document. The looks are found by the scene, and
@@ -355,7 +358,8 @@ impl OpenShot {
         let mut shot = self.shot().clone();
         if from != to {
             // Another folder has other ways to the same files.
-            let name = |name: &str| relative(&to, &folder_of(&from.join(name)).join(file_name(name)));
+            let name =
+                |name: &str| relative(&to, &folder_of(&from.join(name)).join(file_name(name)));
             shot.scene = name(&shot.scene);
             for look in shot.overrides.iter_mut().filter_map(|change| change.look.as_mut()) {
                 *look = name(look);

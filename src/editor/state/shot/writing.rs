@@ -78,8 +78,8 @@ impl<'s> ShotWriter<'s> {
         let at = self.at(target);
         let standing = self.shot.resolved().change_of(at.look.as_deref(), target);
         // Keys of lights and of looks are edited as keys; what else moves is at the present frame.
-        let is_in_tracks = at.look.is_some()
-            || matches!(keyed_target(target), Some(Target::Light { .. }));
+        let is_in_tracks =
+            at.look.is_some() || matches!(keyed_target(target), Some(Target::Light { .. }));
         if standing.is_some_and(|change| change.is_keyed) && !is_in_tracks {
             return self.key_here(target, value);
         }
@@ -160,9 +160,10 @@ impl<'s> ShotWriter<'s> {
     /// it. Returns true if so.
     pub(crate) fn set_camera(&mut self, after: &Scene) -> bool {
         let shot = self.shot.shot();
-        let is_single = shot.overrides.iter().any(|change| {
-            change.look.is_none() && change.target.starts_with("camera.")
-        });
+        let is_single = shot
+            .overrides
+            .iter()
+            .any(|change| change.look.is_none() && change.target.starts_with("camera."));
         let is_whole = shot.camera.is_some() && !is_single;
         if is_whole {
             self.edits.push(ShotEdit::SetShotCamera { camera: Some(after.camera) });
@@ -209,7 +210,7 @@ fn rate_of(fps: f64) -> FrameRate {
 }
 
 /// True if two values of files mean the same, however their numbers are written.
-pub(crate) fn same_json(one: &Json, two: &Json) -> bool {
+fn same_json(one: &Json, two: &Json) -> bool {
     match (one, two) {
         (Json::Number(a), Json::Number(b)) => a.as_f64() == b.as_f64(),
         (Json::Array(a), Json::Array(b)) => {

@@ -21,8 +21,8 @@ use crate::diag::Diagnostic;
 use crate::document::{FrameRate, Scene, Value, value_address};
 use moving::MovingValue;
 
-pub(super) use resolve::open_shot;
 pub use resolve::ShotResolver;
+pub(super) use resolve::open_shot;
 pub use stack::{ShotFile, ShotStack, scene_of};
 
 /// A shot, put into a setup.
