@@ -7,7 +7,6 @@ use chiaro::diag::Diagnostic;
 use chiaro::document::{Camera, Edit, GraphId, Look, Scene, SceneEdit, Shot, ShotEdit, Value};
 use chiaro::frame::{Assets, Setup, ValueChange, open};
 use eframe::egui::{Key, Modifiers, Role};
-use egui_kittest::kittest::Queryable as _;
 
 use crate::editor_support::User;
 use crate::editor_support::home::Home;
@@ -270,4 +269,28 @@ fn a_shot_comes_back_after_a_crash_and_follows_its_files() {
     hand.settle();
     assert_eq!(hand.look().lights["key"].direction, [1.0, 0.0, 0.0]);
     assert_eq!(opacity(hand.look()), Some(&Value::Number(0.75)));
+}
+
+#[test]
+fn a_cell_of_a_wedge_is_taken_as_one_step() {
+    let home = Home::new();
+    let mut hand = opened(&home);
+    let sheet = home.file("wedge.json");
+    let cells = r##"{"chiaro": "wedge", "document": "shot.json", "cells": [
+        {"picture": "wedge/001.png", "values": {"sun.intensity": 1.5}},
+        {"picture": "wedge/002.png", "frame": 3,
+         "values": {"sun.color": "#ff0000", "layer.opacity": 0.25}}]}"##;
+    std::fs::write(&sheet, cells).unwrap();
+    hand.app_mut().open(&sheet);
+    hand.settle();
+    assert!(hand.app().session().shot().is_some(), "the shot stays");
+    let cell = hand.place_like("#ff0000");
+    hand.click(cell.center());
+    hand.settle();
+    assert_eq!(scene(&hand).lights["sun"].color, [1.0, 0.0, 0.0]);
+    assert_eq!(opacity(hand.look()), Some(&Value::Number(0.25)));
+    assert_eq!((hand.steps(), shot(&hand).overrides.len()), (1, 3));
+    hand.undo();
+    assert_eq!(opacity(hand.look()), Some(&Value::Number(0.75)));
+    assert_eq!(shot(&hand).overrides.len(), 2);
 }

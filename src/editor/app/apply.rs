@@ -19,6 +19,7 @@ use crate::state::revision::GestureId;
 use crate::state::scene::OpenScene;
 use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown;
+use crate::state::wedge::WedgeSheet;
 use crate::tools::handles::HandlesSwitch;
 use crate::tools::placing::PlacingTool;
 use crate::tools::probe::Probe;
@@ -87,7 +88,10 @@ impl App {
             Command::Open(Some(path)) if files::is_painting(&path) => {
                 self.do_or_ask(PendingAction::OpenPainting { path, keeps_look: false });
             }
-            Command::Open(Some(path)) => self.do_or_ask(PendingAction::Open(path)),
+            Command::Open(Some(path)) => match WedgeSheet::read(&path) {
+                Some(sheet) => self.show_wedge(sheet),
+                None => self.do_or_ask(PendingAction::Open(path)),
+            },
             Command::Open(None) => self.dialogs.ask(FilePurpose::Open, self.session.path()),
             Command::OpenPath => self.open_path_field(),
             Command::Forget(path) => self.safety.change_settings(|settings| settings.forget(&path)),
@@ -148,6 +152,7 @@ impl App {
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::SelectKey(key) => self.session.selection.key = key,
             Command::SetTime(time) => self.session.set_time(time),
+            Command::TakeCell(cell) => self.tell(|session| session.take_cell(&cell)),
             Command::View(command) => self.apply_to_view(command),
             Command::Graph(command) => {
                 self.start = None;

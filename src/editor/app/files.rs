@@ -13,11 +13,13 @@ use crate::examples;
 use crate::frame::UNSAVED_HCBTF;
 use crate::import::GraphFile;
 use crate::panels::library;
+use crate::panels::wedge::Wedge;
 use crate::state::crashes::CrashMark;
 use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
 use crate::state::scene::{LookToOpen, OpenScene};
 use crate::state::session::painting::is_painting_shown;
+use crate::state::wedge::WedgeSheet;
 use crate::widgets::confirm;
 
 /// Action that would lose unsaved changes.
@@ -60,6 +62,12 @@ impl App {
         if is_painting(path) {
             return self.open_painting(path, false);
         }
+        if let Some(sheet) = WedgeSheet::read(path) {
+            if sheet.document.is_file() && WedgeSheet::read(&sheet.document).is_none() {
+                self.open(&sheet.document);
+            }
+            return self.show_wedge(sheet);
+        }
         self.open_alone(path);
         self.open_lacking_look();
         let of_shot = self.session.shot().is_some_and(|shot| shot.path() == path);
@@ -70,6 +78,14 @@ impl App {
             // The scene was asked for, and the look came with it: the scene is the recent file.
             self.safety.opened(path);
         }
+    }
+
+    /// Shows the sheet of a wedge beside the picture, and its cells to be taken.
+    pub(super) fn show_wedge(&mut self, sheet: WedgeSheet) {
+        self.start = None;
+        self.bench.viewport.show_reference(&self.session, sheet.picture());
+        self.bench.memory.of::<Wedge>().open(sheet);
+        self.dock.open(PanelId::WEDGE);
     }
 
     /// Opens the look that a newly opened scene lacks.

@@ -51,6 +51,7 @@ use crate::state::safety::places::Places;
 use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown;
 use crate::state::settings::Settings;
+use crate::state::wedge::WedgeSheet;
 use crate::tools::fitting::FitTool;
 use crate::tools::placing::PlacingTool;
 use crate::tools::probe::Probe;
@@ -393,7 +394,9 @@ impl App {
                     Command::Scene(SceneCommand::Chosen(FilePurpose::AddMesh, path))
                 }
                 mesh if MESHES.contains(&mesh) => Command::ShowOn(Some(path)),
-                image if IMAGES.contains(&image) => Command::ShowReference(Some(path)),
+                image if IMAGES.contains(&image) && WedgeSheet::read(&path).is_none() => {
+                    Command::ShowReference(Some(path))
+                }
                 _ => Command::Open(Some(path)),
             }
         }));

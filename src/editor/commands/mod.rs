@@ -28,6 +28,7 @@ use crate::document::Edit;
 use crate::ids::{DefinitionId, LightId, NodeId, NodePath};
 use crate::state::keying::KeyPlace;
 use crate::state::solo::Solo;
+use crate::state::wedge::WedgeCell;
 use crate::state::wire::ShownWire;
 pub(crate) use file_purpose::{FilePurpose, IMAGES, MESHES, PAINTING};
 pub(crate) use fit::{FitCommand, FitGoal, LightBrush, SketchCommand};
@@ -135,6 +136,8 @@ pub(crate) enum Command {
     SelectKey(Option<KeyPlace>),
     /// Moves the playhead, in seconds.
     SetTime(f64),
+    /// Takes the values of a wedge's cell.
+    TakeCell(WedgeCell),
     /// Command about the view of the object.
     View(ViewCommand),
     /// Command about the graph on the canvas.

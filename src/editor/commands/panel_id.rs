@@ -33,4 +33,5 @@ impl PanelId {
     pub(crate) const SHEET: Self = Self("sheet");
     pub(crate) const SHOT: Self = Self("shot");
     pub(crate) const TIMELINE: Self = Self("timeline");
+    pub(crate) const WEDGE: Self = Self("wedge");
 }

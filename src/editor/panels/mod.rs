@@ -26,6 +26,7 @@ mod shot;
 pub(crate) mod start;
 mod table;
 mod thumbs;
+pub(crate) mod wedge;
 mod workbench;
 
 use crate::commands::PanelId;
@@ -45,6 +46,7 @@ pub(crate) static PANELS: &[PanelRow] = &[
     lights::PANEL,
     objects::PANEL,
     shot::PANEL,
+    wedge::PANEL,
     library::PANEL,
     history::PANEL,
     inspector::PANEL,

@@ -232,7 +232,7 @@ fn row(
     ui.add(Label::new(RichText::new(from).color(colors.dim)).truncate())
         .on_hover_text("Before the change");
     let kind = if change.is_keyed { "keyed" } else { "set" };
-    let to = RichText::new(format!("→ {to}")).color(color);
+    let to = RichText::new(to).color(color);
     ui.add(Label::new(to).truncate()).on_hover_text(format!("{kind} by {by}"));
     ui.horizontal(|ui| {
         if is_own {

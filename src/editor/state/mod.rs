@@ -24,5 +24,6 @@ pub(crate) mod snapshot;
 pub(crate) mod solo;
 pub(crate) mod stack;
 pub(crate) mod view;
+pub(crate) mod wedge;
 pub(crate) mod wire;
 pub(crate) mod worker;

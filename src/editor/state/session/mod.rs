@@ -15,6 +15,7 @@ pub(crate) mod shot;
 mod sketch;
 mod snapshots;
 mod steps;
+mod wedge;
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
