@@ -12,6 +12,7 @@ use crate::document::{Grid, Hcbtf};
 use crate::examples;
 use crate::frame::UNSAVED_HCBTF;
 use crate::import::GraphFile;
+use crate::panels::curves::timeline::Timeline;
 use crate::panels::library;
 use crate::panels::wedge::Wedge;
 use crate::state::crashes::CrashMark;
@@ -75,8 +76,16 @@ impl App {
         if of_shot || self.session.open_scene().is_some_and(is_scene) {
             self.lay_out();
             self.dock.open(if of_shot { PanelId::SHOT } else { PanelId::OBJECTS });
+            self.play_frames_of_shot();
             // The scene was asked for, and the look came with it: the scene is the recent file.
             self.safety.opened(path);
+        }
+    }
+
+    /// Lets the timeline play the frames of the shot, if one is open.
+    pub(super) fn play_frames_of_shot(&mut self) {
+        if let Some(shot) = self.session.shot() {
+            self.bench.memory.of::<Timeline>().play_range(shot.scene().time);
         }
     }
 

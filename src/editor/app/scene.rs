@@ -59,6 +59,8 @@ impl App {
     }
 
     fn apply_to_shot(&mut self, ui: &Ui, command: ShotCommand) {
+        let frames = |app: &Self| app.session.shot().map(|shot| shot.scene().time);
+        let before = frames(self);
         match command {
             ShotCommand::Edit(edit) => self.tell(|session| session.apply_to_shot(edit, None)),
             ShotCommand::EditHeld(widget, edit) => {
@@ -70,6 +72,9 @@ impl App {
                 self.tell(|session| session.key_in_shot(&at));
             }
             ShotCommand::Show(at) => self.show_value(ui, &at),
+        }
+        if frames(self) != before {
+            self.play_frames_of_shot();
         }
     }
 

@@ -5,6 +5,7 @@
 
 mod axis;
 mod bar;
+mod range;
 mod rows;
 
 use std::time::Duration;
