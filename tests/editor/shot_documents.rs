@@ -213,13 +213,13 @@ fn a_camera_is_keyed_at_the_frame_and_frames_and_step_are_set() {
     let mut hand = opened(&home);
     at(&mut hand, 13.0);
     assert_eq!(scene(&hand).camera.eye, [0.0, 0.0, 9.0], "between its keys");
-    let camera = Camera { eye: [1.0, 0.0, 9.0], fov: 0.5, ..scene(&hand).camera };
+    let camera = Camera { eye: [1.0, 0.0, 9.0], fov: 0.75, ..scene(&hand).camera };
     edit(&mut hand, SceneEdit::SetCamera { camera }).unwrap();
     let eye = &shot(&hand).overrides[0];
     let frames: Vec<f64> = eye.keys.iter().map(|key| key.frame).collect();
     assert_eq!(frames, [1.0, 13.0, 25.0]);
     let fov = shot(&hand).overrides.iter().find(|change| change.target == "camera.fov").unwrap();
-    assert_eq!(fov.value, Some(Value::Number(0.5)), "what is not keyed is set");
+    assert_eq!(fov.value, Some(Value::Number(0.75)), "what is not keyed is set");
     hand.undo();
     assert_eq!(shot(&hand).overrides[0].keys.len(), 2, "one step");
     // A light is keyed in the panel, and set at another frame.

@@ -2,8 +2,8 @@
 //! changes.
 
 use eframe::egui::{
-    Button, ComboBox, DragValue, Grid, Label, RichText, Role, ScrollArea, Sense, TextEdit, Ui,
-    WidgetInfo,
+    Align, Button, ComboBox, DragValue, Label, Layout, RichText, Role, ScrollArea, Sense, TextEdit,
+    Ui, WidgetInfo,
 };
 
 use crate::commands::{Command, PanelId, SceneCommand, ShotCommand, ViewCommand};
@@ -28,7 +28,7 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 /// Rates that are offered.
 const RATES: [&str; 6] = ["23.976", "24", "25", "29.97", "30", "60"];
 /// Steps in the words of animators.
-const STEPS: [(u32, &str); 4] = [(1, "on ones"), (2, "on twos"), (3, "on threes"), (4, "on fours")];
+const STEPS: [(u32, &str); 4] = [(1, "ones"), (2, "twos"), (3, "threes"), (4, "fours")];
 
 /// Shows the panel.
 fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
@@ -103,10 +103,11 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
     size(ui, shot, out);
     let help = "Looks, lights and values of objects are held for so many frames; cameras and \
                 objects move on every one";
-    labelled(ui, "Shading", help, |ui, _| {
+    labelled(ui, "Shading on", help, |ui, _| {
+        ui.spacing_mut().item_spacing.x = 2.0;
         for (step, text) in STEPS {
             let is_it = shot.stack().step() == step;
-            let name = format!("Shading {text}");
+            let name = format!("Shading on {text}");
             let response = ui.selectable_label(is_it, text);
             response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
             if response.on_hover_text(help).clicked() && !is_it {
@@ -114,7 +115,7 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
             }
         }
     });
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let follows = session.follows_shot();
         let help = "The picture as `chiaro render` draws it at this frame; a turn of the view \
                     leaves the camera";
@@ -193,17 +194,16 @@ fn changes(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Comman
             .small()
             .color(theme::of(ui).dim),
     );
-    Grid::new("changes of the shot").num_columns(4).striped(true).show(ui, |ui| {
-        // The nearest first.
-        for change in standing.iter().rev().filter(|change| change.by == shot.path()) {
-            row(ui, session, shot, change, out);
-        }
-        for change in standing.iter().rev().filter(|change| change.by != shot.path()) {
-            row(ui, session, shot, change, out);
-        }
-    });
+    // The nearest first.
+    for change in standing.iter().rev().filter(|change| change.by == shot.path()) {
+        row(ui, session, shot, change, out);
+    }
+    for change in standing.iter().rev().filter(|change| change.by != shot.path()) {
+        row(ui, session, shot, change, out);
+    }
 }
 
+/// Shows a change: where it is, with its buttons, and below what it was and is.
 fn row(
     ui: &mut Ui,
     session: &Session,
@@ -222,41 +222,63 @@ fn row(
     };
     let colors = theme::of(ui);
     let color = if is_own { colors.text } else { colors.dim };
-    let label = Label::new(RichText::new(&address).color(color)).sense(Sense::click()).truncate();
-    let response = ui.add(label);
-    response.widget_info(|| WidgetInfo::labeled(Role::Link, true, format!("Show {address}")));
-    if response.on_hover_text(format!("{}\nA click shows it", at.text())).clicked() {
-        push(out, ShotCommand::Show(at.clone()));
-    }
-    let (from, to) = change_text(change);
-    ui.add(Label::new(RichText::new(from).color(colors.dim)).truncate())
-        .on_hover_text("Before the change");
-    let kind = if change.is_keyed { "keyed" } else { "set" };
-    let to = RichText::new(to).color(color);
-    ui.add(Label::new(to).truncate()).on_hover_text(format!("{kind} by {by}"));
     ui.horizontal(|ui| {
-        if is_own {
-            let button = ui.small_button("Reset");
-            button.widget_info(|| {
-                WidgetInfo::labeled(Role::Button, true, format!("Reset {address}"))
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            buttons(ui, (session, shot), change, &address, out);
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                let text = RichText::new(&address).color(color);
+                let response = ui.add(Label::new(text).sense(Sense::click()).truncate());
+                response.widget_info(|| {
+                    WidgetInfo::labeled(Role::Link, true, format!("Show {address}"))
+                });
+                let help = format!("{}\nA click shows it", at.text());
+                if response.on_hover_text(help).clicked() {
+                    push(out, ShotCommand::Show(at.clone()));
+                }
             });
-            if button.on_hover_text("The value is as before").clicked() {
-                push(out, ShotCommand::Reset(at.clone()));
-            }
-        } else {
-            let help = "It is taken back where it is made: open that file";
-            let button = ui.small_button(format!("in {by}"));
-            if button.on_hover_text(help).clicked() {
-                out.push(Command::Open(Some(change.by.clone())));
-            }
-        }
-        let is_open = change.look.is_none() || change.look == shot.open_look();
-        let key = ui.add_enabled(is_open, Button::new("Key").small());
-        key.widget_info(|| WidgetInfo::labeled(Role::Button, is_open, format!("Key {address}")));
-        let frame = shot.frame_at(session.view.time);
-        if key.on_hover_text(format!("A key at frame {frame}, with the present value")).clicked() {
-            push(out, ShotCommand::Key(at));
-        }
+        });
     });
-    ui.end_row();
+    let (from, to) = change_text(change);
+    let kind = if change.is_keyed { "keyed" } else { "set" };
+    let held =
+        if change.step > 1 { format!(", held for {} frames", change.step) } else { String::new() };
+    let text = format!("   {from} before, {kind} to {to}{held}");
+    ui.add(Label::new(RichText::new(text).small().color(colors.dim)).truncate())
+        .on_hover_text(format!("{kind} by {by}: {from} before, {to} now"));
+    ui.add_space(2.0);
+}
+
+/// Shows the buttons of a change: the way back, or to the file that makes it, and a key.
+fn buttons(
+    ui: &mut Ui,
+    (session, shot): (&Session, &OpenShot),
+    change: &ValueChange,
+    address: &str,
+    out: &mut Vec<Command>,
+) {
+    let at = ShotAddress::of(change);
+    if change.by == shot.path() {
+        let button = ui.small_button("Reset");
+        button.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Reset {address}")));
+        if button.on_hover_text("The value is as before").clicked() {
+            push(out, ShotCommand::Reset(at.clone()));
+        }
+    } else {
+        let by = change.by.file_name().unwrap_or_default().to_string_lossy();
+        let help = format!("{by} changes it, and takes it back: opens that file");
+        let button = ui.small_button("Open");
+        button.widget_info(|| {
+            WidgetInfo::labeled(Role::Button, true, format!("Open {by} with {address}"))
+        });
+        if button.on_hover_text(help).clicked() {
+            out.push(Command::Open(Some(change.by.clone())));
+        }
+    }
+    let is_open = change.look.is_none() || change.look == shot.open_look();
+    let key = ui.add_enabled(is_open, Button::new("Key").small());
+    key.widget_info(|| WidgetInfo::labeled(Role::Button, is_open, format!("Key {address}")));
+    let frame = shot.frame_at(session.view.time);
+    if key.on_hover_text(format!("A key at frame {frame}, with the present value")).clicked() {
+        push(out, ShotCommand::Key(at));
+    }
 }
