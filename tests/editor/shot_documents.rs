@@ -153,7 +153,8 @@ fn a_light_is_changed_in_the_shot_undone_saved_and_reset() {
     hand.tab("Shot");
     assert!(hand.has("Reset lights.sun.intensity"));
     assert!(!hand.has("Reset lights.back.intensity"), "that is the sequence's to take back");
-    hand.press("Reset lights.sun.intensity");
+    hand.bring(Role::Button, "Reset lights.sun.intensity");
+    hand.press_a(Role::Button, "Reset lights.sun.intensity");
     assert_eq!(scene(&hand).lights["sun"].intensity, 0.8);
     // A value that is set to what it is without the shot is no override.
     let dimmer = brighter(&hand, "back", 0.5);
@@ -226,13 +227,15 @@ fn a_camera_is_keyed_at_the_frame_and_frames_and_step_are_set() {
     let brighter_sun = brighter(&hand, "sun", 2.0);
     edit(&mut hand, brighter_sun).unwrap();
     hand.tab("Shot");
-    hand.press("Key lights.sun.intensity");
+    hand.bring(Role::Button, "Key lights.sun.intensity");
+    hand.press_a(Role::Button, "Key lights.sun.intensity");
     assert_eq!(shot(&hand).overrides[2].keys.len(), 1);
     // Frames and step are the shot's.
     let session = hand.app_mut().session_mut();
     session.apply_to_shot(ShotEdit::SetFrames { frames: Some([1, 48]) }, None).unwrap();
     hand.settle();
     assert_eq!(scene(&hand).time.end, 2.0);
+    hand.bring(Role::RadioButton, "Shading on ones");
     hand.press_a(Role::RadioButton, "Shading on ones");
     assert_eq!(shot(&hand).step, Some(1));
     save(&mut hand);
