@@ -30,6 +30,7 @@ mod safety;
 mod scene;
 mod scene_light_keys;
 mod scene_parts;
+mod shot_documents;
 mod shots;
 mod stack;
 mod stack_shots;

@@ -11,7 +11,7 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::packed::PackedTile;
-use super::{Address, Editable, Grid, Hcbtf, Look, Rule, Scene, Tile, UnknownFields};
+use super::{Address, Editable, Grid, Hcbtf, Look, Rule, Scene, Shot, Tile, UnknownFields};
 
 /// Image of an HCBTF, with each tile once however many samples are equal to it.
 pub(super) struct HcbtfImage;
@@ -117,6 +117,7 @@ macro_rules! journaled {
 
 journaled!(Look, "look");
 journaled!(Scene, "scene");
+journaled!(Shot, "shot");
 
 impl JournalDocument for Hcbtf {
     const KIND: &'static str = "hcbtf";

@@ -37,7 +37,7 @@ mod write;
 pub use color::{linear_to_srgb, parse_hex, srgb_to_linear};
 pub use edit::{
     DocumentRevision, Edit, EditResult, Editable, HcbtfEdit, History, HistoryNumbers, Patch,
-    SceneEdit, Step,
+    SceneEdit, ShotEdit, Step,
 };
 pub use hcbtf::{
     Address, Angle as HcbtfAngle, Bundle, Direction, Directions, Grid, Hcbtf, HcbtfListing,
@@ -59,7 +59,8 @@ pub use scene::*;
 pub use set::{LightSet, MemberSet, ObjectSet, SetError, SetMember, SetTerm};
 pub use shape::{field_tables, hcbtf_schema, look_schema, scene_schema, shot_schema};
 pub use shot::{
-    BlendKind, Override, Shot, ShotKey, ValuePlace, json_of_value, keyed_target, value_address,
+    BlendKind, ChangedTo, Override, Shot, ShotKey, ValueDifference, ValuePlace, json_of_value,
+    keyed_target, value_address,
 };
 pub use source::{LoadedDocument, SourceMap};
 pub use storage::Storage;

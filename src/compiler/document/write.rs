@@ -56,6 +56,7 @@ macro_rules! tried {
 
 tried!(Look);
 tried!(Scene);
+tried!(Shot);
 
 macro_rules! written_whole {
     ($document:ty) => {

@@ -19,6 +19,7 @@ use crate::state::revision::GestureId;
 use crate::state::scene::OpenScene;
 use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown;
+use crate::state::wedge::WedgeSheet;
 use crate::tools::handles::HandlesSwitch;
 use crate::tools::placing::PlacingTool;
 use crate::tools::probe::Probe;
@@ -61,6 +62,7 @@ impl App {
     pub(super) fn apply(&mut self, ui: &Ui, command: Command) {
         if !keeps_message(&command) {
             self.message = None;
+            self.refused = None;
         }
         self.carry_out(ui, command);
     }
@@ -86,7 +88,10 @@ impl App {
             Command::Open(Some(path)) if files::is_painting(&path) => {
                 self.do_or_ask(PendingAction::OpenPainting { path, keeps_look: false });
             }
-            Command::Open(Some(path)) => self.do_or_ask(PendingAction::Open(path)),
+            Command::Open(Some(path)) => match WedgeSheet::read(&path) {
+                Some(sheet) => self.show_wedge(sheet),
+                None => self.do_or_ask(PendingAction::Open(path)),
+            },
             Command::Open(None) => self.dialogs.ask(FilePurpose::Open, self.session.path()),
             Command::OpenPath => self.open_path_field(),
             Command::Forget(path) => self.safety.change_settings(|settings| settings.forget(&path)),
@@ -146,7 +151,8 @@ impl App {
             Command::OpenExample(index) => self.do_or_ask(PendingAction::Example(index)),
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::SelectKey(key) => self.session.selection.key = key,
-            Command::SetTime(time) => self.session.view.time = time,
+            Command::SetTime(time) => self.session.set_time(time),
+            Command::TakeCell(cell) => self.tell(|session| session.take_cell(&cell)),
             Command::View(command) => self.apply_to_view(command),
             Command::Graph(command) => {
                 self.start = None;
@@ -270,6 +276,9 @@ impl App {
     }
 
     fn ask_where_to_save(&mut self) {
+        if let Some(path) = self.session.shot().map(|shot| shot.path().to_path_buf()) {
+            return self.dialogs.ask(FilePurpose::Save, Some(&path));
+        }
         let by_name = || PathBuf::from(format!("{}.json", stem_of(&self.session.look().name)));
         let near = self.session.path().map_or_else(by_name, Path::to_path_buf);
         self.dialogs.ask(FilePurpose::Save, Some(&near));
@@ -313,6 +322,8 @@ impl App {
     pub(super) fn tell(&mut self, edit: impl FnOnce(&mut Session) -> Result<(), Box<Diagnostic>>) {
         if let Err(problem) = edit(&mut self.session) {
             self.message = Some(problem.message);
+            // What no shot says is changed in its own file.
+            self.refused = problem.place.file.map(PathBuf::from);
         }
     }
 
@@ -322,6 +333,10 @@ impl App {
         let Some(did_paint) = self.save_painting_first() else {
             return;
         };
+        if self.session.shot().is_some() {
+            // Look and scene are what the shot makes of their files, which stay.
+            return self.save_scene();
+        }
         let is_scene_dirty = self.session.open_scene().is_some_and(OpenScene::is_dirty);
         let saves_look = self.session.is_look_dirty() || !is_scene_dirty && !did_paint;
         if saves_look {

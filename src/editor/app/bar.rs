@@ -144,11 +144,18 @@ impl App {
             .find(|hint| !hint.is_empty() && self.start.is_none())
             .unwrap_or_default();
         ui.horizontal(|ui| {
-            let command = problems::status(ui, &self.session);
+            let mut command = problems::status(ui, &self.session);
             if let Some(message) = &self.message {
                 // A long message is cut off, and shown whole under the pointer, so that it never
                 // pushes the window about.
                 let text = RichText::new(message).color(theme::of(ui).accent);
+                if let Some(path) = &self.refused {
+                    let name = path.file_name().unwrap_or_default().to_string_lossy();
+                    let help = "Opens the file that has it, in place of the shot";
+                    if ui.button(format!("Open {name}")).on_hover_text(help).clicked() {
+                        command = Some(Command::Open(Some(path.clone())));
+                    }
+                }
                 ui.add(egui::Label::new(text).truncate()).on_hover_text(message);
                 ui.separator();
             }
@@ -166,10 +173,18 @@ impl App {
         let work = session.painting();
         let is_look_dirty = session.is_look_dirty();
         let mut all = Vec::new();
+        if let Some(shot) = session.shot() {
+            // A save writes the shot; look and scene under it have no changes.
+            all.push(("", shot.name(), shot.is_dirty()));
+            all.push((", ", session.name(), false));
+        }
+        let open_scene_of_shot = session.shot().is_some();
         // A look that only shows the painting goes without saying.
         let is_bare =
             |work: &OpenPainting| session.path().is_none() && session.look().name == work.name();
-        if is_look_dirty
+        if open_scene_of_shot {
+            // Its look is told.
+        } else if is_look_dirty
             || open_scene.is_some()
             || !(work.is_some_and(is_bare) && self.keeps_look())
         {
@@ -179,9 +194,11 @@ impl App {
         let within = |open_scene: &OpenScene| {
             if open_scene.name() == session.name() { " in the scene " } else { " in " }
         };
+        let is_scene_dirty = |open_scene: &OpenScene| !open_scene_of_shot && open_scene.is_dirty();
         all.extend(
-            open_scene
-                .map(|open_scene| (within(open_scene), open_scene.name(), open_scene.is_dirty())),
+            open_scene.map(|open_scene| {
+                (within(open_scene), open_scene.name(), is_scene_dirty(open_scene))
+            }),
         );
         let between = if all.is_empty() { "" } else { ", " };
         all.extend(work.map(|work| (between, work.name(), work.is_dirty())));

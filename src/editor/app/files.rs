@@ -12,12 +12,15 @@ use crate::document::{Grid, Hcbtf};
 use crate::examples;
 use crate::frame::UNSAVED_HCBTF;
 use crate::import::GraphFile;
+use crate::panels::curves::timeline::Timeline;
 use crate::panels::library;
+use crate::panels::wedge::Wedge;
 use crate::state::crashes::CrashMark;
 use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
 use crate::state::scene::{LookToOpen, OpenScene};
 use crate::state::session::painting::is_painting_shown;
+use crate::state::wedge::WedgeSheet;
 use crate::widgets::confirm;
 
 /// Action that would lose unsaved changes.
@@ -60,14 +63,38 @@ impl App {
         if is_painting(path) {
             return self.open_painting(path, false);
         }
+        if let Some(sheet) = WedgeSheet::read(path) {
+            if sheet.document.is_file() && WedgeSheet::read(&sheet.document).is_none() {
+                self.open(&sheet.document);
+            }
+            return self.show_wedge(sheet);
+        }
         self.open_alone(path);
         self.open_lacking_look();
-        if self.session.open_scene().is_some_and(|open_scene| open_scene.path() == Some(path)) {
+        let of_shot = self.session.shot().is_some_and(|shot| shot.path() == path);
+        let is_scene = |open_scene: &OpenScene| open_scene.path() == Some(path);
+        if of_shot || self.session.open_scene().is_some_and(is_scene) {
             self.lay_out();
-            self.dock.open(PanelId::OBJECTS);
+            self.dock.open(if of_shot { PanelId::SHOT } else { PanelId::OBJECTS });
+            self.play_frames_of_shot();
             // The scene was asked for, and the look came with it: the scene is the recent file.
             self.safety.opened(path);
         }
+    }
+
+    /// Lets the timeline play the frames of the shot, if one is open.
+    pub(super) fn play_frames_of_shot(&mut self) {
+        if let Some(shot) = self.session.shot() {
+            self.bench.memory.of::<Timeline>().play_range(shot.scene().time);
+        }
+    }
+
+    /// Shows the sheet of a wedge beside the picture, and its cells to be taken.
+    pub(super) fn show_wedge(&mut self, sheet: WedgeSheet) {
+        self.start = None;
+        self.bench.viewport.show_reference(&self.session, sheet.picture());
+        self.bench.memory.of::<Wedge>().open(sheet);
+        self.dock.open(PanelId::WEDGE);
     }
 
     /// Opens the look that a newly opened scene lacks.
@@ -294,7 +321,9 @@ impl App {
                 _ if self.is_painting_at_risk() && self.at_risk() == (false, false) => {
                     self.session.painting().map(OpenPainting::name).unwrap_or_default()
                 }
-                Some(open_scene) if !self.at_risk().0 && self.at_risk().1 => open_scene.name(),
+                Some(open_scene) if !self.at_risk().0 && self.at_risk().1 => {
+                    open_scene.name_of_changed()
+                }
                 _ => self.session.name(),
             };
             ui.label(RichText::new(format!("{name} has changes")).heading());

@@ -19,7 +19,7 @@ pub(crate) mod shortcuts_and_palette;
 pub(crate) mod tour;
 mod welcome;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -51,6 +51,7 @@ use crate::state::safety::places::Places;
 use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown;
 use crate::state::settings::Settings;
+use crate::state::wedge::WedgeSheet;
 use crate::tools::fitting::FitTool;
 use crate::tools::placing::PlacingTool;
 use crate::tools::probe::Probe;
@@ -82,6 +83,8 @@ pub struct App {
     pending: Option<PendingAction>,
     /// Message about a file or an edit, until the next command.
     message: Option<String>,
+    /// File that has what the last message says could not be changed here.
+    refused: Option<PathBuf>,
     /// Number of presses of the pointer: together with a widget and the keyboard's focus they
     /// identify the gesture that edits.
     presses: u64,
@@ -133,6 +136,7 @@ impl App {
             path_field: None,
             pending: None,
             message: None,
+            refused: None,
             presses: 0,
             closes: false,
             shows_first_picture: false,
@@ -390,7 +394,9 @@ impl App {
                     Command::Scene(SceneCommand::Chosen(FilePurpose::AddMesh, path))
                 }
                 mesh if MESHES.contains(&mesh) => Command::ShowOn(Some(path)),
-                image if IMAGES.contains(&image) => Command::ShowReference(Some(path)),
+                image if IMAGES.contains(&image) && WedgeSheet::read(&path).is_none() => {
+                    Command::ShowReference(Some(path))
+                }
                 _ => Command::Open(Some(path)),
             }
         }));

@@ -71,8 +71,10 @@ impl Safety {
                 self.conflict(ui, conflict, session, &mut out);
             }
             if let (Some(_), Some(open_scene)) = (&self.disk.scene_conflict, session.open_scene()) {
-                let text =
-                    format!("{} was changed by another program, and by you", open_scene.name());
+                let text = format!(
+                    "{} was changed by another program, and by you",
+                    open_scene.name_of_changed()
+                );
                 row(ui, Tone::Warning, &text, |ui| {
                     let help = "Takes the scene as it is in the file now, as one step: Undo brings \
                                 your version back";
@@ -169,7 +171,8 @@ impl Safety {
                 ui.label(RichText::new("Files that you open are listed here").weak());
             }
         });
-        menu.response.on_hover_text("Looks, scenes and paintings that were open, the newest first");
+        menu.response
+            .on_hover_text("Looks, scenes, shots and paintings that were open, the newest first");
         wanted
     }
 }

@@ -6,12 +6,13 @@ use eframe::egui::Ui;
 
 use super::App;
 use super::files::PendingAction;
-use crate::commands::{FilePurpose, PanelId, SceneCommand};
+use crate::commands::{Command, FilePurpose, PanelId, SceneCommand, ShotCommand};
 use crate::document::SceneEdit;
 use crate::examples;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX, look_of};
-use crate::ids::{ObjectId, make_slug};
+use crate::ids::{NodePath, ObjectId, make_slug};
 use crate::state::scene::{OPEN_LOOK, OpenScene};
+use crate::state::shot::{OpenShot, ShotAddress};
 use crate::widgets::spots::{self, Spot};
 
 impl App {
@@ -53,11 +54,63 @@ impl App {
                 self.dialogs.ask(FilePurpose::SaveScene, self.near_scene().as_deref());
             }
             SceneCommand::Close => self.do_or_ask(PendingAction::LeaveScene),
+            SceneCommand::Shot(command) => self.apply_to_shot(ui, command),
+        }
+    }
+
+    fn apply_to_shot(&mut self, ui: &Ui, command: ShotCommand) {
+        let frames = |app: &Self| app.session.shot().map(|shot| shot.scene().time);
+        let before = frames(self);
+        match command {
+            ShotCommand::Edit(edit) => self.tell(|session| session.apply_to_shot(edit, None)),
+            ShotCommand::EditHeld(widget, edit) => {
+                let gesture = self.gesture(ui, widget);
+                self.tell(|session| session.apply_to_shot(edit, Some(gesture)));
+            }
+            ShotCommand::Reset(at) => self.tell(|session| session.reset_in_shot(&at)),
+            ShotCommand::Key(at) => {
+                self.tell(|session| session.key_in_shot(&at));
+            }
+            ShotCommand::Show(at) => self.show_value(ui, &at),
+        }
+        if frames(self) != before {
+            self.play_frames_of_shot();
+        }
+    }
+
+    /// Brings a value that the shot changes into view.
+    fn show_value(&mut self, ui: &Ui, at: &ShotAddress) {
+        let mut steps = at.target.split('.');
+        let (first, id) = (steps.next().unwrap_or_default(), steps.next().unwrap_or_default());
+        match (&at.look, first) {
+            (None, "objects") => {
+                self.session.select_object(Some(ObjectId::new(id)));
+                self.dock.open(PanelId::OBJECTS);
+            }
+            (None, "light_groups" | "muted" | "soloed") => self.dock.open(PanelId::MIXER),
+            (_, "lights") => {
+                self.session.choose_light(id.into());
+                self.dock.open(PanelId::LIGHTS);
+            }
+            (None, _) => self.dock.open(PanelId::OBJECTS),
+            (Some(look), _) => {
+                let is_open = self.session.shot().and_then(OpenShot::open_look);
+                if is_open.as_ref() != Some(look) {
+                    return self.do_or_ask(PendingAction::Switch(PathBuf::from(look)));
+                }
+                let target = at.target.strip_prefix("nodes.").unwrap_or(&at.target);
+                let node = target.rsplit_once('.').map_or(target, |(node, _)| node);
+                self.dock.open(PanelId::INSPECTOR);
+                self.carry_out(ui, Command::Show(NodePath::parse(node)));
+            }
         }
     }
 
     /// Path that a dialog for a file of the scene begins near.
     fn near_scene(&self) -> Option<PathBuf> {
+        if let Some(shot) = self.session.shot() {
+            return Some(shot.path().to_path_buf());
+        }
         let own = self.session.open_scene().and_then(OpenScene::path);
         own.map(Path::to_path_buf)
             .or_else(|| Some(self.session.path()?.with_file_name("scene.json")))
@@ -203,6 +256,9 @@ impl App {
 
     /// Saves the scene; asks for a file where there is none.
     pub(super) fn save_scene(&mut self) {
+        if let Some(path) = self.session.shot().map(|shot| shot.path().to_path_buf()) {
+            return self.save_scene_and_go_on(&path);
+        }
         match self.session.open_scene().map(|open_scene| open_scene.path().map(Path::to_path_buf)) {
             Some(Some(path)) => self.save_scene_and_go_on(&path),
             Some(None) => self.dialogs.ask(FilePurpose::SaveScene, self.near_scene().as_deref()),

@@ -15,6 +15,7 @@ mod picture;
 mod placing;
 mod recovery;
 mod scene;
+mod shot;
 pub(crate) mod table;
 mod tour;
 
@@ -27,6 +28,7 @@ use crate::document::Edit;
 use crate::ids::{DefinitionId, LightId, NodeId, NodePath};
 use crate::state::keying::KeyPlace;
 use crate::state::solo::Solo;
+use crate::state::wedge::WedgeCell;
 use crate::state::wire::ShownWire;
 pub(crate) use file_purpose::{FilePurpose, IMAGES, MESHES, PAINTING};
 pub(crate) use fit::{FitCommand, FitGoal, LightBrush, SketchCommand};
@@ -37,6 +39,7 @@ pub(crate) use picture::{PictureExport, ViewCommand};
 pub(crate) use placing::{LightMark, PlacingCommand};
 pub(crate) use recovery::RecoveryCommand;
 pub(crate) use scene::SceneCommand;
+pub(crate) use shot::ShotCommand;
 pub(crate) use tour::TourTopic;
 
 /// Command to the window.
@@ -133,6 +136,8 @@ pub(crate) enum Command {
     SelectKey(Option<KeyPlace>),
     /// Moves the playhead, in seconds.
     SetTime(f64),
+    /// Takes the values of a wedge's cell.
+    TakeCell(WedgeCell),
     /// Command about the view of the object.
     View(ViewCommand),
     /// Command about the graph on the canvas.

@@ -31,5 +31,7 @@ impl PanelId {
     pub(crate) const RULES: Self = Self("rules");
     pub(crate) const SAMPLES: Self = Self("samples");
     pub(crate) const SHEET: Self = Self("sheet");
+    pub(crate) const SHOT: Self = Self("shot");
     pub(crate) const TIMELINE: Self = Self("timeline");
+    pub(crate) const WEDGE: Self = Self("wedge");
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use eframe::egui;
 
-use super::FilePurpose;
+use super::{FilePurpose, ShotCommand};
 use crate::document::SceneEdit;
 use crate::ids::ObjectId;
 use crate::state::scene::ObjectPlace;
@@ -40,4 +40,6 @@ pub(crate) enum SceneCommand {
     SaveAs,
     /// Puts the scene aside; the look stays open.
     Close,
+    /// Command about the shot over the scene.
+    Shot(ShotCommand),
 }

@@ -8,6 +8,7 @@ use super::row;
 use crate::commands::{Command, PanelId};
 use crate::document::{Edit, ExposedValue, KeyDirection, Target};
 use crate::fields::lighting::{OwnedKeys, Owner};
+use crate::fields::shot::{self, ChangedValue};
 use crate::fields::{constant_wires, mark};
 use crate::ids::{PortName, is_slug, make_slug};
 use crate::library::Type;
@@ -44,7 +45,15 @@ impl FieldTarget<'_> {
         {
             lines.push(format!("Exposed as \"{}\".", exposed.name));
         }
+        if let Some(changed) = self.by_shot() {
+            lines.push(changed.help());
+        }
         lines.join("\n")
+    }
+
+    /// The change that the open shot makes of the value.
+    pub(crate) fn by_shot(&self) -> Option<ChangedValue<'_>> {
+        ChangedValue::of(self.owned.session, self.owned.owner, &self.target.to_string())
     }
 }
 
@@ -55,12 +64,19 @@ pub(crate) fn size(ui: &Ui) -> egui::Vec2 {
 
 /// Shows the mark of a value, with its menu; leaves room for it where there is none.
 pub(crate) fn diamond(ui: &mut Ui, marked: Option<&FieldTarget<'_>>, out: &mut Vec<Command>) {
+    let is_changed = marked.is_some_and(|marked| marked.by_shot().is_some());
     let Some(marked) = marked.filter(|marked| marked.can_be_keyed()) else {
-        ui.allocate_exact_size(size(ui), egui::Sense::hover());
+        let (rect, _) = ui.allocate_exact_size(size(ui), egui::Sense::hover());
+        if is_changed {
+            shot::bar(ui, rect);
+        }
         return;
     };
     let name = format!("Keys of {}", marked.label);
     let response = mark::of(ui, marked.owned.keys, &marked.target, &name);
+    if marked.by_shot().is_some() {
+        shot::bar(ui, response.rect);
+    }
     egui::Popup::menu(&response).show(|ui| menu(ui, marked, out));
     response.on_hover_text(mark::help(marked.owned.keys, &marked.target));
 }
@@ -68,6 +84,10 @@ pub(crate) fn diamond(ui: &mut Ui, marked: Option<&FieldTarget<'_>>, out: &mut V
 /// Shows all entries of the menu.
 pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
     ui.set_min_width(190.0);
+    if let Some(changed) = marked.by_shot() {
+        changed.menu(ui, out);
+        ui.separator();
+    }
     if marked.can_be_keyed() {
         keys_in_time(ui, marked, out);
         if has_between(marked.ty) {

@@ -12,6 +12,7 @@ pub(crate) mod mix;
 pub(crate) mod node_links;
 pub(crate) mod path;
 pub(crate) mod row;
+pub(crate) mod shot;
 
 use crate::catalog::NodeKind;
 use crate::document::Node;

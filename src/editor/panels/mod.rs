@@ -22,9 +22,11 @@ mod painting;
 mod picture;
 mod probe;
 pub(crate) mod problems;
+mod shot;
 pub(crate) mod start;
 mod table;
 mod thumbs;
+pub(crate) mod wedge;
 mod workbench;
 
 use crate::commands::PanelId;
@@ -43,6 +45,8 @@ pub(crate) static PANELS: &[PanelRow] = &[
     layers::PANEL,
     lights::PANEL,
     objects::PANEL,
+    shot::PANEL,
+    wedge::PANEL,
     library::PANEL,
     history::PANEL,
     inspector::PANEL,

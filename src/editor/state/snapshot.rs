@@ -28,6 +28,8 @@ pub(crate) struct RenderSnapshot {
     pub(crate) orbit: Orbit,
     /// Moment, in seconds.
     pub(crate) time: f64,
+    /// True if the picture is seen from the camera of the shot over the scene, in its light.
+    pub(crate) follows_shot: bool,
     /// The scene around the look; without one the look is on a mesh of its own.
     pub(crate) scene: Option<Arc<SceneSnapshot>>,
     /// The HCBTF that is being painted, in place of its file.
@@ -69,11 +71,20 @@ impl RenderSnapshot {
         if self.orbit.z_is_up && self.scene.is_none() {
             setup.stand_up();
         }
+        if self.orbit.backdrop.is_some() {
+            setup.hold("backdrop");
+        }
+        setup.scene.backdrop = self.orbit.backdrop.or(setup.scene.backdrop);
+        if self.follows_shot && setup.shot.is_some() {
+            return Ok(WithWarnings::new(setup, notes));
+        }
         // The window is looked into from anywhere, not from a file's camera.
         setup.scene.file_camera = None;
         setup.scene.camera = self.orbit.camera();
-        setup.scene.backdrop = self.orbit.backdrop.or(setup.scene.backdrop);
         setup.scene.illumination = DQuat::to_array(&self.orbit.illumination);
+        for held in ["camera", "illumination"] {
+            setup.hold(held);
+        }
         Ok(WithWarnings::new(setup, notes))
     }
 }

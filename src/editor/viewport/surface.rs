@@ -338,11 +338,16 @@ fn placed(object: &SetupObject) -> ObjectPlace {
             materials.push(part.material.clone());
         }
     }
+    let motion = object.mesh.motion.as_ref();
+    let animations = motion.map_or(&[][..], |motion| motion.animations());
+    let cameras = motion.map_or(&[][..], |motion| motion.cameras());
     ObjectPlace {
         id: object.id.clone(),
         center: object.center(),
         radius: object.radius(),
         materials,
+        animations: animations.iter().map(|animation| animation.name.clone()).collect(),
+        cameras: cameras.iter().map(|camera| camera.name.clone()).collect(),
     }
 }
 

@@ -26,7 +26,7 @@ use record::{Record, VERSION};
 
 pub use crate::document::JournalDocument;
 pub use read::{RecoveredDocument, RecoveredWork, recover, recover_any};
-pub use record::{DocumentInfo, HcbtfOp, LookOp, Op, SceneOp};
+pub use record::{DocumentInfo, HcbtfOp, LookOp, Op, SceneOp, ShotOp};
 pub use slot::{JournalSlot, left_behind};
 
 /// Growth after which a journal is begun anew, unless its beginning was larger, in bytes.

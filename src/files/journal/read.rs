@@ -8,7 +8,7 @@ use super::line::{JournalLine, LineReader};
 use super::record::{DocumentInfo, Op, Record, VERSION};
 use crate::diag::Diagnostic;
 use crate::document::{
-    Editable, Hcbtf, History, HistoryNumbers, JournalDocument, Look, Scene, Step,
+    Editable, Hcbtf, History, HistoryNumbers, JournalDocument, Look, Scene, Shot, Step,
 };
 
 /// Length of the longest image of a document that is accepted, in bytes: that of the largest HCBTF
@@ -37,6 +37,8 @@ pub enum RecoveredDocument {
     Look(Box<RecoveredWork<Look>>),
     /// A scene.
     Scene(Box<RecoveredWork<Scene>>),
+    /// A shot.
+    Shot(Box<RecoveredWork<Shot>>),
     /// An HCBTF.
     Hcbtf(Box<RecoveredWork<Hcbtf>>),
 }
@@ -49,6 +51,9 @@ pub fn recover_any(path: &Path) -> Result<RecoveredDocument, Box<Diagnostic>> {
     // A journal with a damaged beginning is reported as that of a look.
     if let Ok(scene) = recover::<Scene>(path) {
         return Ok(RecoveredDocument::Scene(Box::new(scene)));
+    }
+    if let Ok(shot) = recover::<Shot>(path) {
+        return Ok(RecoveredDocument::Shot(Box::new(shot)));
     }
     match recover::<Hcbtf>(path) {
         Ok(hcbtf) => Ok(RecoveredDocument::Hcbtf(Box::new(hcbtf))),

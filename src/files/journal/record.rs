@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
-use crate::document::{Edit, HcbtfEdit, HistoryNumbers, SceneEdit, Step};
+use crate::document::{Edit, HcbtfEdit, HistoryNumbers, SceneEdit, ShotEdit, Step};
 
 /// Version of the journal that this Chiaro writes, and the only one that it reads.
 pub(super) const VERSION: u32 = 1;
@@ -78,5 +78,7 @@ pub struct DocumentInfo {
 pub type LookOp = Op<Edit>;
 /// Operation on a scene.
 pub type SceneOp = Op<SceneEdit>;
+/// Operation on a shot.
+pub type ShotOp = Op<ShotEdit>;
 /// Operation on an HCBTF.
 pub type HcbtfOp = Op<HcbtfEdit>;

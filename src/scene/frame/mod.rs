@@ -50,8 +50,8 @@ pub use crate::compile::{
 pub use crate::library::{PassId, PassOutput, PassRow, PassWork, ScreenExtent, TexelFormat};
 pub use aovs::{AovKind, AovLayer, AovRequest, LayeredPicture};
 pub use assets::{
-    Assets, Change, Image, MAX_IMAGE_SIDE, MESH_PREFIX, Overlay, OverlayVersion, SHAPE_PREFIX, UNSAVED_HCBTF,
-    image_bytes,
+    Assets, Change, Image, MAX_IMAGE_SIDE, MESH_PREFIX, Overlay, OverlayVersion, SHAPE_PREFIX,
+    UNSAVED_HCBTF, image_bytes,
 };
 pub use camera::{View, widened};
 pub use casters::Casters;
@@ -74,9 +74,7 @@ pub use mix::SOLOED;
 pub use motion::PlayedAnimation;
 pub use picture::Picture;
 pub use place::{PlacementError, place_camera, turn_lights};
-pub use plan::{
-    Draw, DroppedEffect, FramePlan, Pass, PlanOptions, PlanStyle, Planner, named_map,
-};
+pub use plan::{Draw, DroppedEffect, FramePlan, Pass, PlanOptions, PlanStyle, Planner, named_map};
 pub use samples::{EvalBatch, EvalSample, Evaluable, LightOverride, eval_batches};
 pub use screen::{Ink, PassImage, ScreenBinding, ScreenModule, ScreenResource, ViewNumber};
 pub use setup::{
@@ -84,7 +82,7 @@ pub use setup::{
     object_matrix, open, place_objects, scene_setup,
 };
 pub use shadow_maps::{LightLayer, LightModule, MapCaster, ShadowMaps};
-pub use shot::{ResolvedShot, ShotFile, ShotStack, ValueChange, scene_of};
+pub use shot::{ResolvedShot, ShotFile, ShotResolver, ShotStack, ValueChange, scene_of};
 pub use store::AssetStore;
 pub use tiles::{MAX_TILE_SAMPLES, TileView, moving_light, tile_assets};
 pub use uvs::missing_uvs;

@@ -116,6 +116,16 @@ impl Setup {
         KnownPoses::default().at(self, time)
     }
 
+    /// The camera of the picture at a time in seconds: the scene's, moved by the shot over it, or
+    /// that of a file.
+    pub fn seen_camera(&self, time: f64) -> Camera {
+        let mut moved = self.at(time);
+        if let Some(camera) = moved.file_camera(time) {
+            moved.to_mut().place_camera(camera);
+        }
+        moved.scene.camera
+    }
+
     /// Puts a file's camera in place of the scene's. Single values of the camera that a shot
     /// changes stand over it.
     fn place_camera(&mut self, camera: Camera) {

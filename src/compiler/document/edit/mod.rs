@@ -1,7 +1,7 @@
 //! Edits, the one way in which documents change; each edit has an inverse.
 //!
-//! [`Look::apply`] checks an [`Edit`], applies it and returns the edit that undoes it; scenes and
-//! HCBTFs have edits of their own ([`SceneEdit`], [`HcbtfEdit`]). [`History`] owns a document and
+//! [`Look::apply`] checks an [`Edit`], applies it and returns the edit that undoes it; scenes, shots
+//! and HCBTFs have edits of their own ([`SceneEdit`], [`ShotEdit`], [`HcbtfEdit`]). [`History`] owns a document and
 //! keeps the inverses, so that every edit can be undone; a journal holds serialized edits.
 //!
 //! An edit that removes a part which other parts name (a node with its wires, a light with its
@@ -14,6 +14,7 @@ mod history;
 mod parts;
 mod patch;
 mod scene;
+mod shot;
 mod trial;
 
 use indexmap::IndexMap;
@@ -30,6 +31,7 @@ pub use hcbtf::HcbtfEdit;
 pub use history::{DocumentRevision, Editable, History, HistoryNumbers, Step};
 pub use patch::Patch;
 pub use scene::SceneEdit;
+pub use shot::ShotEdit;
 
 /// Result of an edit: the edit that undoes it.
 pub type EditResult<E> = Result<E, Box<Diagnostic>>;

@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::parts::{insert, remove_named};
 use super::{EditResult, Editable, all_or_none, missing, trial};
 use crate::document::{
-    Camera, DirectionKeys, GroupMaster, Light, LightSet, Marker, Object, Scene, SceneOutlines,
-    Target, TimeKeys, TimeRange,
+    Camera, DirectionKeys, FileCamera, GroupMaster, Light, LightSet, Marker, Object, Scene,
+    SceneOutlines, Target, TimeKeys, TimeRange,
 };
 use crate::ids::{LightGroup, LightId, ObjectId};
 
@@ -51,6 +51,8 @@ pub enum SceneEdit {
     SetIllumination { rotation: [f64; 4] },
     /// Moves the camera.
     SetCamera { camera: Camera },
+    /// Takes the camera from a mesh's file; `None` for the scene's own.
+    SetFileCamera { camera: Option<FileCamera> },
     /// Changes the backdrop; `None` for transparent.
     SetBackdrop { color: Option<[f64; 4]> },
     /// Changes the lines over the picture.
@@ -161,6 +163,9 @@ impl Editable for Scene {
             SceneEdit::SetCamera { camera } => {
                 SceneEdit::SetCamera { camera: replace(&mut self.camera, camera) }
             }
+            SceneEdit::SetFileCamera { camera } => {
+                SceneEdit::SetFileCamera { camera: replace(&mut self.file_camera, camera) }
+            }
             SceneEdit::SetBackdrop { color } => {
                 SceneEdit::SetBackdrop { color: replace(&mut self.backdrop, color) }
             }
@@ -194,6 +199,7 @@ impl Editable for Scene {
             SceneEdit::SetSoloedLights { .. } => "solo lights".to_owned(),
             SceneEdit::SetIllumination { .. } => "turn the lights".to_owned(),
             SceneEdit::SetCamera { .. } => "move the camera".to_owned(),
+            SceneEdit::SetFileCamera { .. } => "choose the camera".to_owned(),
             SceneEdit::SetBackdrop { .. } => "change the backdrop".to_owned(),
             SceneEdit::SetOutlines { .. } => "change the outlines".to_owned(),
             SceneEdit::SetTime { .. } => "change the time range".to_owned(),
@@ -215,6 +221,7 @@ impl Editable for Scene {
             | (SceneEdit::SetMarkers { .. }, SceneEdit::SetMarkers { .. })
             | (SceneEdit::SetIllumination { .. }, SceneEdit::SetIllumination { .. })
             | (SceneEdit::SetCamera { .. }, SceneEdit::SetCamera { .. })
+            | (SceneEdit::SetFileCamera { .. }, SceneEdit::SetFileCamera { .. })
             | (SceneEdit::SetBackdrop { .. }, SceneEdit::SetBackdrop { .. })
             | (SceneEdit::SetOutlines { .. }, SceneEdit::SetOutlines { .. })
             | (SceneEdit::SetTime { .. }, SceneEdit::SetTime { .. }) => true,

@@ -4,12 +4,12 @@
 //! The first check is a trial rather than a second set of rules: a small document with nothing but
 //! the new part is written and read, so that an edit obeys every bound of the reader.
 
-use super::{Edit, SceneEdit, impossible, missing};
+use super::{Edit, SceneEdit, ShotEdit, impossible, missing};
 use crate::diag::Diagnostic;
 use crate::document::check::{check_output, check_target};
 use crate::document::{
     DirectionKeys, Endpoint, ExposedValue, Frame, Graph, GraphId, Look, NamedAov, Node, Object,
-    Scene, Target, TimeKeys, Wire,
+    Scene, Shot, Target, TimeKeys, Wire,
 };
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, NodePath, is_slug};
 
@@ -120,6 +120,7 @@ pub(super) fn check_scene(edit: &SceneEdit) -> Check {
             }
         }
         SceneEdit::SetCamera { camera } => trial.camera = *camera,
+        SceneEdit::SetFileCamera { camera } => trial.file_camera.clone_from(camera),
         SceneEdit::SetBackdrop { color } => trial.backdrop = *color,
         SceneEdit::SetMaster { group, master, .. } => {
             slug(group.as_str())?;
@@ -132,6 +133,24 @@ pub(super) fn check_scene(edit: &SceneEdit) -> Check {
         _ => return Ok(()),
     }
     first_error(Scene::read(&trial.to_trial_text(), "").diagnostics)
+}
+
+/// Checks an edit of a shot, groups aside.
+pub(super) fn check_shot(edit: &ShotEdit) -> Check {
+    let mut trial = Shot { scene: "scene.json".to_owned(), ..Shot::default() };
+    match edit {
+        ShotEdit::SetShotName { name } => trial.name.clone_from(name),
+        ShotEdit::SetOverride { change: Some(change), .. } => {
+            trial.overrides.push(change.as_ref().clone());
+        }
+        ShotEdit::SetFrames { frames } => trial.frames = *frames,
+        ShotEdit::SetRate { rate } => trial.rate = *rate,
+        ShotEdit::SetSize { size } => trial.size = *size,
+        ShotEdit::SetStep { step } => trial.step = *step,
+        ShotEdit::SetShotCamera { camera } => trial.camera = *camera,
+        _ => return Ok(()),
+    }
+    first_error(Shot::read(&trial.to_trial_text(), "").diagnostics)
 }
 
 /// Checks that a look with nothing but this part is read without an error.

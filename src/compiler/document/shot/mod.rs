@@ -3,8 +3,10 @@
 //! A shot names what it changes and holds nothing else of it. [`Override`]s address values in the
 //! words that looks and scenes have already: `lights.key.color`, `objects.hero.transform.translate`
 //! and `camera.fov` of a scene; `rim.offset`, `group/blur.radius` and `nodes.rim.muted` of a look.
-//! [`place`] finds and sets values by such words.
+//! [`place`] finds and sets values by such words, and [`difference`] tells in them what an edit
+//! changed.
 
+mod difference;
 mod place;
 
 use super::Camera;
@@ -18,6 +20,7 @@ use super::timing::{
 use super::value::Value;
 use super::word::WordChoice as _;
 
+pub use difference::{ChangedTo, ValueDifference};
 pub use place::{BlendKind, ValuePlace, json_of_value, keyed_target};
 
 /// Greatest number of a frame.

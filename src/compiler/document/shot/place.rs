@@ -13,7 +13,7 @@ use crate::diag::{Diagnostic, has_errors};
 use crate::document::described::{DescribedObject, FieldType as _};
 use crate::document::json::JsonWriter;
 use crate::document::read::read_unchecked;
-use crate::document::shape::{FieldDefault, FieldKind, ObjectShape};
+use crate::document::shape::{FieldDefault, FieldKind, ObjectShape, ShapeField};
 use crate::document::{LightField, Look, Scene, Target, TimeKey, TimeKeys, Value, check};
 use crate::ids::{LightGroup, LightId, NodeId, ObjectId};
 
@@ -328,7 +328,7 @@ fn node_of<'l>(look: &'l Look, ids: &[NodeId]) -> Option<&'l crate::document::No
     graph.nodes.get(last)
 }
 
-fn json_of<T: Document>(document: &T) -> Json {
+pub(super) fn json_of<T: Document>(document: &T) -> Json {
     serde_json::from_str(&document.text()).unwrap_or(Json::Null)
 }
 
@@ -357,7 +357,7 @@ fn with_value<T: Document>(part: &T, address: &str, value: &Value) -> Result<T, 
 }
 
 /// Document whose values have addresses.
-trait Document: DescribedObject {
+pub(super) trait Document: DescribedObject {
     fn text(&self) -> String;
 }
 
@@ -462,14 +462,30 @@ fn member<'j>(
         return Err(Diagnostic::error("bad-target", message)
             .suggest(step, known.filter(|name| !IDENTITY.contains(name))));
     };
-    let default = match field.default {
-        FieldDefault::Json(json) => serde_json::from_str(&json()).unwrap_or(Json::Null),
-        FieldDefault::Required | FieldDefault::Words(_) => match field.kind {
-            FieldKind::Object(_) => Json::Object(Default::default()),
-            _ => Json::Null,
-        },
+    let default = match (default_of(field), &field.kind) {
+        (Json::Null, FieldKind::Object(_)) => Json::Object(Default::default()),
+        (default, _) => default,
     };
     Ok((members.entry(field.name).or_insert(default), &field.kind))
+}
+
+/// What a field that files leave out has, as they would have it; null for nothing.
+pub(super) fn default_of(field: &ShapeField) -> Json {
+    match field.default {
+        FieldDefault::Json(json) => serde_json::from_str(&json()).unwrap_or(Json::Null),
+        FieldDefault::Required | FieldDefault::Words(_) => Json::Null,
+    }
+}
+
+/// True if a field says what a part is, and is no value.
+pub(super) fn is_identity(field: &str) -> bool {
+    IDENTITY.contains(&field)
+}
+
+/// Name of an item of a list: its id, or the node or the name that it is for.
+pub(super) fn item_name(item: &Json) -> Option<String> {
+    let names = ["id", "node", "name"].into_iter();
+    names.filter_map(|field| item.get(field)?.as_str().map(str::to_owned)).next()
 }
 
 /// An entry of a map; values, such as those of inputs, may be new.
@@ -499,12 +515,8 @@ fn item_of<'j>(
     shape: &'static ObjectShape,
     step: &str,
 ) -> Result<&'j mut Json, Diagnostic> {
-    let name = |item: &Json| {
-        let names = ["id", "node", "name"].into_iter();
-        names.filter_map(|field| item.get(field)?.as_str().map(str::to_owned)).next()
-    };
     let known: Vec<Option<String>> =
-        json.as_array().map(|items| items.iter().map(name).collect()).unwrap_or_default();
+        json.as_array().map(|items| items.iter().map(item_name).collect()).unwrap_or_default();
     let index = known.iter().position(|known| known.as_deref() == Some(step));
     let may_be_new = shape.field("node").is_some() && crate::ids::is_slug(step);
     let missing = || {

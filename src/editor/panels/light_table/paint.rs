@@ -9,6 +9,7 @@ use super::selection::Place;
 use super::sheet::{Cell, CellValue, Effect, Origin, Row, Sheet};
 use crate::document::Light;
 use crate::fields::mark;
+use crate::fields::shot::{self, ChangedValue};
 use crate::panels::lights::swatch as swatch_of;
 use crate::widgets::rows::{Icon, draw, picture_frame};
 use crate::widgets::text::cell as text_cell;
@@ -54,6 +55,12 @@ pub(super) fn cell(
     let is_quiet = is_out || cell.origin == Origin::Inherited || *column == Column::Id;
     let ink = if is_quiet { colors.dim } else { colors.text };
     let mut inner = inner;
+    if let (Row::Light(id), Some(field)) = (row, column.field())
+        && let Some((owned, target)) = sheet.target(id, field)
+        && ChangedValue::of(sheet.session, owned.owner, &target.to_string()).is_some()
+    {
+        shot::bar(ui, rect);
+    }
     if cell.origin == Origin::Keyed {
         keyed_mark(ui, sheet, place, &mut inner);
     }
@@ -159,6 +166,12 @@ pub(super) fn help(ui: &mut Ui, sheet: Sheet<'_>, (row, column): &Place, cell: &
     ui.set_max_width(320.0);
     ui.strong(format!("{} of {}", column.label(), sheet.full_name(row)));
     let dim = theme::of(ui).dim;
+    if let (Row::Light(id), Some(field)) = (row, column.field())
+        && let Some((owned, target)) = sheet.target(id, field)
+        && let Some(changed) = ChangedValue::of(sheet.session, owned.owner, &target.to_string())
+    {
+        ui.label(changed.help());
+    }
     if cell.value.is_none() {
         let text = match (row, sheet.scene()) {
             (Row::Group(group), None) => {

@@ -1,15 +1,18 @@
 //! Fields of an object: mesh, looks by material, position, rotation and scale.
 
 use eframe::egui;
-use eframe::egui::{Checkbox, ComboBox, DragValue, Id, Ui};
+use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Ui};
 
-use crate::commands::{FilePurpose, SceneCommand};
+use crate::commands::{Command, FilePurpose, SceneCommand};
 use crate::document::{Object, Transform};
-use crate::fields::row::labelled;
+use crate::fields::row::{self, labelled};
+use crate::fields::shot;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX};
 use crate::geometry::SHAPES;
 use crate::ids::ObjectId;
 use crate::state::scene::{OpenScene, file_label, from_degrees, mesh_label, stood_up, to_degrees};
+use crate::state::session::Session;
+use crate::widgets::theme;
 
 /// Smallest scale: at 0 an object vanishes.
 const LEAST_SCALE: f64 = 1e-3;
@@ -29,31 +32,58 @@ pub(super) fn look_label(open_scene: &OpenScene, name: &str) -> String {
     if open_scene.is_open(name) { open_scene.open_label() } else { file_label(name) }
 }
 
-impl Details {
-    /// Shows all fields of an object but its name.
-    pub(super) fn show(
+/// An object whose fields are shown, and the commands that they ask for.
+pub(super) struct Fields<'a> {
+    pub(super) session: &'a Session,
+    pub(super) open_scene: &'a OpenScene,
+    pub(super) id: &'a ObjectId,
+    pub(super) object: &'a Object,
+    pub(super) out: &'a mut Vec<SceneCommand>,
+    pub(super) commands: &'a mut Vec<Command>,
+}
+
+impl Fields<'_> {
+    /// Shows a row of some fields of the object, with the mark of what a shot changes of them.
+    pub(super) fn row(
         &mut self,
         ui: &mut Ui,
-        open_scene: &OpenScene,
-        id: &ObjectId,
-        object: &Object,
-        out: &mut Vec<SceneCommand>,
+        (label, help): (&str, &str),
+        fields: &[&str],
+        add: impl FnOnce(&mut Ui, Id),
     ) {
+        let id = self.id;
+        let targets: Vec<String> =
+            fields.iter().map(|field| format!("objects.{id}.{field}")).collect();
+        let text = RichText::new(label).color(theme::of(ui).text);
+        let slot = |ui: &mut Ui, size| {
+            shot::mark(ui, size, self.session, &targets, label, self.commands);
+        };
+        row::with_slot(ui, text, help, slot, add);
+    }
+}
+
+impl Details {
+    /// Shows all fields of an object but its name.
+    pub(super) fn show(&mut self, ui: &mut Ui, fields: &mut Fields<'_>) {
+        let Fields { open_scene, id, object, .. } = *fields;
         ui.push_id(id, |ui| {
             labelled(ui, "Mesh", "What it is made of", |ui, label| {
-                mesh(ui, label, open_scene, id, object, out);
+                mesh(ui, label, open_scene, id, object, fields.out);
             });
-            looks(ui, open_scene, id, object, out);
+            looks(ui, open_scene, id, object, fields.out);
+            super::motion::animation(ui, fields);
             let mut new = object.transform;
             let mut widget = None;
             let help = "Where it stands, in scene units: to the right, up, toward the viewer";
-            labelled(ui, "Place", help, |ui, _| {
+            fields.row(ui, ("Place", help), &["transform.translate"], |ui, _| {
                 widget = widget.or(xyz(ui, "Place", &mut new.translate, 0.01, ""));
             });
             let help = "How it is turned: around the axis to the right, around the vertical one, \
                         around the one toward the viewer";
-            labelled(ui, "Turn", help, |ui, _| widget = widget.or(self.turn(ui, id, &mut new)));
-            labelled(ui, "Scale", "How large it is", |ui, _| {
+            fields.row(ui, ("Turn", help), &["transform.rotate"], |ui, _| {
+                widget = widget.or(self.turn(ui, id, &mut new));
+            });
+            fields.row(ui, ("Scale", "How large it is"), &["transform.scale"], |ui, _| {
                 widget = widget.or(self.scale(ui, &mut new));
             });
             labelled(
@@ -77,7 +107,7 @@ impl Details {
             );
             if let Some(widget) = widget.filter(|_| new != object.transform) {
                 let edit = open_scene.change(id, |object| object.transform = new);
-                out.extend(edit.map(|edit| SceneCommand::EditHeld(widget, edit)));
+                fields.out.extend(edit.map(|edit| SceneCommand::EditHeld(widget, edit)));
             }
         });
     }

@@ -3,6 +3,7 @@
 mod details;
 mod layers;
 mod lights;
+mod motion;
 mod outlines;
 mod parameters;
 mod words;
@@ -64,6 +65,7 @@ impl Objects {
             // The margin is room for the scroll bar.
             ui.set_max_width(ui.available_width() - 8.0);
             words::show(ui, open_scene.scene(), &mut out);
+            motion::camera(ui, session, open_scene, &mut out, &mut commands);
             if open_scene.scene().objects.is_empty() {
                 hint(ui, "The scene has no objects yet.");
             }
@@ -76,7 +78,15 @@ impl Objects {
                 }
                 if open_scene.selected().is_some_and(|(selected, _)| selected == id) {
                     ui.add_space(2.0);
-                    self.details.show(ui, open_scene, id, object, &mut out);
+                    let mut fields = details::Fields {
+                        session,
+                        open_scene,
+                        id,
+                        object,
+                        out: &mut out,
+                        commands: &mut commands,
+                    };
+                    self.details.show(ui, &mut fields);
                     parameters::show(ui, session, open_scene, id, object, &mut out);
                     lights::show(ui, open_scene, id, object, &mut out);
                     layers::show(ui, session, open_scene, (id, object), &mut out);

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::{FileDocument, OnDisk, OpenDocument};
-use crate::document::{LoadedDocument, Look, Scene, SourceMap};
+use crate::document::{LoadedDocument, Look, Scene, Shot, SourceMap};
 
 /// A text file in its state when it was last read or written.
 pub(crate) struct TextFile {
@@ -68,6 +68,7 @@ macro_rules! text_document {
 
 text_document!(Look, "file", "");
 text_document!(Scene, "scene", "the scene ");
+text_document!(Shot, "shot", "the shot ");
 
 impl<D> OpenDocument<D>
 where

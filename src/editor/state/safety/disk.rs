@@ -15,6 +15,7 @@ use crate::state::painting::work::OpenPainting;
 use crate::state::revision::{DocumentNumber, PictureRevision};
 use crate::state::scene::OpenScene;
 use crate::state::session::{NodeFiles, Session};
+use crate::state::shot::OpenShot;
 
 /// Pause after a change before files are read, since the writer may not be done; in seconds.
 const CALM: f64 = 0.15;
@@ -194,9 +195,9 @@ impl DiskState {
             |path: &PathBuf| known.get(path).copied().unwrap_or_else(|| disk.metadata(path));
         self.assets = paths.map(|path| (path.clone(), state(&path))).collect();
         let links = self.look.iter().filter_map(|path| path.canonicalize().ok());
-        let scene = session
-            .open_scene()
-            .and_then(|open_scene| std::path::absolute(open_scene.path()?).ok());
+        let of_shot = session.shot().map(OpenShot::path);
+        let scene = session.open_scene().and_then(|open_scene| open_scene.path());
+        let scene = of_shot.or(scene).and_then(|path| std::path::absolute(path).ok());
         let painting = self.key.painting.clone();
         let files = self.assets.keys().cloned().chain(self.look.clone());
         let files = files.chain(links).chain(scene).chain(painting).collect();
@@ -247,7 +248,7 @@ impl DiskState {
             self.scene_conflict = Some(text);
             return None;
         }
-        let name = session.open_scene().map(OpenScene::name).unwrap_or_default();
+        let name = session.open_scene().map(OpenScene::name_of_changed).unwrap_or_default();
         // A scene that cannot be read yet is reported among the problems, and checked again when
         // the file changes.
         session

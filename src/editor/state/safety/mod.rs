@@ -23,6 +23,7 @@ use crate::state::scene::real;
 use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown_in;
 use crate::state::settings::{Settings, Theme};
+use crate::state::shot::OpenShot;
 use disk::DiskState;
 use offers::Offers;
 use places::Places;
@@ -158,7 +159,9 @@ impl Safety {
     /// Remembers that the open scene, and the look in it, are about to be put aside.
     pub(crate) fn put_aside(&mut self, session: &Session) {
         let Some(open_scene) = session.open_scene() else { return };
-        self.aside.extend([open_scene.path(), session.path()].into_iter().flatten().map(real));
+        let shot = session.shot().map(OpenShot::path);
+        self.aside
+            .extend([open_scene.path(), session.path(), shot].into_iter().flatten().map(real));
     }
 
     /// Remembers that a file was put aside, and is wanted back with the work on it.
@@ -199,6 +202,10 @@ impl Safety {
     /// the one which that work was based on. Returns a message; `None` where the file itself must
     /// be read.
     pub(crate) fn reopen(&mut self, path: &Path, session: &mut Session) -> Option<String> {
+        if session.shot().is_some() && session.open_scene().is_some_and(|scene| scene.wears(path)) {
+            // Under a shot a look is as its file has it.
+            return None;
+        }
         let is_aside = self.aside.contains(&real(path));
         if let Some(number) = self.offers.of_file(path, false, is_aside) {
             let told = self.take_back(number, session);

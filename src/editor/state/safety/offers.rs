@@ -6,7 +6,7 @@ use std::time::{Duration, SystemTime};
 
 use crate::clock;
 use crate::diag::Diagnostic;
-use crate::document::{Look, Scene};
+use crate::document::{Look, Scene, Shot};
 use crate::files::journal::{
     JournalDocument, JournalSlot, RecoveredDocument, RecoveredWork, left_behind, recover_any,
 };
@@ -39,7 +39,7 @@ pub(crate) struct Offer {
     /// True if the file holds the whole document: only the past is worth anything then, to whoever
     /// opens the file again.
     is_saved: bool,
-    /// True for a scene.
+    /// True for a scene, or a shot over one.
     pub(crate) is_scene: bool,
     /// True for an HCBTF that was being painted.
     pub(crate) is_painting: bool,
@@ -84,6 +84,15 @@ impl Outline {
                     &found,
                     |text| Some(Scene::read(text, "").value?.to_text()),
                     Scene::to_text,
+                );
+                let beside = text_of(&found.about.window, "look");
+                Self { is_in_file, beside, is_scene: true, ..Self::of(*found) }
+            }
+            RecoveredDocument::Shot(found) => {
+                let is_in_file = is_in_file(
+                    &found,
+                    |text| Some(Shot::read(text, "").value?.to_text()),
+                    Shot::to_text,
                 );
                 let beside = text_of(&found.about.window, "look");
                 Self { is_in_file, beside, is_scene: true, ..Self::of(*found) }
@@ -304,6 +313,7 @@ impl Offers {
         match found {
             RecoveredDocument::Look(found) => session.take_back(*found, offer.slot),
             RecoveredDocument::Scene(found) => session.take_back_scene(*found, offer.slot),
+            RecoveredDocument::Shot(found) => session.take_back_shot(*found, offer.slot)?,
             RecoveredDocument::Hcbtf(found) => session.take_back_painting(*found, offer.slot),
         }
         Ok(offer.name)

@@ -49,7 +49,10 @@ impl OpenScene {
 
     /// Compares the scene's file with its text when it was last read or written.
     pub(crate) fn on_disk(&self) -> OnDisk {
-        self.document.on_disk()
+        match &self.shot {
+            Some(shot) => shot.on_disk(),
+            None => self.document.on_disk(),
+        }
     }
 
     /// Takes another program's version of the file, as one step that can be undone. `now` is the
@@ -76,6 +79,9 @@ impl OpenScene {
 
     /// Lets saving write over another program's text.
     pub(crate) fn keep_mine(&mut self, theirs: String) {
+        if let Some(shot) = &mut self.shot {
+            return shot.document.journal.override_with(theirs);
+        }
         self.document.journal.override_with(theirs);
     }
 
@@ -88,7 +94,8 @@ impl OpenScene {
             meshes.filter(|mesh| !mesh.starts_with(SHAPE_PREFIX)).map(|mesh| self.base.join(mesh));
         let looks = self.closed.keys().filter(|name| !name.starts_with(examples::PREFIX));
         let looks = looks.map(|name| self.path_of(name));
-        meshes.chain(looks).chain(self.images()).collect()
+        let under_shot = self.shot.iter().flat_map(|shot| shot.files_under());
+        meshes.chain(looks).chain(self.images()).chain(under_shot).collect()
     }
 
     /// Images of looks that are not open: those that the looks name, and those that objects set in

@@ -14,7 +14,7 @@ use std::sync::Arc;
 use serde_json::json;
 
 use crate::diag::Diagnostic;
-use crate::document::{DocumentRevision, History, Object, Scene, SceneEdit, SourceMap};
+use crate::document::{DocumentRevision, History, Look, Object, Scene, SceneEdit, SourceMap};
 use crate::files::Files;
 use crate::files::journal::{DocumentInfo, JournalSlot, RecoveredWork};
 use crate::frame::SetupLook;
@@ -27,6 +27,7 @@ use crate::state::orbit::Orbit;
 use crate::state::paths::absolute;
 use crate::state::reading::Parameter;
 use crate::state::revision::{GestureId, PictureRevision, StepTime};
+use crate::state::shot::OpenShot;
 use looks::{ClosedLook, Looks};
 pub(crate) use names::{folder_of, real, relative};
 pub(crate) use objects::{
@@ -59,6 +60,8 @@ pub struct OpenScene {
     pub(crate) asked: Option<(ObjectId, String)>,
     /// The look that was open when this scene was put aside, if it was.
     pub(crate) wanted: Option<LookToOpen>,
+    /// The shot over the scene, if one is open: the scene is then what the shot makes of its file.
+    pub(crate) shot: Option<Box<OpenShot>>,
 }
 
 /// The look to open with a scene that is taken back.
@@ -89,6 +92,7 @@ impl OpenScene {
             left: HashMap::new(),
             asked: None,
             wanted: None,
+            shot: None,
         }
     }
 
@@ -114,9 +118,14 @@ impl OpenScene {
         file.map_or_else(|| "New scene".to_owned(), |name| name.to_string_lossy().into_owned())
     }
 
-    /// True if there are changes that no file holds.
+    /// Name of the document whose changes a save would write: the shot's, where one is open.
+    pub(crate) fn name_of_changed(&self) -> String {
+        self.shot.as_ref().map_or_else(|| self.name(), |shot| shot.name())
+    }
+
+    /// True if there are changes that no file holds, of the scene or of the shot over it.
     pub fn is_dirty(&self) -> bool {
-        self.document.is_dirty()
+        self.document.is_dirty() || self.shot.as_ref().is_some_and(|shot| shot.document.is_dirty())
     }
 
     /// The selected object, which is one of the scene.
@@ -135,11 +144,17 @@ impl OpenScene {
     /// Gives up unsaved changes: they are no longer asked about.
     pub(crate) fn give_up_changes(&mut self) {
         self.document.history.mark_saved();
+        if let Some(shot) = &mut self.shot {
+            shot.document.history.mark_saved();
+        }
     }
 
     /// Ends a gesture, so that the next edit is a step of its own.
     pub(crate) fn end_gesture(&mut self) {
         self.document.end_gesture();
+        if let Some(shot) = &mut self.shot {
+            shot.document.end_gesture();
+        }
     }
 
     /// Applies an edit. Consecutive edits of the same `gesture` are one step. `now` is the time of
@@ -210,12 +225,59 @@ impl OpenScene {
             source,
             open: of_open.into_iter().collect(),
             others: self.closed.iter().map(|(name, look)| (name.clone(), setup(look))).collect(),
+            shot: None,
             is_alone: false,
         };
         if snapshot.has_shape_of(&self.snapshot) {
             snapshot.shape = self.snapshot.shape;
         }
         self.snapshot = Arc::new(snapshot);
+    }
+
+    /// Brings the scene, and the looks that the objects wear, up to date with the shot over it, as
+    /// [`sync`](Self::sync) does without one. Returns the open look under the shot.
+    pub(crate) fn resolve(
+        &mut self,
+        open: Option<&Path>,
+        library: &Arc<Library>,
+        files: &dyn Files,
+        revision: PictureRevision,
+    ) -> Option<Look> {
+        let mut shot = self.shot.take()?;
+        self.document.history.amend(shot.resolve_scene(), |_| {});
+        self.sync(open, library, files, revision);
+        let snapshot = Arc::make_mut(&mut self.snapshot);
+        // Each look once, however many names it has.
+        let mut places: HashMap<*const SetupLook, usize> = HashMap::new();
+        let mut others: Vec<SetupLook> = Vec::new();
+        for look in snapshot.others.values().flatten() {
+            places.entry(Arc::as_ptr(look)).or_insert_with(|| {
+                others.push((**look).clone());
+                others.len() - 1
+            });
+        }
+        let (look, others) = shot.resolve_looks(files, others);
+        let others: Vec<Arc<SetupLook>> = others.into_iter().map(Arc::new).collect();
+        for look in snapshot.others.values_mut().flatten() {
+            if let Some(resolved) = places.get(&Arc::as_ptr(look)).and_then(|at| others.get(*at)) {
+                *look = resolved.clone();
+            }
+        }
+        snapshot.shot = Some(shot.resolved().clone());
+        self.shot = Some(shot);
+        look
+    }
+
+    /// Shows the scene as the shot over it has moved it at a time, in seconds; the picture moves it
+    /// by itself.
+    pub(crate) fn show_at(&mut self, time: f64) {
+        let Some(shot) = &mut self.shot else { return };
+        shot.shown_at = Some(time);
+        let resolved = shot.resolved().clone();
+        let scene = resolved.scene_at(shot.scene(), time);
+        if *scene != *self.document.history.document() {
+            self.document.history.amend(scene.into_owned(), |_| {});
+        }
     }
 
     /// Snapshot of the scene that a thread can take along.
@@ -277,7 +339,8 @@ impl OpenScene {
 
     /// Problems of the file of the scene and of those of its looks.
     pub(crate) fn problems(&self) -> impl Iterator<Item = &Diagnostic> {
-        self.document.load_problems.iter().chain(self.looks.problems())
+        let of_shot = self.shot.iter().flat_map(|shot| shot.problems());
+        self.document.load_problems.iter().chain(self.looks.problems()).chain(of_shot)
     }
 
     /// Messages of the problems, for people.
@@ -287,6 +350,10 @@ impl OpenScene {
 
     /// Keeps the journal of unsaved work in a folder from now on.
     pub(crate) fn keep_in(&mut self, folder: &Path, wake: Arc<dyn Fn() + Send + Sync>) {
+        if let Some(shot) = &mut self.shot {
+            let wake = wake.clone();
+            shot.document.journal.keep_in(folder, move || wake());
+        }
         self.document.journal.keep_in(folder, move || wake());
     }
 
@@ -297,12 +364,18 @@ impl OpenScene {
     /// Tells the journal the window's view.
     pub(crate) fn note_view(&mut self, view: &Orbit) {
         self.document.journal.note_view(view);
+        if let Some(shot) = &mut self.shot {
+            shot.document.journal.note_view(view);
+        }
     }
 
     /// Hands the edits since the last call to the journal.
     pub(crate) fn commit(&mut self, goes_on: bool) {
         if self.document.commit(goes_on) {
             self.begin_journal(None);
+        }
+        if let Some(shot) = &mut self.shot {
+            shot.commit(goes_on);
         }
     }
 
@@ -327,6 +400,20 @@ impl OpenScene {
     pub(crate) fn leave_journal(&mut self, in_peace: bool) {
         self.commit(false);
         self.document.leave_journal(false, in_peace);
+        if let Some(shot) = &mut self.shot {
+            shot.document.leave_journal(false, in_peace);
+        }
+    }
+
+    /// The scene under a shot.
+    pub(crate) fn under(shot: OpenShot) -> Self {
+        let stack = shot.stack();
+        let (path, scene) = (stack.scene_path.clone(), shot.scene().clone());
+        let source = (*stack.scene_source).clone();
+        let base = folder_of(&path);
+        let mut open_scene = Self::with(History::new(scene), source, Some(path), base);
+        open_scene.shot = Some(Box::new(shot));
+        open_scene
     }
 
     /// The scene that a journal gave.

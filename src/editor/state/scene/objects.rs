@@ -22,6 +22,10 @@ pub(crate) struct ObjectPlace {
     pub(crate) radius: f64,
     /// Materials of the object's mesh, each once.
     pub(crate) materials: Vec<String>,
+    /// Names of the animations that the mesh's file brings.
+    pub(crate) animations: Vec<String>,
+    /// Names of the cameras that it brings.
+    pub(crate) cameras: Vec<String>,
 }
 
 /// Display name of a mesh: a built-in shape's label, or a file's name.
@@ -233,6 +237,11 @@ impl OpenScene {
         let placed = self.placed.iter().find(|placed| placed.id == *id && !object.transform.fit);
         let fitted = || (DVec3::from(object.transform.translate), reach(&object.transform));
         placed.map_or_else(fitted, |placed| (placed.center, placed.radius))
+    }
+
+    /// What was found out of an object with the picture.
+    pub(crate) fn place(&self, id: &ObjectId) -> Option<&ObjectPlace> {
+        self.placed.iter().find(|placed| placed.id == *id)
     }
 
     /// Materials of an object's mesh, as far as they are known.

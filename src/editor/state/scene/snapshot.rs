@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::diag::WithWarnings;
 use crate::document::{Object, Scene, SourceMap};
-use crate::frame::{Assets, LookSource, Setup, SetupLook, place_objects};
+use crate::frame::{Assets, LookSource, ResolvedShot, Setup, SetupLook, place_objects};
 use crate::ids::ObjectId;
 use crate::state::revision::PictureRevision;
 
@@ -26,6 +26,8 @@ pub(crate) struct SceneSnapshot {
     pub(super) open: HashSet<String>,
     /// The other looks by their names; `None` where a file is broken.
     pub(super) others: HashMap<String, Option<Arc<SetupLook>>>,
+    /// What the shot over the scene changes, if one is open.
+    pub(super) shot: Option<Arc<ResolvedShot>>,
     /// True if only objects that wear the open look are there.
     pub(super) is_alone: bool,
 }
@@ -40,6 +42,7 @@ impl Default for SceneSnapshot {
             source: Arc::new(Scene::read("{}", "").source),
             open: HashSet::new(),
             others: HashMap::new(),
+            shot: None,
             is_alone: false,
         }
     }
@@ -67,7 +70,8 @@ impl SceneSnapshot {
 
     /// True if an object plays an animation.
     pub(crate) fn plays(&self) -> bool {
-        self.scene.objects.values().any(|object| object.animation.is_some())
+        let moves = self.shot.as_ref().is_some_and(|shot| shot.moves_objects());
+        moves || self.scene.objects.values().any(|object| object.animation.is_some())
     }
 
     /// True if every object is in the same place as in `other`, on the same mesh, and wears the
@@ -105,7 +109,9 @@ impl SceneSnapshot {
             place_objects(&self.scene, &self.base, &self.source, None, assets, &mut worn)
                 .into_parts();
         let (scene, assets) = (self.scene.clone(), assets.store().clone());
-        let mut setup = Setup { scene, looks: worn.looks, objects, assets, ..Setup::default() };
+        let shot = self.shot.clone();
+        let mut setup =
+            Setup { scene, shot, looks: worn.looks, objects, assets, ..Setup::default() };
         if self.is_alone {
             setup.looks.truncate(1);
             for object in &mut setup.objects {

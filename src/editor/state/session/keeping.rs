@@ -51,6 +51,9 @@ impl Session {
         if let Some(open_scene) = &self.open_scene {
             open_scene.journal().wait();
         }
+        if let Some(shot) = self.shot() {
+            shot.document.journal.wait();
+        }
         if let Some(work) = &self.painting {
             work.wait_for_journal();
         }
@@ -61,7 +64,8 @@ impl Session {
         let of_scene =
             || self.open_scene.as_ref().and_then(|open_scene| open_scene.journal().problem());
         let of_painting = || self.painting.as_ref().and_then(OpenPainting::keeping_problem);
-        self.look.journal.problem().or_else(of_scene).or_else(of_painting)
+        let of_shot = || self.shot().and_then(|shot| shot.document.journal.problem());
+        self.look.journal.problem().or_else(of_scene).or_else(of_shot).or_else(of_painting)
     }
 
     /// True if closing the window or opening another document would lose nothing, once all
@@ -70,6 +74,7 @@ impl Session {
         self.commit(false);
         self.look.journal.keeps()
             && self.open_scene.as_ref().is_none_or(|open_scene| open_scene.journal().keeps())
+            && self.shot().is_none_or(|shot| shot.document.journal.keeps())
     }
 
     /// Begins the journal with the whole look.
@@ -160,6 +165,10 @@ impl Session {
     /// selection stay. Returns true if the file could be read without an error; else the look is
     /// unchanged, and the problems are reported.
     pub(crate) fn reload(&mut self, text: &str) -> bool {
+        if self.shot().is_some() {
+            self.files_changed();
+            return true;
+        }
         let file =
             self.look.path.as_ref().map(|path| path.display().to_string()).unwrap_or_default();
         let loaded = Look::read(text, &file);
@@ -182,6 +191,9 @@ impl Session {
     /// changed.
     pub(crate) fn files_changed(&mut self) {
         self.revisions.files.advance();
+        if self.shot().is_some() {
+            self.read_under_shot();
+        }
         self.scene_changed();
     }
 }

@@ -11,9 +11,11 @@ mod project;
 mod scene;
 mod shading;
 mod sharing;
+pub(crate) mod shot;
 mod sketch;
 mod snapshots;
 mod steps;
+mod wedge;
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -145,7 +147,8 @@ impl Session {
         self.look.load_problems = loaded.diagnostics;
     }
 
-    /// Opens a scene, or a look, which stays within the open scene if an object there wears it.
+    /// Opens a scene, a shot of one, or a look, which stays within the open scene if an object
+    /// there wears it.
     ///
     /// # Errors
     /// Problems that keep the file from being read at all; the open documents stay then.
@@ -153,16 +156,7 @@ impl Session {
         let loaded = match Document::load(&**self.assets.source(), path) {
             Document::Look(loaded) => loaded,
             Document::Scene(loaded) => return self.load_scene(path, loaded),
-            Document::Shot(mut loaded) => {
-                let hint = "open the scene that it changes; `chiaro render` draws the shot, and \
-                            `chiaro shot` tells what it changes";
-                let problem = Diagnostic::error(
-                    "wrong-document",
-                    "this is a shot, which the window does not edit",
-                );
-                loaded.diagnostics.push(problem.in_file(path.display().to_string()).hint(hint));
-                return Err(loaded.diagnostics);
-            }
+            Document::Shot(loaded) => return self.load_shot(path, loaded),
         };
         let is_partial = loaded.has_errors();
         let diagnostics = loaded.diagnostics;
@@ -182,6 +176,10 @@ impl Session {
     /// # Errors
     /// A diagnostic with the reason; the old file is then unchanged.
     pub fn save_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
+        if self.shot().is_some() {
+            // The look of the window is what the shot makes of its file.
+            return self.save_shot_as(path);
+        }
         let is_own = self.look.check_saving(path)?;
         let names = if is_own { None } else { self.names_of_painting(path) };
         let text = if is_own {
@@ -216,9 +214,10 @@ impl Session {
         self.set_preview(None);
         self.sketchbook.put_aside(&self.look);
         self.remember_times();
-        self.look.history = History::new(look);
+        self.look.history = History::new(look.clone());
         self.look.file = TextFile::new(source);
         self.look.path = path;
+        self.look_was_opened(&look);
         self.sketchbook.find(&self.look);
         self.selection.nodes.clear();
         self.selection.light = None;
@@ -291,6 +290,7 @@ impl Session {
 
     /// Computes the values of keys, where anything changed since.
     pub(crate) fn refresh_keys(&mut self) {
+        self.show_shot_at_time(false);
         let shaders = &self.compilation.shaders;
         let shader = |sets_values| shaders.of_wires(sets_values, self.revision());
         let Some(evaluation) = self.keys().evaluated(self.stamp(), shader) else { return };
@@ -432,6 +432,9 @@ impl Session {
     /// # Errors
     /// A diagnostic where the edit is impossible; nothing is changed then.
     pub fn apply(&mut self, edit: Edit, gesture: Option<GestureId>) -> Result<(), Box<Diagnostic>> {
+        if self.shot().is_some() {
+            return self.apply_look_to_shot(edit, gesture);
+        }
         let is_structural = self.compilation.shaders.is_structural(&edit, self.look_with_library());
         let means = !is_layout(&edit);
         self.compilation.shaders.touch(&edit);

@@ -69,7 +69,7 @@ impl Session {
     }
 
     /// Puts the open documents aside for a scene, around a new look to begin with.
-    fn set_scene(&mut self, open_scene: OpenScene) {
+    pub(super) fn set_scene(&mut self, open_scene: OpenScene) {
         self.leave_journal(false);
         self.leave_scene(false);
         self.open_scene = Some(open_scene);
@@ -154,7 +154,10 @@ impl Session {
     /// Brings the picture's part of the scene up to date.
     pub(super) fn scene_changed(&mut self) {
         self.revisions.picture.advance();
-        if let Some(open_scene) = &mut self.open_scene {
+        if self.shot().is_some() {
+            self.resolve_shot();
+            self.revisions.problems.advance();
+        } else if let Some(open_scene) = &mut self.open_scene {
             open_scene.sync(
                 self.look.path.as_deref(),
                 &self.project.library,
@@ -180,6 +183,9 @@ impl Session {
         edit: SceneEdit,
         gesture: Option<GestureId>,
     ) -> Result<(), Box<Diagnostic>> {
+        if self.shot().is_some() {
+            return self.apply_scene_to_shot(edit, gesture);
+        }
         let Some(open_scene) = &mut self.open_scene else {
             return Err(Box::new(Diagnostic::error("impossible-edit", "no scene is open")));
         };
@@ -196,6 +202,9 @@ impl Session {
     /// # Errors
     /// A diagnostic with the reason; the old file is then unchanged.
     pub fn save_scene_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
+        if self.shot().is_some() {
+            return self.save_shot_as(path);
+        }
         let nodes = self.node_folders();
         if let Some(open_scene) = &mut self.open_scene {
             open_scene.save_as(path)?;
@@ -232,6 +241,7 @@ impl Session {
     /// Turns camera and lights as the scene has them, or to their defaults without a scene.
     pub(crate) fn reset_view(&mut self) {
         self.view.reset(self.open_scene.as_ref());
+        self.show_shot_at_time(true);
     }
 
     /// Brings an object into view, or all of them; the direction stays. `aspect` is the picture's
@@ -243,6 +253,9 @@ impl Session {
     /// Takes another program's text of the scene's file, as one step. Returns true if it could be
     /// read without an error.
     pub(crate) fn reload_scene(&mut self, text: &str) -> bool {
+        if self.shot().is_some() {
+            return self.reload_shot(text);
+        }
         self.revisions.step.advance();
         let Some(open_scene) = &mut self.open_scene else { return false };
         let is_read = open_scene.reload(text, self.revisions.step);

@@ -10,6 +10,7 @@ use crate::state::document::OpenDocument;
 use crate::state::painting::work::OpenPainting;
 use crate::state::revision::StepTime;
 use crate::state::scene::{OpenScene, real};
+use crate::state::shot::OpenShot;
 use crate::state::sketch::Sketch;
 
 /// Document that a step belongs to.
@@ -17,6 +18,7 @@ use crate::state::sketch::Sketch;
 pub(super) enum DocumentKind {
     Look,
     Scene,
+    Shot,
     Painting,
     Sketch,
 }
@@ -26,6 +28,8 @@ pub(super) enum DocumentKind {
 pub struct Steps<'a> {
     pub(super) look: &'a OpenDocument<Look>,
     pub(super) scene: Option<&'a OpenScene>,
+    /// The shot over the scene, which is edited in place of look and scene.
+    pub(super) shot: Option<&'a OpenShot>,
     /// The painting, where the open look shows it.
     pub(super) painting: Option<&'a OpenPainting>,
     /// The sketch, where it is shown.
@@ -39,6 +43,10 @@ impl<'a> Steps<'a> {
         let of_scene = self.scene.and_then(|scene| scene.document.times.last());
         let of_painting = self.painting.and_then(|work| work.document.times.last());
         let of_sketch = self.sketch.and_then(|sketch| sketch.times.last());
+        let of_shot = self.shot.and_then(|shot| shot.document.times.last());
+        if of_shot.is_some() && of_shot >= of_sketch.max(of_painting) {
+            return DocumentKind::Shot;
+        }
         // Among steps that journals brought back, the look's come first.
         if of_sketch.is_some() && of_sketch > of_look.max(of_scene).max(of_painting) {
             DocumentKind::Sketch
@@ -60,6 +68,7 @@ impl<'a> Steps<'a> {
         let all = [
             (of_look, DocumentKind::Look),
             (of_scene, DocumentKind::Scene),
+            (self.shot.and_then(|shot| shot.document.times.next()), DocumentKind::Shot),
             (of_painting, DocumentKind::Painting),
             (of_sketch, DocumentKind::Sketch),
         ];
@@ -72,6 +81,7 @@ impl<'a> Steps<'a> {
         match self.last() {
             DocumentKind::Look => self.look.history.undo_label(),
             DocumentKind::Scene => self.scene?.history().undo_label(),
+            DocumentKind::Shot => self.shot?.document.history.undo_label(),
             DocumentKind::Painting => self.painting?.history().undo_label(),
             DocumentKind::Sketch => self.sketch?.undo_label(),
         }
@@ -82,6 +92,7 @@ impl<'a> Steps<'a> {
         match self.next() {
             DocumentKind::Look => self.look.history.redo_label(),
             DocumentKind::Scene => self.scene?.history().redo_label(),
+            DocumentKind::Shot => self.shot?.document.history.redo_label(),
             DocumentKind::Painting => self.painting?.history().redo_label(),
             DocumentKind::Sketch => self.sketch?.redo_label(),
         }
@@ -95,6 +106,9 @@ impl<'a> Steps<'a> {
             // Steps of the same time are from journals: the scene's are older.
             let of_scene = scene.document.times.all().zip(scene.history().labels());
             steps.splice(0..0, of_scene);
+        }
+        if let Some(shot) = self.shot {
+            steps.splice(0..0, shot.document.times.all().zip(shot.document.history.labels()));
         }
         if let Some(work) = self.painting {
             steps.splice(0..0, work.document.times.all().zip(work.history().labels()));
@@ -112,7 +126,8 @@ impl<'a> Steps<'a> {
         let of_scene = self.scene.map_or(0, |scene| scene.history().place());
         let of_painting = self.painting.map_or(0, |work| work.history().place());
         let of_sketch = self.sketch.map_or(0, Sketch::place);
-        self.look.history.place() + of_scene + of_painting + of_sketch
+        let of_shot = self.shot.map_or(0, |shot| shot.document.history.place());
+        self.look.history.place() + of_scene + of_shot + of_painting + of_sketch
     }
 }
 
@@ -151,6 +166,7 @@ impl Session {
         Steps {
             look: &self.look,
             scene: self.open_scene.as_ref(),
+            shot: self.shot(),
             painting: self.painting.as_ref().filter(|_| !self.hides_painting),
             sketch: Some(&self.sketchbook.sketch).filter(|sketch| sketch.is_open),
         }
@@ -163,6 +179,11 @@ impl Session {
             (DocumentKind::Scene, Some(open_scene), _) => {
                 let did = open_scene.undo();
                 self.scene_changed();
+                did
+            }
+            (DocumentKind::Shot, ..) => {
+                let did = self.shot_mut().is_some_and(|shot| shot.document.undo());
+                self.shot_changed(true);
                 did
             }
             (DocumentKind::Painting, _, Some(work)) => {
@@ -183,6 +204,13 @@ impl Session {
                 self.revisions.step.advance();
                 let did = open_scene.redo(self.revisions.step);
                 self.scene_changed();
+                did
+            }
+            (DocumentKind::Shot, ..) => {
+                self.revisions.step.advance();
+                let now = self.revisions.step;
+                let did = self.shot_mut().is_some_and(|shot| shot.document.redo(now));
+                self.shot_changed(true);
                 did
             }
             (DocumentKind::Painting, _, Some(work)) => {

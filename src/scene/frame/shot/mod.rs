@@ -10,7 +10,8 @@ mod moving;
 mod resolve;
 mod stack;
 
-use std::path::PathBuf;
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use serde_json::Value as Json;
@@ -20,6 +21,7 @@ use crate::diag::Diagnostic;
 use crate::document::{FrameRate, Scene, Value, value_address};
 use moving::MovingValue;
 
+pub use resolve::ShotResolver;
 pub(super) use resolve::open_shot;
 pub use stack::{ShotFile, ShotStack, scene_of};
 
@@ -72,6 +74,39 @@ impl ResolvedShot {
         self.changes_of(look).next().is_some()
     }
 
+    /// A scene, resolved under the shot, as values that keys of the shot move are at a time, in
+    /// seconds.
+    pub fn scene_at<'s>(&self, scene: &'s Scene, time: f64) -> Cow<'s, Scene> {
+        let mut scene = Cow::Borrowed(scene);
+        for moving in &self.moving {
+            self.put(moving, scene.to_mut(), time);
+        }
+        scene
+    }
+
+    /// True if keys of the shot move an object or its values.
+    pub fn moves_objects(&self) -> bool {
+        self.moving.iter().any(|moving| moving.object().is_some())
+    }
+
+    /// The time of the frame that everything which shades is held at, in seconds.
+    pub fn shading_time(&self, time: f64) -> f64 {
+        self.clock.held(time, self.clock.shading_step)
+    }
+
+    /// The change of a value that stands; `look` by its path as changes tell it.
+    pub fn change_of(&self, look: Option<&str>, target: &str) -> Option<&ValueChange> {
+        let is_it = |change: &&ValueChange| {
+            change.stands && change.look.as_deref() == look && change.target == target
+        };
+        self.changes.iter().find(is_it)
+    }
+
+    /// Path of a look's file as changes tell it.
+    pub fn name_of_look(file: &Path) -> String {
+        stack::short(file).display().to_string()
+    }
+
     /// Single values of the camera that the shot changes, as they are in `scene`.
     pub(in crate::frame) fn camera_values(&self, scene: &Scene) -> Vec<(String, Value)> {
         let of_camera = |change: &&ValueChange| {
@@ -85,7 +120,7 @@ impl ResolvedShot {
     }
 
     fn changes_of(&self, look: &SetupLook) -> impl Iterator<Item = &ValueChange> {
-        let name = stack::short(look.source.file().as_ref()).display().to_string();
+        let name = Self::name_of_look(look.source.file().as_ref());
         self.changes
             .iter()
             .filter(move |change| change.stands && change.look.as_deref() == Some(name.as_str()))

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use glam::DMat4;
 
 use super::ResolvedShot;
-use crate::document::{BlendKind, Object, TimeKey, TrackEnds, Transform};
+use crate::document::{BlendKind, Object, Scene, TimeKey, TrackEnds, Transform};
 use crate::frame::keys::Track;
 use crate::frame::setup::{Setup, placed};
 use crate::ids::ObjectId;
@@ -73,7 +73,7 @@ impl Setup {
         };
         let mut setup = self.clone();
         for moving in &shot.moving {
-            shot.put(moving, &mut setup, time);
+            shot.put(moving, &mut setup.scene, time);
         }
         let touched: Vec<&str> = shot.moving.iter().filter_map(MovingValue::object).collect();
         for id in touched {
@@ -89,7 +89,7 @@ impl Setup {
     /// The time at which everything that shades is seen, in seconds: that of the frame which a
     /// stepped look holds.
     pub fn shading_time(&self, time: f64) -> f64 {
-        self.shot.as_ref().map_or(time, |shot| shot.clock.held(time, shot.clock.shading_step))
+        self.shot.as_ref().map_or(time, |shot| shot.shading_time(time))
     }
 
     /// The time of the shot's first frame, in seconds; 0 without a shot.
@@ -138,11 +138,11 @@ fn moved(from: &Transform, to: &Transform) -> DMat4 {
 impl ResolvedShot {
     /// Puts a value into the scene as it is at a time. One that cannot stand there, such as a scale
     /// on its way through 0, leaves the value before it.
-    fn put(&self, moving: &MovingValue, setup: &mut Setup, time: f64) {
+    pub(super) fn put(&self, moving: &MovingValue, scene: &mut Scene, time: f64) {
         let step = if moving.shades() { self.clock.shading_step } else { 1 };
         let time = self.clock.held(self.clock.held(time, step), moving.step);
         if let Some(value) = moving.track().at(time) {
-            let _ = setup.scene.set_value(&moving.address, &value);
+            let _ = scene.set_value(&moving.address, &value);
         }
     }
 }

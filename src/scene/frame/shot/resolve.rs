@@ -32,22 +32,21 @@ pub(in crate::frame) fn open_shot(
     let files = assets.source().clone();
     let (stack, mut problems) = ShotStack::over(&*files, path, loaded)?.into_parts();
     let mut resolver = ShotResolver::new(&stack);
-    resolver.change_scene();
-    let scene = resolver.scene.clone();
     let (folder, source) = (stack.scene_folder(), &stack.scene_source);
+    let scene = resolver.scene().clone();
     let mut setup = scene_setup(scene, folder, source, mesh, assets).tell(&mut problems);
     resolver.change_looks(&*files, &mut setup);
-    let ShotResolver { changes, moving, clock, problems: of_shots, .. } = resolver;
-    problems.extend(of_shots);
+    let shot = resolver.finish().tell(&mut problems);
     if has_errors(&problems) {
         return Err(problems);
     }
-    setup.shot = Some(Arc::new(ResolvedShot { changes, moving, clock, stack }));
+    setup.shot = Some(Arc::new(shot));
     Ok(WithWarnings::new(setup, problems))
 }
 
-/// Resolver of a shot: the scene as far as overrides are put into it.
-struct ShotResolver<'s> {
+/// Resolver of a shot: the scene as far as overrides are put into it. The scene is changed at once,
+/// by which its looks are found; these are changed next.
+pub struct ShotResolver<'s> {
     stack: &'s ShotStack,
     scene: Scene,
     changes: Vec<ValueChange>,
@@ -72,11 +71,25 @@ impl OverrideAt<'_> {
 }
 
 impl<'s> ShotResolver<'s> {
-    fn new(stack: &'s ShotStack) -> Self {
+    /// A resolver that has put all overrides of values of the scene into it.
+    pub fn new(stack: &'s ShotStack) -> Self {
         let ([first, last], rate) = (stack.frames(), stack.rate());
         let clock = FrameClock { first, last, rate, shading_step: stack.step() };
-        let scene = stack.scene.clone();
-        Self { stack, scene, changes: Vec::new(), moving: Vec::new(), clock, problems: Vec::new() }
+        let (scene, changes, moving) = (stack.scene.clone(), Vec::new(), Vec::new());
+        let mut resolver = Self { stack, scene, changes, moving, clock, problems: Vec::new() };
+        resolver.change_scene();
+        resolver
+    }
+
+    /// The scene with what is set in it. Values that move are as they were before the shots.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The changes, with problems of overrides that could not be put in.
+    pub fn finish(self) -> WithWarnings<ResolvedShot> {
+        let Self { stack, changes, moving, clock, problems, .. } = self;
+        WithWarnings::new(ResolvedShot { changes, moving, clock, stack: stack.clone() }, problems)
     }
 
     /// Puts all overrides of values of the scene into it.
@@ -196,7 +209,7 @@ impl<'s> ShotResolver<'s> {
     }
 
     /// Puts all overrides of values of looks into the looks that the objects wear.
-    fn change_looks(&mut self, files: &dyn Files, setup: &mut Setup) {
+    pub fn change_looks(&mut self, files: &dyn Files, setup: &mut Setup) {
         for file in self.stack.shots.iter().rev() {
             for at in overrides(file) {
                 let Some(name) = &at.changed.look else { continue };

@@ -50,7 +50,10 @@ impl ShotStack {
     }
 
     /// Reads what a shot changes.
-    pub(super) fn over(
+    ///
+    /// # Errors
+    /// As [`load`](Self::load).
+    pub fn over(
         files: &dyn Files,
         path: &Path,
         loaded: LoadedDocument<Shot>,

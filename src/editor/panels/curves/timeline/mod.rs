@@ -9,6 +9,7 @@ mod edges;
 mod graph;
 mod key_bar;
 mod markers;
+mod range;
 mod rows;
 mod sheet;
 

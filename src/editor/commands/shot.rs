@@ -1,0 +1,21 @@
+//! Commands about the shot over the scene.
+
+use eframe::egui;
+
+use crate::document::ShotEdit;
+use crate::state::shot::ShotAddress;
+
+/// Command about the open shot.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum ShotCommand {
+    /// Edits the shot, as an undo step of its own.
+    Edit(ShotEdit),
+    /// Edits the shot for as long as the same widget is held: one undo step in all.
+    EditHeld(egui::Id, ShotEdit),
+    /// Takes the shot's own change of a value back.
+    Reset(ShotAddress),
+    /// Keys a value at the present frame.
+    Key(ShotAddress),
+    /// Brings a value that the shot changes into view: its object, its light or its node.
+    Show(ShotAddress),
+}

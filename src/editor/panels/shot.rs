@@ -1,0 +1,284 @@
+//! Shot over the scene: its frames and its step, what lies under it, and every value that it
+//! changes.
+
+use eframe::egui::{
+    Align, Button, ComboBox, DragValue, Label, Layout, RichText, Role, ScrollArea, Sense, TextEdit,
+    Ui, WidgetInfo,
+};
+
+use crate::commands::{Command, PanelId, SceneCommand, ShotCommand, ViewCommand};
+use crate::document::{FrameRate, ShotEdit};
+use crate::fields::row::labelled;
+use crate::frame::ValueChange;
+use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::session::Session;
+use crate::state::session::shot::change_text;
+use crate::state::shot::{OpenShot, ShotAddress};
+use crate::widgets::text::hint;
+use crate::widgets::theme;
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::SHOT,
+    "Shot",
+    "The open shot: its frames, what it lies over, and every value that it changes",
+    PanelPlace::WITH_DOCUMENT.closed(),
+    |_, ui, context| show(ui, context.session),
+);
+
+/// Rates that are offered.
+const RATES: [&str; 6] = ["23.976", "24", "25", "29.97", "30", "60"];
+/// Steps in the words of animators.
+const STEPS: [(u32, &str); 4] = [(1, "ones"), (2, "twos"), (3, "threes"), (4, "fours")];
+
+/// Shows the panel.
+fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
+    let mut out = Vec::new();
+    let Some(shot) = session.shot() else {
+        hint(ui, "No shot is open. A shot changes values of a scene for some frames.");
+        hint(ui, "Open shows one; `chiaro new NAME --template shot` begins one.");
+        return out;
+    };
+    ScrollArea::vertical().auto_shrink([false, false]).id_salt("shot").show(ui, |ui| {
+        ui.set_max_width(ui.available_width() - 8.0);
+        about(ui, session, shot, &mut out);
+        ui.separator();
+        stack(ui, shot, &mut out);
+        ui.separator();
+        changes(ui, session, shot, &mut out);
+    });
+    out
+}
+
+fn push(out: &mut Vec<Command>, command: ShotCommand) {
+    out.push(Command::Scene(SceneCommand::Shot(command)));
+}
+
+/// Shows the name, the frames, the rate, the size and the step.
+fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>) {
+    labelled(ui, "Shot name", "What you call this shot", |ui, label| {
+        let mut name = shot.shot().name.clone();
+        let field = TextEdit::singleline(&mut name).desired_width(f32::INFINITY);
+        let response = ui.add(field).labelled_by(label);
+        if response.changed() {
+            push(out, ShotCommand::EditHeld(response.id, ShotEdit::SetShotName { name }));
+        }
+    });
+    let inherited = |is_own: bool| match is_own {
+        true => "This shot says so itself",
+        false => "As what lies under it says; a change is this shot's own",
+    };
+    let [mut first, mut last] = shot.stack().frames();
+    let before = [first, last];
+    labelled(ui, "Frames", inherited(shot.shot().frames.is_some()), |ui, _| {
+        for (frame, name) in [(&mut first, "First frame"), (&mut last, "Last frame")] {
+            let response = ui.add(DragValue::new(frame).speed(0.2));
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
+            if response.changed() {
+                let frames = if name == "First frame" {
+                    [*frame, before[1].max(*frame)]
+                } else {
+                    [before[0].min(*frame), *frame]
+                };
+                let edit = ShotEdit::SetFrames { frames: Some(frames) };
+                push(out, ShotCommand::EditHeld(response.id, edit));
+            }
+        }
+        let frame = shot.frame_at(session.view.time);
+        let text = format!("now {frame}");
+        ui.label(RichText::new(text).color(theme::of(ui).dim))
+            .on_hover_text("The frame at the playhead of the timeline");
+    });
+    labelled(ui, "Rate", inherited(shot.shot().rate.is_some()), |ui, label| {
+        let now = shot.rate();
+        let combo = ComboBox::from_id_salt("rate").selected_text(format!("{now} a second"));
+        let combo = combo.show_ui(ui, |ui| {
+            for rate in RATES.iter().filter_map(|rate| rate.parse::<FrameRate>().ok()) {
+                if ui.selectable_label(rate == now, rate.to_string()).clicked() && rate != now {
+                    push(out, ShotCommand::Edit(ShotEdit::SetRate { rate: Some(rate) }));
+                }
+            }
+        });
+        combo.response.labelled_by(label);
+    });
+    size(ui, shot, out);
+    let help = "Looks, lights and values of objects are held for so many frames; cameras and \
+                objects move on every one";
+    labelled(ui, "Shading on", help, |ui, _| {
+        ui.spacing_mut().item_spacing.x = 2.0;
+        for (step, text) in STEPS {
+            let is_it = shot.stack().step() == step;
+            let name = format!("Shading on {text}");
+            let response = ui.selectable_label(is_it, text);
+            response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
+            if response.on_hover_text(help).clicked() && !is_it {
+                push(out, ShotCommand::Edit(ShotEdit::SetStep { step: Some(step) }));
+            }
+        }
+    });
+    ui.horizontal_wrapped(|ui| {
+        let follows = session.follows_shot();
+        let help = "The picture as `chiaro render` draws it at this frame; a turn of the view \
+                    leaves the camera";
+        let look = ui.add_enabled(!follows, Button::new("Look through the shot's camera"));
+        if look.on_hover_text(help).on_disabled_hover_text(help).clicked() {
+            out.push(Command::View(ViewCommand::Reset));
+        }
+        let help = "The camera, the turn of the lights and the backdrop of the picture become the \
+                    shot's: at this frame where they are keyed";
+        let keep = ui.add_enabled(!follows, Button::new("Keep this view"));
+        if keep.on_hover_text(help).clicked() {
+            out.push(Command::Scene(SceneCommand::KeepView));
+        }
+    });
+}
+
+fn size(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
+    labelled(ui, "Size", "Width and height of its pictures, in pixels", |ui, _| {
+        let Some(mut size) = shot.stack().size() else {
+            if ui.button("by the command").on_hover_text("Sets a size of its own").clicked() {
+                let edit = ShotEdit::SetSize { size: Some([1920, 1080]) };
+                push(out, ShotCommand::Edit(edit));
+            }
+            return;
+        };
+        for (index, name) in ["Width", "Height"].into_iter().enumerate() {
+            let drag = DragValue::new(&mut size[index]).range(1..=32_768).speed(2.0);
+            let response = ui.add(drag);
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
+            if response.changed() {
+                let edit = ShotEdit::SetSize { size: Some(size) };
+                push(out, ShotCommand::EditHeld(response.id, edit));
+            }
+        }
+    });
+}
+
+/// Shows the documents, the scene first, each with a button that opens it.
+fn stack(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
+    let stack = shot.stack();
+    let mut row = |ui: &mut Ui, path: &std::path::Path, text: &str, is_open: bool| {
+        ui.horizontal(|ui| {
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let color = if is_open { theme::of(ui).text } else { theme::of(ui).dim };
+            ui.label(RichText::new(format!("{text} {name}")).color(color))
+                .on_hover_text(path.display().to_string());
+            if is_open {
+                return;
+            }
+            let button = ui.small_button("Open");
+            let label = format!("Open {name}");
+            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
+            if button.on_hover_text("Opens it in place of the shot").clicked() {
+                out.push(Command::Open(Some(path.to_path_buf())));
+            }
+        });
+    };
+    row(ui, &stack.scene_path, "scene", false);
+    for (index, file) in stack.shots.iter().enumerate().rev() {
+        row(ui, &file.path, if index == 0 { "shot" } else { "over it" }, index == 0);
+    }
+}
+
+/// Lists the values that the shots change.
+fn changes(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>) {
+    let standing: Vec<&ValueChange> =
+        shot.resolved().changes.iter().filter(|change| change.stands).collect();
+    if standing.is_empty() {
+        hint(ui, "It changes nothing yet: set any value of a light, an object or the look.");
+        return;
+    }
+    let count = standing.iter().filter(|change| change.by == shot.path()).count();
+    let farther = standing.len() - count;
+    ui.label(
+        RichText::new(format!("{count} changed by this shot, {farther} by what lies under it"))
+            .small()
+            .color(theme::of(ui).dim),
+    );
+    // The nearest first.
+    for change in standing.iter().rev().filter(|change| change.by == shot.path()) {
+        row(ui, session, shot, change, out);
+    }
+    for change in standing.iter().rev().filter(|change| change.by != shot.path()) {
+        row(ui, session, shot, change, out);
+    }
+}
+
+/// Shows a change: where it is, with its buttons, and below what it was and is.
+fn row(
+    ui: &mut Ui,
+    session: &Session,
+    shot: &OpenShot,
+    change: &ValueChange,
+    out: &mut Vec<Command>,
+) {
+    let at = ShotAddress::of(change);
+    let is_own = change.by == shot.path();
+    let by = change.by.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let look = change.look.as_deref().map(std::path::Path::new);
+    let look = look.and_then(std::path::Path::file_stem).map(|name| name.to_string_lossy());
+    let address = match look {
+        Some(look) => format!("{look}: {}", change.target),
+        None => change.target.clone(),
+    };
+    let colors = theme::of(ui);
+    let color = if is_own { colors.text } else { colors.dim };
+    ui.horizontal(|ui| {
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            buttons(ui, (session, shot), change, &address, out);
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                let text = RichText::new(&address).color(color);
+                let response = ui.add(Label::new(text).sense(Sense::click()).truncate());
+                response.widget_info(|| {
+                    WidgetInfo::labeled(Role::Link, true, format!("Show {address}"))
+                });
+                let help = format!("{}\nA click shows it", at.text());
+                if response.on_hover_text(help).clicked() {
+                    push(out, ShotCommand::Show(at.clone()));
+                }
+            });
+        });
+    });
+    let (from, to) = change_text(change);
+    let kind = if change.is_keyed { "keyed" } else { "set" };
+    let held =
+        if change.step > 1 { format!(", held for {} frames", change.step) } else { String::new() };
+    let text = format!("   {from} before, {kind} to {to}{held}");
+    ui.add(Label::new(RichText::new(text).small().color(colors.dim)).truncate())
+        .on_hover_text(format!("{kind} by {by}: {from} before, {to} now"));
+    ui.add_space(2.0);
+}
+
+/// Shows the buttons of a change: the way back, or to the file that makes it, and a key.
+fn buttons(
+    ui: &mut Ui,
+    (session, shot): (&Session, &OpenShot),
+    change: &ValueChange,
+    address: &str,
+    out: &mut Vec<Command>,
+) {
+    let at = ShotAddress::of(change);
+    if change.by == shot.path() {
+        let button = ui.small_button("Reset");
+        button.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Reset {address}")));
+        if button.on_hover_text("The value is as before").clicked() {
+            push(out, ShotCommand::Reset(at.clone()));
+        }
+    } else {
+        let by = change.by.file_name().unwrap_or_default().to_string_lossy();
+        let help = format!("{by} changes it, and takes it back: opens that file");
+        let button = ui.small_button("Open");
+        button.widget_info(|| {
+            WidgetInfo::labeled(Role::Button, true, format!("Open {by} with {address}"))
+        });
+        if button.on_hover_text(help).clicked() {
+            out.push(Command::Open(Some(change.by.clone())));
+        }
+    }
+    let is_open = change.look.is_none() || change.look == shot.open_look();
+    let key = ui.add_enabled(is_open, Button::new("Key").small());
+    key.widget_info(|| WidgetInfo::labeled(Role::Button, is_open, format!("Key {address}")));
+    let frame = shot.frame_at(session.view.time);
+    if key.on_hover_text(format!("A key at frame {frame}, with the present value")).clicked() {
+        push(out, ShotCommand::Key(at));
+    }
+}

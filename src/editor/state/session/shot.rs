@@ -1,0 +1,373 @@
+//! Shot over the scene: opened, shown at the present time, and edited in place of the look and the
+//! scene under it.
+
+use std::path::Path;
+
+use super::Session;
+use crate::diag::Diagnostic;
+use crate::document::{
+    Edit, LoadedDocument, Look, SceneEdit, Shot, ShotEdit, Target, Value, keyed_target,
+};
+use crate::files::journal::{JournalSlot, RecoveredWork};
+use crate::frame::{Assets, ValueChange};
+use crate::state::document::journal::VIEW;
+use crate::state::keying::Owner;
+use crate::state::revision::GestureId;
+use crate::state::scene::OpenScene;
+use crate::state::shot::{LookUnderShot, OpenShot, ShotAddress, ShotWriter};
+
+impl Session {
+    /// The shot over the scene, if one is open.
+    pub fn shot(&self) -> Option<&OpenShot> {
+        self.open_scene()?.shot.as_deref()
+    }
+
+    pub(crate) fn shot_mut(&mut self) -> Option<&mut OpenShot> {
+        self.open_scene_mut()?.shot.as_deref_mut()
+    }
+
+    /// Opens a shot, around a look that is still to be opened.
+    pub(super) fn load_shot(
+        &mut self,
+        path: &Path,
+        loaded: LoadedDocument<Shot>,
+    ) -> Result<(), Vec<Diagnostic>> {
+        let shot = OpenShot::opened(&**self.assets.source(), path, loaded)?;
+        self.set_scene(OpenScene::under(shot));
+        self.show_first_frame();
+        Ok(())
+    }
+
+    /// Takes back a shot that a journal gave, in place of the open documents. The journal goes on
+    /// in its slot.
+    ///
+    /// # Errors
+    /// A problem that keeps what the shot changes from being read; the open documents stay then.
+    pub(crate) fn take_back_shot(
+        &mut self,
+        found: RecoveredWork<Shot>,
+        slot: JournalSlot,
+    ) -> Result<(), Box<Diagnostic>> {
+        let view = found.about.window.get(VIEW).cloned();
+        let shot = OpenShot::taken_back(&**self.assets.source(), found).map_err(|problems| {
+            let first = problems.into_iter().find(Diagnostic::is_error);
+            Box::new(first.unwrap_or_else(|| Diagnostic::error("cannot-read", "nothing is there")))
+        })?;
+        self.set_scene(OpenScene::under(shot));
+        self.show_first_frame();
+        self.journals.view = view;
+        if let Some(shot) = self.shot_mut() {
+            shot.begin_journal(Some(slot));
+        }
+        Ok(())
+    }
+
+    fn show_first_frame(&mut self) {
+        let Some(shot) = self.shot() else { return };
+        self.view.time = shot.rate().time(shot.stack().frames()[0]);
+        self.show_shot_at_time(true);
+    }
+
+    /// Takes the look that was opened under the shot, as its file has it.
+    pub(super) fn look_was_opened(&mut self, look: &Look) {
+        let (source, folder) = (self.look.file.source.clone(), self.look.folder());
+        let has_file = self.look.path.is_some();
+        if let Some(shot) = self.shot_mut() {
+            let look = look.clone();
+            shot.look = has_file.then_some(LookUnderShot { look, source, folder });
+        }
+    }
+
+    /// Moves the playhead, in seconds.
+    pub fn set_time(&mut self, time: f64) {
+        self.view.time = time;
+        self.show_shot_at_time(false);
+    }
+
+    /// Brings scene and looks up to date with the shot over them.
+    pub(super) fn resolve_shot(&mut self) {
+        let Some(open_scene) = &mut self.open_scene else { return };
+        let files = self.assets.source().clone();
+        let path = self.look.path.as_deref();
+        let revision = self.revisions.picture;
+        let look = open_scene.resolve(path, &self.project.library, &*files, revision);
+        if let Some(look) = look.filter(|look| look != self.look.document()) {
+            self.look.history.amend(look, |_| {});
+        }
+        self.show_shot_at_time(false);
+    }
+
+    /// Shows the scene as the shot has moved it at the present time, and where the view follows the
+    /// shot's camera, from there. `follows` lets the view follow from now on.
+    pub(crate) fn show_shot_at_time(&mut self, follows: bool) {
+        let time = self.view.time;
+        let Some(shot) = self.shot() else { return };
+        if shot.shown_at == Some(time) && !follows {
+            return;
+        }
+        let follows = follows || shot.is_followed(&self.view.orbit);
+        let of_file = follows.then(|| self.camera_of_file(time)).flatten();
+        let Some(open_scene) = &mut self.open_scene else { return };
+        open_scene.show_at(time);
+        if let Some(shot) = open_scene.shot.as_deref_mut().filter(|_| follows) {
+            shot.look_from_camera(&mut self.view.orbit, time, of_file);
+        }
+    }
+
+    /// The camera that a mesh's file brings, where the scene asks for it and the mesh is read.
+    fn camera_of_file(&self, time: f64) -> Option<crate::document::Camera> {
+        let open_scene = self.open_scene()?;
+        open_scene.shot.as_ref()?.scene().file_camera.as_ref()?;
+        if open_scene.placed.is_empty() {
+            return None;
+        }
+        let mut snapshot = self.snapshot();
+        snapshot.follows_shot = true;
+        let setup = snapshot.setup(&mut Assets::of(&self.assets)).ok()?.value;
+        Some(setup.seen_camera(time))
+    }
+
+    /// True if the picture is seen from the shot's camera.
+    pub(crate) fn follows_shot(&self) -> bool {
+        self.shot().is_some_and(|shot| shot.is_followed(&self.view.orbit))
+    }
+
+    /// Applies an edit of the look as overrides of the shot over it.
+    pub(super) fn apply_look_to_shot(
+        &mut self,
+        edit: Edit,
+        gesture: Option<GestureId>,
+    ) -> Result<(), Box<Diagnostic>> {
+        let is_structural = self.compilation.shaders.is_structural(&edit, self.look_with_library());
+        self.compilation.shaders.touch(&edit);
+        let mut after = self.look().clone();
+        after.apply(edit)?;
+        let file = self.path().map(Path::to_path_buf).unwrap_or_default();
+        let refused = |problem: Diagnostic| Box::new(refusal(problem, &file));
+        let differences = self.look().differences(&after).map_err(refused)?;
+        let Some(shot) = self.shot() else { return Ok(()) };
+        let Some(look) = shot.open_look() else {
+            let message = "the look has no file yet, by which a shot could name it";
+            return Err(Box::new(Diagnostic::error("not-of-a-shot", message)));
+        };
+        let present =
+            crate::state::reading::LookWithLibrary { look: &after, ..self.look_with_library() };
+        let value_of = |target: &str| present.own_value(&Target::parse(target)?);
+        let mut writer = ShotWriter::new(shot, Some(look), self.view.time);
+        writer.write(differences, &value_of).map_err(refused)?;
+        let Some(edit) = writer.finish() else { return Ok(()) };
+        self.apply_to_shot_document(edit, gesture, is_structural)
+    }
+
+    /// Applies an edit of the scene as overrides of the shot over it.
+    pub(super) fn apply_scene_to_shot(
+        &mut self,
+        edit: SceneEdit,
+        gesture: Option<GestureId>,
+    ) -> Result<(), Box<Diagnostic>> {
+        let Some((open_scene, shot)) = self.open_scene().zip(self.shot()) else { return Ok(()) };
+        let before = open_scene.scene();
+        let mut after = before.clone();
+        after.apply(edit)?;
+        let file = open_scene.path().map(Path::to_path_buf).unwrap_or_default();
+        let refused = |problem: Diagnostic| Box::new(refusal(problem, &file));
+        let mut differences = before.differences(&after).map_err(refused)?;
+        let mut writer = ShotWriter::new(shot, None, self.view.time);
+        let is_under = |target: &str, first: &str| target.starts_with(first);
+        if differences.iter().any(|it| is_under(&it.target, "time.")) {
+            writer.set_time(before.time, after.time);
+            differences.retain(|it| !is_under(&it.target, "time."));
+        }
+        if differences.iter().any(|it| is_under(&it.target, "camera.")) && writer.set_camera(&after)
+        {
+            differences.retain(|it| !is_under(&it.target, "camera."));
+        }
+        let value_of = |target: &str| {
+            let place = after.value_at(target).ok()?;
+            serde_json::from_value::<Value>(place.value).ok()
+        };
+        writer.write(differences, &value_of).map_err(refused)?;
+        let Some(edit) = writer.finish() else { return Ok(()) };
+        self.apply_to_shot_document(edit, gesture, false)
+    }
+
+    /// Applies an edit of the shot. Consecutive edits of the same `gesture` are one step.
+    ///
+    /// # Errors
+    /// A diagnostic where the edit is impossible; nothing is changed then.
+    pub fn apply_to_shot(
+        &mut self,
+        edit: ShotEdit,
+        gesture: Option<GestureId>,
+    ) -> Result<(), Box<Diagnostic>> {
+        self.apply_to_shot_document(edit, gesture, true)
+    }
+
+    fn apply_to_shot_document(
+        &mut self,
+        edit: ShotEdit,
+        gesture: Option<GestureId>,
+        is_structural: bool,
+    ) -> Result<(), Box<Diagnostic>> {
+        let now = self.revisions.step.next();
+        let Some(shot) = self.shot_mut() else {
+            return Err(Box::new(Diagnostic::error("impossible-edit", "no shot is open")));
+        };
+        if shot.document.apply(edit, gesture, now)? {
+            self.revisions.step.advance();
+            if let Some(work) = &mut self.painting {
+                work.end_gesture();
+            }
+            self.shot_changed(is_structural);
+        }
+        Ok(())
+    }
+
+    /// Brings everything up to date after the shot changed.
+    pub(super) fn shot_changed(&mut self, is_structural: bool) {
+        let look = self.look().clone();
+        self.scene_changed();
+        if *self.look() != look {
+            self.revisions.meaning.advance();
+            self.changed(is_structural);
+        }
+    }
+
+    /// Takes the shot's own change of a value back, as a step.
+    ///
+    /// # Errors
+    /// The shot does not change the value by itself.
+    pub(crate) fn reset_in_shot(&mut self, at: &ShotAddress) -> Result<(), Box<Diagnostic>> {
+        let Some(shot) = self.shot() else { return Ok(()) };
+        let mut writer = ShotWriter::new(shot, at.look.clone(), self.view.time);
+        writer.take_back(&at.target);
+        let Some(edit) = writer.finish() else {
+            let message = format!("{} does not change `{}`", shot.name(), at.text());
+            return Err(Box::new(Diagnostic::error("impossible-edit", message)));
+        };
+        self.apply_to_shot(edit, None)
+    }
+
+    /// Keys a value at the present frame, with its present value: the first key, or one more.
+    ///
+    /// # Errors
+    /// The value has none that could be keyed.
+    pub(crate) fn key_in_shot(&mut self, at: &ShotAddress) -> Result<(), Box<Diagnostic>> {
+        let Some(value) = self.value_in_shot(at) else {
+            let message = format!("`{}` has no value to key", at.text());
+            return Err(Box::new(Diagnostic::error("impossible-edit", message)));
+        };
+        let Some(shot) = self.shot() else { return Ok(()) };
+        let mut writer = ShotWriter::new(shot, at.look.clone(), self.view.time);
+        writer.key_here(&at.target, value);
+        match writer.finish() {
+            Some(edit) => self.apply_to_shot(edit, None),
+            None => Ok(()),
+        }
+    }
+
+    /// The present value at an address; of a look that is not open, what the shot sets.
+    fn value_in_shot(&self, at: &ShotAddress) -> Option<Value> {
+        let shot = self.shot()?;
+        match &at.look {
+            None => {
+                let place = self.open_scene()?.scene().value_at(&at.target).ok()?;
+                serde_json::from_value(place.value).ok()
+            }
+            Some(_) if at.look == shot.open_look() => {
+                let target = keyed_target(&at.target)?;
+                self.keys().value_now(&target)
+            }
+            Some(_) => shot.own(at)?.value.clone(),
+        }
+    }
+
+    /// The change that a shot makes of a value of the open look or of the scene, by its target.
+    pub(crate) fn change_by_shot(&self, owner: Owner, target: &str) -> Option<&ValueChange> {
+        let shot = self.shot()?;
+        let look = match owner {
+            Owner::Look => Some(shot.open_look()?),
+            Owner::Scene => None,
+        };
+        shot.resolved().change_of(look.as_deref(), target)
+    }
+
+    /// Saves the shot to a file, which is its own from then on.
+    ///
+    /// # Errors
+    /// A diagnostic with the reason; the old file is then unchanged.
+    pub fn save_shot_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
+        if let Some(shot) = self.shot_mut() {
+            shot.save_as(path)?;
+            self.scene_changed();
+        }
+        Ok(())
+    }
+
+    /// Takes another program's text of the shot's file, as one step. Returns true if it could be
+    /// read without an error.
+    pub(crate) fn reload_shot(&mut self, text: &str) -> bool {
+        self.revisions.step.advance();
+        let now = self.revisions.step;
+        let files = self.assets.source().clone();
+        let Some(shot) = self.shot_mut() else { return false };
+        let is_read = shot.reload(text, now);
+        if is_read {
+            shot.read_again(&*files);
+        }
+        self.shot_changed(true);
+        is_read
+    }
+
+    /// Reads anew what lies under the shot.
+    pub(super) fn read_under_shot(&mut self) {
+        let files = self.assets.source().clone();
+        if let Some(shot) = self.shot_mut() {
+            shot.read_again(&*files);
+            let source = shot.look.as_ref().map(|look| look.source.clone());
+            let known = self.look.file.source.text();
+            if let Some(source) = source.filter(|source| source.text() != known) {
+                self.look.was_reloaded((*source).clone());
+            }
+            self.shot_changed(true);
+        }
+    }
+}
+
+/// A problem of an edit that no shot can say, with the file that has what was edited.
+fn refusal(problem: Diagnostic, file: &Path) -> Diagnostic {
+    if problem.code != "not-of-a-shot" {
+        return problem;
+    }
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    let message = format!("{}: open {name} to change that", problem.message);
+    Diagnostic { message, ..problem }.in_file(file.display().to_string())
+}
+
+/// The value before a change and the one after it, in words.
+pub(crate) fn change_text(change: &ValueChange) -> (String, String) {
+    let from = match &change.from {
+        serde_json::Value::Null => "default".to_owned(),
+        from => json_text(from),
+    };
+    (from, json_text(&change.to))
+}
+
+fn json_text(json: &serde_json::Value) -> String {
+    use serde_json::Value as Json;
+    match json {
+        Json::Number(number) => number.as_f64().map_or_else(
+            || number.to_string(),
+            |number| format!("{}", (number * 1e4).round() / 1e4),
+        ),
+        Json::String(text) => text.clone(),
+        Json::Bool(true) => "on".to_owned(),
+        Json::Bool(false) => "off".to_owned(),
+        Json::Array(items) if items.first().is_some_and(Json::is_object) => {
+            format!("{} keys", items.len())
+        }
+        Json::Array(items) => items.iter().map(json_text).collect::<Vec<_>>().join(", "),
+        Json::Null => "nothing".to_owned(),
+        Json::Object(_) => "a curve".to_owned(),
+    }
+}

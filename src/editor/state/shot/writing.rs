@@ -1,0 +1,221 @@
+//! Edits of a look or a scene, told as overrides of the shot over them.
+
+use serde_json::Value as Json;
+
+use super::{OpenShot, ShotAddress};
+use crate::diag::Diagnostic;
+use crate::document::{
+    ChangedTo, FrameRate, Interpolation, Override, Scene, ShotEdit, ShotKey, Target, TimeKey,
+    TimeRange, Value, ValueDifference, json_of_value, keyed_target,
+};
+
+/// Greatest distance of a key from a frame that counts as on it, in frames.
+const ON_FRAME: f64 = 1e-4;
+
+/// Writer of overrides, at a time.
+pub(crate) struct ShotWriter<'s> {
+    shot: &'s OpenShot,
+    /// Path of the look whose values are written; `None` for those of the scene.
+    look: Option<String>,
+    /// Frame of a key that is set now.
+    frame: f64,
+    edits: Vec<ShotEdit>,
+}
+
+impl<'s> ShotWriter<'s> {
+    /// A writer of values of a look, by its path as changes tell it, or of the scene. `time` is in
+    /// seconds.
+    pub(crate) fn new(shot: &'s OpenShot, look: Option<String>, time: f64) -> Self {
+        Self { shot, look, frame: on_frame(shot.rate(), time), edits: Vec::new() }
+    }
+
+    /// The edit of the shot; `None` where nothing is to be changed.
+    pub(crate) fn finish(mut self) -> Option<ShotEdit> {
+        match self.edits.len() {
+            0 => None,
+            1 => self.edits.pop(),
+            _ => Some(ShotEdit::Group { edits: self.edits }),
+        }
+    }
+
+    fn at(&self, target: &str) -> ShotAddress {
+        ShotAddress { look: self.look.clone(), target: target.to_owned() }
+    }
+
+    /// Writes what has become of values. `value_of` gives the present value of a target, its
+    /// default included.
+    ///
+    /// # Errors
+    /// A change that no override says.
+    pub(crate) fn write(
+        &mut self,
+        differences: Vec<ValueDifference>,
+        value_of: &dyn Fn(&str) -> Option<Value>,
+    ) -> Result<(), Diagnostic> {
+        for ValueDifference { target, to } in differences {
+            match to {
+                ChangedTo::Value(value) => self.set(&target, value),
+                ChangedTo::Keys(keys) => self.key_all(&target, &keys),
+                ChangedTo::Unkeyed | ChangedTo::Default => {
+                    let is_default = to == ChangedTo::Default;
+                    if is_default && self.shot.own(&self.at(&target)).is_some() {
+                        self.take_back(&target);
+                        continue;
+                    }
+                    let Some(value) = value_of(&target) else {
+                        let message = format!("`{target}` without a value is nothing of a shot");
+                        return Err(Diagnostic::error("not-of-a-shot", message));
+                    };
+                    self.set(&target, value);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Sets a value: at the present frame where it moves, else for all frames.
+    pub(crate) fn set(&mut self, target: &str, value: Value) {
+        let at = self.at(target);
+        let standing = self.shot.resolved().change_of(at.look.as_deref(), target);
+        // Keys of lights and of looks are edited as keys; what else moves is at the present frame.
+        let is_in_tracks =
+            at.look.is_some() || matches!(keyed_target(target), Some(Target::Light { .. }));
+        if standing.is_some_and(|change| change.is_keyed) && !is_in_tracks {
+            return self.key_here(target, value);
+        }
+        // A value as it is without this shot needs no override.
+        let own = self.shot.own(&at);
+        let under = own.and(standing).map(|change| &change.from);
+        if under.is_some_and(|under| same_json(under, &json_of_value(&value))) {
+            return self.take_back(target);
+        }
+        let mut change = own.cloned().unwrap_or_else(|| self.new_override(target));
+        (change.value, change.keys, change.step) = (Some(value), Vec::new(), 1);
+        self.edits.push(ShotEdit::set_override(change));
+    }
+
+    /// Sets a key at the present frame, beside those that stand.
+    pub(crate) fn key_here(&mut self, target: &str, value: Value) {
+        let at = self.at(target);
+        let standing = self.shot.own(&at).or_else(|| self.farther(&at));
+        let mut change = match standing {
+            Some(standing) => Override { look: None, ..standing.clone() },
+            None => self.new_override(target),
+        };
+        change.look = self.new_override(target).look;
+        change.value = None;
+        let keys = &mut change.keys;
+        let place = keys.iter().position(|key| key.frame > self.frame - ON_FRAME);
+        let place = place.unwrap_or(keys.len());
+        match keys.get_mut(place).filter(|key| (key.frame - self.frame).abs() < ON_FRAME) {
+            Some(key) => key.value = value,
+            None => {
+                let before = keys.get(place.wrapping_sub(1)).map(|key| key.interpolation);
+                let interpolation = before.unwrap_or(Interpolation::Linear);
+                keys.insert(place, shot_key(self.frame, value, interpolation));
+            }
+        }
+        self.edits.push(ShotEdit::set_override(change));
+    }
+
+    /// Sets all keys of a value, in seconds.
+    fn key_all(&mut self, target: &str, keys: &[TimeKey]) {
+        let rate = self.shot.rate();
+        let own = self.shot.own(&self.at(target)).cloned();
+        let mut change = own.unwrap_or_else(|| self.new_override(target));
+        change.value = None;
+        let key = |key: &TimeKey| {
+            shot_key(on_frame(rate, key.time), key.value.clone(), key.interpolation)
+        };
+        change.keys = keys.iter().map(key).collect();
+        self.edits.push(ShotEdit::set_override(change));
+    }
+
+    /// Takes this shot's override of a value back.
+    pub(crate) fn take_back(&mut self, target: &str) {
+        let own = self.shot.own(&self.at(target));
+        if let Some(own) = own {
+            self.edits.push(ShotEdit::take_back(own.look.clone(), own.target.clone()));
+        } else if target.starts_with("camera.") && self.shot.shot().camera.is_some() {
+            self.edits.push(ShotEdit::SetShotCamera { camera: None });
+        }
+    }
+
+    /// Writes a range of times as frames.
+    pub(crate) fn set_time(&mut self, before: TimeRange, after: TimeRange) {
+        let rate = match after.fps == before.fps {
+            true => self.shot.rate(),
+            false => {
+                let rate = rate_of(after.fps);
+                self.edits.push(ShotEdit::SetRate { rate: Some(rate) });
+                rate
+            }
+        };
+        let first = on_frame(rate, after.start).round() as i32;
+        let last = (on_frame(rate, after.end).round() as i32).max(first);
+        self.edits.push(ShotEdit::SetFrames { frames: Some([first, last]) });
+    }
+
+    /// Writes a camera in place of the shot's own, where it has one and changes no single value of
+    /// it. Returns true if so.
+    pub(crate) fn set_camera(&mut self, after: &Scene) -> bool {
+        let shot = self.shot.shot();
+        let is_single = shot
+            .overrides
+            .iter()
+            .any(|change| change.look.is_none() && change.target.starts_with("camera."));
+        let is_whole = shot.camera.is_some() && !is_single;
+        if is_whole {
+            self.edits.push(ShotEdit::SetShotCamera { camera: Some(after.camera) });
+        }
+        is_whole
+    }
+
+    /// The override of a value in the nearest of the shots under this one.
+    fn farther(&self, at: &ShotAddress) -> Option<&'s Override> {
+        let change = self.shot.resolved().change_of(at.look.as_deref(), &at.target)?;
+        let file = self.shot.stack().shots.iter().find(|file| file.path == change.by)?;
+        let index = change.json_path.strip_prefix("overrides[")?.strip_suffix(']')?;
+        let change = file.shot.overrides.get(index.parse::<usize>().ok()?)?;
+        change.value.is_none().then_some(change)
+    }
+
+    fn new_override(&self, target: &str) -> Override {
+        Override {
+            look: self.look.as_deref().map(|look| self.shot.name_of(look)),
+            target: target.to_owned(),
+            value: None,
+            keys: Vec::new(),
+            step: 1,
+            unknown: Default::default(),
+        }
+    }
+}
+
+fn shot_key(frame: f64, value: Value, interpolation: Interpolation) -> ShotKey {
+    ShotKey { frame, value, interpolation, unknown: Default::default() }
+}
+
+/// The frame at a time in seconds, or the place between two.
+fn on_frame(rate: FrameRate, time: f64) -> f64 {
+    let frame = time * rate.per_second();
+    if (frame - frame.round()).abs() < ON_FRAME { frame.round() } else { frame }
+}
+
+/// The rate of so many frames per second.
+fn rate_of(fps: f64) -> FrameRate {
+    // Rates of television are written with three digits.
+    let written = [format!("{fps}"), format!("{fps:.3}"), format!("{}", fps.round())];
+    written.iter().find_map(|text| text.parse().ok()).unwrap_or(FrameRate::FILM)
+}
+
+/// True if two values of files mean the same, however their numbers are written.
+fn same_json(one: &Json, two: &Json) -> bool {
+    match (one, two) {
+        (Json::Number(a), Json::Number(b)) => a.as_f64() == b.as_f64(),
+        (Json::Array(a), Json::Array(b)) => {
+            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same_json(a, b))
+        }
+        _ => one == two,
+    }
+}

@@ -1,0 +1,79 @@
+//! Sheet of a wedge: pictures of a document under combinations of values, as `chiaro wedge` writes
+//! them, with the values of each cell in a JSON beside it.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value as Json;
+
+use crate::document::Value;
+use crate::files::read_text;
+
+/// Most cells of a sheet that are listed.
+const MOST_CELLS: usize = 10_000;
+
+/// A sheet with the values of its cells.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct WedgeSheet {
+    /// File of the values.
+    pub(crate) path: PathBuf,
+    /// The document that was varied, as the command line named it.
+    pub(crate) document: PathBuf,
+    pub(crate) cells: Vec<WedgeCell>,
+}
+
+/// A cell of a sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct WedgeCell {
+    /// Values by the names that were varied.
+    pub(crate) values: Vec<(String, Value)>,
+    /// Frame of the picture, where frames were drawn.
+    pub(crate) frame: Option<i32>,
+}
+
+impl WedgeCell {
+    /// The values in words.
+    pub(crate) fn label(&self) -> String {
+        let text = |value: &Value| match value {
+            Value::Number(number) => format!("{}", (number * 1e4).round() / 1e4),
+            Value::Text(text) => text.clone(),
+            other => crate::document::json_of_value(other).to_string(),
+        };
+        let values = self.values.iter().map(|(name, value)| format!("{name} = {}", text(value)));
+        let frame = self.frame.map(|frame| format!("frame {frame}"));
+        values.chain(frame).collect::<Vec<_>>().join(", ")
+    }
+}
+
+impl WedgeSheet {
+    /// The sheet whose values, or whose picture, a file is; `None` for any other file.
+    pub(crate) fn read(path: &Path) -> Option<Self> {
+        let ending = path.extension()?.to_str()?.to_lowercase();
+        if !["json", "png"].contains(&ending.as_str()) {
+            return None;
+        }
+        let path = path.with_extension("json");
+        // Looks and scenes say what they are in their first line; wedges, too, are small files.
+        let text = read_text(&path).ok().filter(|text| text.contains("\"wedge\""))?;
+        let json: Json = serde_json::from_str(&text).ok()?;
+        if json.get("chiaro")?.as_str()? != "wedge" {
+            return None;
+        }
+        let cell = |cell: &Json| {
+            let values = cell.get("values")?.as_object()?.iter();
+            let values = values.map(|(name, value)| {
+                Some((name.clone(), serde_json::from_value(value.clone()).ok()?))
+            });
+            let frame = cell.get("frame").and_then(Json::as_i64);
+            let frame = frame.and_then(|frame| i32::try_from(frame).ok());
+            Some(WedgeCell { values: values.collect::<Option<_>>()?, frame })
+        };
+        let cells = json.get("cells")?.as_array()?.iter().take(MOST_CELLS);
+        let document = PathBuf::from(json.get("document")?.as_str()?);
+        Some(Self { cells: cells.filter_map(cell).collect(), document, path })
+    }
+
+    /// Picture of the sheet.
+    pub(crate) fn picture(&self) -> PathBuf {
+        self.path.with_extension("png")
+    }
+}
