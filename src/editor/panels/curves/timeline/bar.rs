@@ -3,12 +3,13 @@
 use eframe::egui;
 use eframe::egui::{Button, ComboBox, DragValue, RichText, Role, Ui, WidgetInfo};
 
-use super::{Timeline, rows};
+use super::{Timeline, rows, transport};
 use crate::commands::Command;
 use crate::document::{Edit, Interpolation, Target};
 use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::state::keying::changes_in_time;
 use crate::state::session::Session;
+use crate::tools::PictureTools;
 use crate::values;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
@@ -21,15 +22,11 @@ pub(super) fn show(
     timeline: &mut Timeline,
     ui: &mut Ui,
     session: &Session,
+    tools: &mut PictureTools,
     out: &mut Vec<Command>,
 ) {
     ui.horizontal_wrapped(|ui| {
-        let is_playing = timeline.playing.is_some();
-        let text = if is_playing { "Pause" } else { "Play" };
-        let help = "Plays the range in real time (Space over this panel)";
-        if ui.add(Button::new(text).selected(is_playing)).on_hover_text(help).clicked() {
-            timeline.toggle(ui, session);
-        }
+        transport::buttons(timeline, ui, session, out);
         for (text, help, way) in [
             ("Previous key", "To the key before the playhead", -1.0),
             ("Next key", "To the key after it", 1.0),
@@ -40,19 +37,17 @@ pub(super) fn show(
                 timeline.go(time, out);
             }
         }
-        let frame = (session.view.time * timeline.fps).round();
-        let text = format!("{} s, frame {frame}", values::number_text(session.view.time, 3));
-        ui.label(RichText::new(text).monospace()).on_hover_text("Where the playhead is");
+        transport::place(timeline, ui, session);
         ui.separator();
         rate(timeline, ui);
         ui.checkbox(&mut timeline.snaps, "Snap")
             .on_hover_text("Keys and the playhead stay on frames");
-        ui.checkbox(&mut timeline.loops, "Loop")
-            .on_hover_text("Begins again at the end of the range");
         range(timeline, ui);
         if ui.button("Fit").on_hover_text("Brings all keys and the range into view").clicked() {
             timeline.fit(session);
         }
+        ui.separator();
+        transport::ways(timeline, ui, session, tools, out);
         ui.separator();
         add_value(ui, session, out);
     });
