@@ -32,6 +32,7 @@ pub(crate) static TOOLS: &[ToolRow] = &[
     fitting::TOOL,
     wipe::TOOL,
     flip::TOOL,
+    onion::TOOL,
     playback::TOOL,
 ];
 

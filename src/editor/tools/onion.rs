@@ -7,9 +7,10 @@
 
 use std::sync::Arc;
 
+use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{
-    Color32, ColorImage, DragValue, Rect, RichText, Role, Slider, TextureHandle, TextureOptions,
-    Ui, WidgetInfo,
+    Color32, ColorImage, DragValue, PopupCloseBehavior, Rect, RichText, Role, Slider,
+    TextureHandle, TextureOptions, Ui, WidgetInfo,
 };
 
 use super::playback::cache::PictureKey;
@@ -90,7 +91,8 @@ impl OnionSkin {
         }
         let text = RichText::new("Onion skin");
         let text = if self.is_on { text.color(theme::of(ui).accent) } else { text };
-        let menu = ui.menu_button(text, |ui| {
+        let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+        let (menu, _) = MenuButton::new(text).config(stays).ui(ui, |ui| {
             let help = "Ghosts of the picture at other times, where it differs from now";
             ui.checkbox(&mut self.is_on, "Show ghosts").on_hover_text(help);
             ui.radio_value(&mut self.by, OnionStep::Keys, "At keys before and after");
@@ -116,7 +118,7 @@ impl OnionSkin {
                 ui.label(RichText::new("after").color(TINTS[1]));
             });
         });
-        menu.response.on_hover_text("Ghosts of the picture before and after the playhead");
+        menu.on_hover_text("Ghosts of the picture before and after the playhead");
     }
 
     /// Frames that have ghosts, before and after a frame; the nearest first.

@@ -224,6 +224,10 @@ impl Playback {
     /// Begins to draw the frames of the range at rest, or stops.
     pub(crate) fn fill(&mut self, is_filling: bool) {
         self.is_filling = is_filling && self.can_draw();
+        if self.cache.frames().next().is_none() {
+            // Changes are not noticed while there is nothing to give up: this is a beginning.
+            self.basis = None;
+        }
     }
 
     /// Takes the timeline's playhead of this frame of the window; `None` where there is no

@@ -5,6 +5,9 @@ use std::collections::VecDeque;
 /// Time over which frames are counted, in seconds.
 const SPAN: f64 = 2.0;
 
+/// Number of times that are kept however old they are, so that a slow rate is told.
+const LEAST: usize = 4;
+
 /// Times at which another frame came on the screen, of the last seconds.
 #[derive(Debug, Default)]
 pub(super) struct ShownRate {
@@ -15,7 +18,8 @@ impl ShownRate {
     /// Notes a frame that is shown from `now` on, in seconds of the window's clock.
     pub(super) fn shown(&mut self, now: f64) {
         self.times.push_back(now);
-        while self.times.front().is_some_and(|first| now - first > SPAN) {
+        let is_old = |first: &f64| now - first > SPAN;
+        while self.times.len() > LEAST && self.times.front().is_some_and(is_old) {
             self.times.pop_front();
         }
     }
@@ -50,6 +54,9 @@ mod tests {
         // As nothing new comes the rate falls.
         let later = rate.per_second(47.0 / 24.0 + 2.0).unwrap();
         assert!((11.0..13.0).contains(&later), "{later}");
+        (0..6).for_each(|frame| rate.shown(10.0 + 3.0 * f64::from(frame)));
+        let slow = rate.per_second(25.0).unwrap();
+        assert!((slow - 1.0 / 3.0).abs() < 1e-6, "{slow}");
         rate.rest();
         assert_eq!(rate.per_second(5.0), None);
     }

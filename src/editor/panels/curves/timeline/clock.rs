@@ -9,6 +9,9 @@ use crate::tools::playback::{PlayPace, Transport, time_of};
 /// Speeds, as factors of the frame rate.
 pub(super) const SPEEDS: [f64; 5] = [0.25, 0.5, 1.0, 2.0, 4.0];
 
+/// Part of a frame within which a time counts as the frame's: fields round times to milliseconds.
+const NEAR: f64 = 0.05;
+
 /// Place of a running clock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct RunningClock {
@@ -67,8 +70,8 @@ impl PlayClock {
     /// one at its end included.
     pub(super) fn round(&self, range: [f64; 2], fps: f64) -> Round {
         let [start, end] = self.part.unwrap_or(range);
-        let first = (start * fps - 1e-6).ceil() as i32;
-        let last = (end * fps + 1e-6).floor() as i32;
+        let first = (start * fps - NEAR).ceil() as i32;
+        let last = (end * fps + NEAR).floor() as i32;
         Round::new([first, last.max(first)], self.mode)
     }
 

@@ -1,7 +1,9 @@
 //! Transport of the timeline: play, step, the ways to play, and the frames that are kept.
 
+use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{
-    Button, ComboBox, DragValue, Key, Modifiers, Rect, RichText, Role, Stroke, Ui, WidgetInfo,
+    Button, ComboBox, DragValue, Key, Label, Modifiers, PopupCloseBehavior, Rect, RichText, Role,
+    Stroke, Ui, WidgetInfo,
 };
 
 use super::Timeline;
@@ -178,7 +180,8 @@ fn kept(ui: &mut Ui, playback: &mut Playback, out: &mut Vec<Command>) {
     let used = playback.cache().bytes().div_ceil(1 << 20);
     let memory = playback.memory();
     let text = format!("{count} of {} kept", round.count());
-    let menu = ui.menu_button(text, |ui| {
+    let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    let (menu, _) = MenuButton::new(text).config(stays).ui(ui, |ui| {
         ui.label(format!("{used} of {memory} MiB in use; {} frames drawn", playback.drawn()));
         let mut chosen = memory;
         for mib in MEMORIES {
@@ -194,7 +197,7 @@ fn kept(ui: &mut Ui, playback: &mut Playback, out: &mut Vec<Command>) {
             ui.close();
         }
     });
-    menu.response.on_hover_text(
+    menu.on_hover_text(
         "Frames that are kept, and their memory: where it is short, those that are shown last go \
          first",
     );
@@ -220,7 +223,8 @@ fn real_rate(ui: &mut Ui, playback: &Playback) {
         }
     };
     let help = "Frames that are really shown a second, of those that should be";
-    ui.label(RichText::new(text).color(color).monospace()).on_hover_text(help);
+    let text = RichText::new(text).color(color).monospace();
+    ui.add(Label::new(text).extend()).on_hover_text(help);
 }
 
 /// Draws the frames that are kept as a band along the ruler, and the part that is played.
