@@ -69,8 +69,7 @@ fn the_frame_that_is_wrong_is_found_by_a_flip_book() {
     std::fs::remove_file(frame(WRONG)).unwrap();
     render(&studio, &WRONG.to_string());
     compare(&studio, &mut artist, "####.exr");
-    artist.place_like("0 differ");
-    artist.place_like(&format!("frame {WRONG} no difference"));
+    assert!(artist.says("0 differ"), "half floats round to a step of 1/255 at most");
     // Half a file is told by its name, and the others are compared.
     std::fs::write(frame(2), b"half a file").unwrap();
     compare(&studio, &mut artist, "####.exr");
