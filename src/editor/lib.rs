@@ -12,6 +12,7 @@
 
 use chiaro_compiler::{catalog, compile, document, examples, library};
 use chiaro_files as files;
+use chiaro_film as film;
 use chiaro_laboratory::{accuracy, fit};
 use chiaro_language::{clock, diag, figures, ids, interp, milestones, progress};
 use chiaro_reference as reference;

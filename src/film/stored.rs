@@ -112,16 +112,7 @@ impl StoredFrame {
     /// # Errors
     /// `no-picture` where a channel of the picture is not there.
     pub fn over(&self, backdrop: [f64; 3]) -> Result<Picture, Diagnostic> {
-        let channel = |name: &str| {
-            let found = self.channels.iter().find(|(known, _)| known == name);
-            found.map(|(_, numbers)| numbers).ok_or_else(|| {
-                let message = format!("the file has no channel {name}, and so no picture");
-                Diagnostic::error("no-picture", message)
-                    .hint("name a file that has R, G, B and A, as chiaro render writes it")
-            })
-        };
-        let (red, green, blue) = (channel("R")?, channel("G")?, channel("B")?);
-        let alpha = channel("A").ok();
+        let ([red, green, blue], alpha) = self.colors()?;
         let pixel = |at: usize| {
             let alpha = alpha.map_or(1.0, |alpha| f64::from(alpha[at]));
             let mut shown = [1.0; 4];
@@ -139,6 +130,44 @@ impl StoredFrame {
         };
         let rgba = (0..red.len()).map(pixel).collect();
         Ok(Picture { size: self.size, rgba })
+    }
+
+    /// The picture as shown, with the alpha that it has: what was written.
+    ///
+    /// # Errors
+    /// `no-picture` where a channel of the picture is not there.
+    pub fn picture(&self) -> Result<Picture, Diagnostic> {
+        let (colors, alpha) = self.colors()?;
+        let pixel = |at: usize| {
+            let alpha = alpha.map_or(1.0, |alpha| alpha[at]);
+            let shown = |light: f32| {
+                let straight = f64::from(light) / f64::from(alpha).max(f64::MIN_POSITIVE);
+                (linear_to_srgb(straight.abs()) as f32).copysign(light)
+            };
+            let color = |of: &[f32]| match self.is_light {
+                true if alpha <= 0.0 => 0.0,
+                true => shown(of[at]),
+                false => of[at],
+            };
+            let [red, green, blue] = colors.map(color);
+            [red, green, blue, alpha]
+        };
+        let rgba = (0..colors[0].len()).map(pixel).collect();
+        Ok(Picture { size: self.size, rgba })
+    }
+
+    /// Numbers of red, green and blue, and of alpha where the file has it.
+    fn colors(&self) -> Result<([&[f32]; 3], Option<&[f32]>), Diagnostic> {
+        let channel = |name: &str| {
+            let found = self.channels.iter().find(|(known, _)| known == name);
+            found.map(|(_, numbers)| numbers.as_slice()).ok_or_else(|| {
+                let message = format!("the file has no channel {name}, and so no picture");
+                Diagnostic::error("no-picture", message)
+                    .hint("name a file that has R, G, B and A, as chiaro render writes it")
+            })
+        };
+        let colors = [channel("R")?, channel("G")?, channel("B")?];
+        Ok((colors, channel("A").ok()))
     }
 }
 
@@ -200,6 +229,14 @@ mod tests {
             assert!((a - b).abs() < 3e-3, "{a} {b}");
         }
         assert_eq!(first(&png)[3], 1.0);
+        // With its alpha the picture is the one that was written.
+        for frame in [&exr, &png] {
+            let read = frame.picture().unwrap();
+            for (pixel, wanted) in read.rgba.iter().zip(&picture().rgba) {
+                let is_near = pixel.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 3e-3);
+                assert!(is_near, "{pixel:?} {wanted:?}");
+            }
+        }
     }
 
     #[test]

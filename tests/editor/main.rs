@@ -25,6 +25,7 @@ mod panels;
 mod picture;
 mod placing;
 mod placing_groups;
+mod playback;
 mod rest;
 mod safety;
 mod scene;

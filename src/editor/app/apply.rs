@@ -20,6 +20,7 @@ use crate::state::scene::OpenScene;
 use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown;
 use crate::state::wedge::WedgeSheet;
+use crate::tools::flip::FlipBook;
 use crate::tools::handles::HandlesSwitch;
 use crate::tools::placing::PlacingTool;
 use crate::tools::probe::Probe;
@@ -127,10 +128,18 @@ impl App {
             Command::ShowReference(None) => {
                 self.dialogs.ask(FilePurpose::Reference, self.session.path());
             }
+            Command::CompareFrames(Some(path)) => self.bench.tools.of_mut::<FlipBook>().open(path),
+            Command::CompareFrames(None) => {
+                self.dialogs.ask(FilePurpose::Frames, self.session.path());
+            }
             Command::LeaveProbe => self.bench.tools.of_mut::<Probe>().escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
             Command::KeepLightColumns(columns) => {
                 self.safety.change_settings(|settings| settings.light_columns = columns);
+            }
+            Command::KeepFrameMemory(mib) => {
+                self.safety.change_settings(|settings| settings.frame_memory = mib);
+                self.bench.tools.playback().set_memory(mib);
             }
             Command::ChooseLight(id) => self.session.choose_light(id),
             Command::LinkPointed(is_linked) => {

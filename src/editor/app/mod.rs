@@ -54,6 +54,7 @@ use crate::state::settings::Settings;
 use crate::state::wedge::WedgeSheet;
 use crate::tools::fitting::FitTool;
 use crate::tools::placing::PlacingTool;
+use crate::tools::playback::Playback;
 use crate::tools::probe::Probe;
 use crate::tools::wipe::Wipe;
 use crate::viewport::Viewport;
@@ -168,6 +169,7 @@ impl App {
         let waker = ctx.clone();
         self.safety.keep_in(places, &mut self.session, move || waker.request_repaint());
         appearance::apply(&self.safety.settings, ctx);
+        self.bench.tools.playback().set_memory(self.safety.settings.frame_memory);
         if let Some(layout) = self.safety.settings.layout.clone() {
             self.dock.restore(&layout);
         }
@@ -289,6 +291,17 @@ impl App {
     /// Comparison of the picture with a tier or the truth.
     pub fn wipe(&self) -> &Wipe {
         self.bench.tools.of()
+    }
+
+    /// Number of frames of the timeline that are kept, and of those that were drawn for it.
+    pub fn frames(&self) -> [u64; 2] {
+        let playback = self.bench.tools.of::<Playback>();
+        [playback.cache().frames().count() as u64, playback.drawn()]
+    }
+
+    /// Memory of the frames that are kept, in bytes.
+    pub fn frame_bytes(&self) -> usize {
+        self.bench.tools.of::<Playback>().cache().bytes()
     }
 
     /// Light painted on the picture, and the look fitted to it.

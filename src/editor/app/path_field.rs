@@ -188,6 +188,7 @@ fn title(purpose: FilePurpose) -> &'static str {
         FilePurpose::Shaders(_) => "Export the look into a folder",
         FilePurpose::Export(_) => "Save the picture",
         FilePurpose::Reference => "Show an image with the picture",
+        FilePurpose::Frames => "Compare with rendered frames",
     }
 }
 

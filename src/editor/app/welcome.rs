@@ -153,6 +153,7 @@ impl App {
             FilePurpose::Shaders(language) => Command::ExportLook(language, Some(path)),
             FilePurpose::Export(export) => Command::Export(export, Some(path)),
             FilePurpose::Reference => Command::ShowReference(Some(path)),
+            FilePurpose::Frames => Command::CompareFrames(Some(path)),
         };
         chosen.into_iter().map(command).collect()
     }

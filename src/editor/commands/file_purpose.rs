@@ -32,6 +32,8 @@ pub(crate) enum FilePurpose {
     Export(PictureExport),
     /// An image to show.
     Reference,
+    /// One of the frames that were rendered, to compare with.
+    Frames,
 }
 
 /// File endings of meshes that can be read.
@@ -64,6 +66,7 @@ impl FilePurpose {
             Self::Shaders(_) => ("Folder", &[]),
             Self::Export(_) => ("PNG", &["png"]),
             Self::Reference => ("Image", &IMAGES),
+            Self::Frames => ("Rendered frame", &["exr", "png"]),
         }
     }
 

@@ -111,6 +111,11 @@ pub(crate) enum Command {
     Solo(Solo),
     /// Remembers columns of the light table that are shown or hidden by hand, by their words.
     KeepLightColumns(BTreeMap<String, bool>),
+    /// Compares the frames of the timeline with rendered ones: of this file's sequence, or of this
+    /// folder; asks for one where there is none.
+    CompareFrames(Option<PathBuf>),
+    /// Remembers the memory that frames of playback take, in MiB.
+    KeepFrameMemory(u32),
     /// Chooses the light that handles, placing and looking through are of.
     ChooseLight(LightId),
     /// Links the lights that are selected in the links' pane to the object under the pointer, or

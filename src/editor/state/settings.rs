@@ -16,6 +16,9 @@ const MAX_RECENT: usize = 20;
 /// Range of the interface's scale.
 pub(crate) const SCALE: std::ops::RangeInclusive<f32> = 0.5..=3.0;
 
+/// Memory that frames of playback take by default, in MiB.
+pub const DEFAULT_FRAME_MEMORY: u32 = 512;
+
 /// Theme of the interface: dark, light, or the system's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -46,6 +49,8 @@ pub struct Settings {
     pub z_is_up: bool,
     /// Columns of the light table that were shown or hidden by hand, by their words.
     pub light_columns: BTreeMap<String, bool>,
+    /// Memory that frames of playback take, in MiB.
+    pub frame_memory: u32,
     /// Settings of other versions, kept as they are.
     unknown: Map<String, Value>,
 }
@@ -60,6 +65,7 @@ impl Default for Settings {
             mesh: None,
             z_is_up: false,
             light_columns: BTreeMap::new(),
+            frame_memory: DEFAULT_FRAME_MEMORY,
             unknown: Map::new(),
         }
     }
@@ -87,7 +93,10 @@ impl Settings {
         let mesh = take("mesh").as_str().map(str::to_owned);
         let z_is_up = take("z_is_up").as_bool().unwrap_or_default();
         let light_columns = serde_json::from_value(take("light_columns")).unwrap_or_default();
-        Self { recent, theme, scale, layout, mesh, z_is_up, light_columns, unknown: members }
+        let frame_memory = take("frame_memory").as_u64().and_then(|mib| u32::try_from(mib).ok());
+        let frame_memory = frame_memory.filter(|mib| *mib > 0).unwrap_or(DEFAULT_FRAME_MEMORY);
+        let unknown = members;
+        Self { recent, theme, scale, layout, mesh, z_is_up, light_columns, frame_memory, unknown }
     }
 
     fn to_text(&self) -> String {
@@ -104,6 +113,9 @@ impl Settings {
         if !self.light_columns.is_empty() {
             let columns = serde_json::to_value(&self.light_columns).unwrap_or_default();
             members.insert("light_columns".into(), columns);
+        }
+        if self.frame_memory != DEFAULT_FRAME_MEMORY {
+            members.insert("frame_memory".into(), self.frame_memory.into());
         }
         members.extend(self.unknown.clone());
         let mut text = serde_json::to_string_pretty(&Value::Object(members)).unwrap_or_default();

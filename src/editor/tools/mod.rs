@@ -3,8 +3,11 @@
 //! and a line in [`TOOLS`].
 
 pub(crate) mod fitting;
+pub(crate) mod flip;
 pub(crate) mod handles;
+pub(crate) mod onion;
 pub(crate) mod placing;
+pub(crate) mod playback;
 pub(crate) mod probe;
 mod surface;
 mod table;
@@ -22,8 +25,16 @@ use table::ToolParts;
 pub(crate) use table::{PictureContext, SwitchPlace, ToolRow};
 
 /// All tools, in the order of their switches; their overlays lie in reverse order.
-pub(crate) static TOOLS: &[ToolRow] =
-    &[handles::TOOL, probe::TOOL, placing::TOOL, fitting::TOOL, wipe::TOOL];
+pub(crate) static TOOLS: &[ToolRow] = &[
+    handles::TOOL,
+    probe::TOOL,
+    placing::TOOL,
+    fitting::TOOL,
+    wipe::TOOL,
+    flip::TOOL,
+    onion::TOOL,
+    playback::TOOL,
+];
 
 /// States of the picture's tools, each of a type of its own.
 pub(crate) struct PictureTools {
@@ -47,6 +58,20 @@ impl PictureTools {
     pub(crate) fn of_mut<T: 'static>(&mut self) -> &mut T {
         let state = self.states.iter_mut().find_map(|state| state.downcast_mut::<T>());
         state.unwrap_or_else(|| unreachable!("no tool starts a {}", type_name::<T>()))
+    }
+
+    /// States of two types, to change both.
+    pub(crate) fn pair<A: 'static, B: 'static>(&mut self) -> (&mut A, &mut B) {
+        let (mut a, mut b) = (None, None);
+        for state in &mut self.states {
+            if state.is::<A>() {
+                a = state.downcast_mut::<A>();
+            } else if state.is::<B>() {
+                b = state.downcast_mut::<B>();
+            }
+        }
+        let names = || (type_name::<A>(), type_name::<B>());
+        a.zip(b).unwrap_or_else(|| unreachable!("no tools start {:?}", names()))
     }
 
     /// Tool that has the pointer over the picture to itself.

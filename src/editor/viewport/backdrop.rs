@@ -1,10 +1,10 @@
 //! The picture itself, or a stand-in.
 
-use eframe::egui::{self, Rect, Ui, vec2};
+use eframe::egui::{self, Rect, TextureHandle, Ui, vec2};
 
 use super::picture::ViewportPicture;
-use super::show;
 use crate::state::session::Session;
+use crate::tools::playback::paint::{fit, paint_exposed};
 use crate::tools::probe::picture_size;
 use crate::widgets::theme;
 
@@ -21,7 +21,7 @@ pub(super) fn show_picture(
     match picture.update(session, size, is_held || turns, dt) {
         Some(texture) => {
             ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
-            show::paint_exposed(ui, texture, rect, stops);
+            paint_exposed(&ui.painter_at(rect), texture, rect, stops);
         }
         None => {
             ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
@@ -42,6 +42,13 @@ pub(super) fn show_picture(
             );
         }
     }
+}
+
+/// Shows a frame in place of the picture; one of another shape is fit in.
+pub(super) fn show_frame(ui: &Ui, rect: Rect, frame: &TextureHandle, stops: f32) {
+    ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
+    let place = fit(rect, frame.size_vec2());
+    paint_exposed(&ui.painter_at(rect), frame.id(), place, stops);
 }
 
 /// Draws a ball where there is no GPU, so that the camera and the lights can still be turned.

@@ -43,14 +43,17 @@ use crate::state::scene::ObjectPlace;
 use crate::state::session::Session;
 use crate::state::worker::BackgroundJobs;
 use crate::tools::fitting::FitTool;
+use crate::tools::flip::FlipBook;
 use crate::tools::handles::HandlesSwitch;
+use crate::tools::onion::OnionSkin;
 use crate::tools::placing::PlacingTool;
+use crate::tools::playback::Playback;
 use crate::tools::probe::picture_size;
 use crate::tools::{PictureContext, PictureTools, ToolRow};
 use crate::viewport::picture::ViewportPicture;
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
-use backdrop::{show_picture, stand_in};
+use backdrop::{show_frame, show_picture, stand_in};
 use export::{Destination, Exports, PictureExportResult};
 use isocurves::Isocurves;
 use look_through::LookThrough;
@@ -128,6 +131,13 @@ struct Handles {
     places: Option<Vec<ObjectPlace>>,
 }
 
+impl Handles {
+    /// No handles, while the picture moves.
+    fn none() -> Self {
+        Self { surface: None, layer: None, is_on: false, places: None }
+    }
+}
+
 impl Viewport {
     /// `wake` is called from another thread when a surface or an export is done.
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + 'static) -> Self {
@@ -180,10 +190,15 @@ impl Viewport {
             .then(|| ui.input(|input| input.pointer.hover_pos()))
             .flatten();
         let is_free = tools.with_pointer().is_none();
-        let has_handles = tools.of::<HandlesSwitch>().is_on;
+        // The handles stand on a surface of this moment, which takes longer than a frame may.
+        let is_playing = tools.playback().is_moving();
+        let has_handles = tools.of::<HandlesSwitch>().is_on && !is_playing;
         // While a light is placed, the layer's lines show where it has come.
         let has_lines = is_free || tools.of::<PlacingTool>().is_on();
-        let mut handles = self.handles(rect, session, has_handles, has_lines);
+        let mut handles = match is_playing {
+            true => Handles::none(),
+            false => self.handles(rect, session, has_handles, has_lines),
+        };
         out.extend(handles.places.take().map(SceneCommand::Locate).map(Command::Scene));
         let hovered = objects::seen(
             session,
@@ -239,8 +254,20 @@ impl Viewport {
             return out;
         };
         let owner = tools.with_pointer();
+        let size = picture_size(rect, ui.pixels_per_point());
+        let (flip, playback) = tools.pair::<FlipBook, Playback>();
+        flip.exposure = self.exposure;
+        let mut demands = flip.update(playback);
+        let (onion, playback) = tools.pair::<OnionSkin, Playback>();
+        demands.frames.extend(onion.demands(session, playback));
+        let frame = playback.update(ui, session, size, &demands);
         match picture {
+            Some(picture) if frame.is_some() => {
+                picture.is_covered = true;
+                frame.into_iter().for_each(|frame| show_frame(ui, rect, frame, self.exposure));
+            }
             Some(picture) => {
+                picture.is_covered = false;
                 show_picture(ui, rect, session, picture, self.turns, self.exposure);
                 self.preparing.show(ui, rect, session, picture);
             }

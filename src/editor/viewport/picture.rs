@@ -11,13 +11,13 @@ use eframe::egui_wgpu::RenderState;
 
 use crate::compile::{CompiledShader, Live};
 use crate::diag::{Diagnostic, WithWarnings, has_errors};
-use crate::document::Look;
-use crate::frame::{CullMode, Effect, PlanOptions, Planner, effects};
+use crate::frame::{Effect, effects};
 use crate::library::Library;
 use crate::milestones;
 use crate::render::{Gpu, Renderer, set_times};
 use crate::state::crashes::{CrashLog, CrashMark, CrashStep, DocumentOrigin};
 use crate::state::orbit::Orbit;
+use crate::state::picture_plan::PicturePlanner;
 use crate::state::revision::{DocumentNumber, PictureRevision, RequestNumber};
 use crate::state::session::{DrawableLook, Session};
 use crate::state::snapshot::RenderSnapshot;
@@ -201,6 +201,8 @@ pub(crate) struct ViewportPicture {
     pub(crate) tells_effects: bool,
     /// Effects of the last picture of a look at rest, where they were requested.
     pub(crate) effects: Arc<Vec<Effect>>,
+    /// True while a frame from the cache is shown in its place: no picture is requested.
+    pub(crate) is_covered: bool,
 }
 
 impl ViewportPicture {
@@ -212,12 +214,9 @@ impl ViewportPicture {
         wake: impl Fn() + Send + 'static,
     ) -> Self {
         let gpu = Gpu::new(state.device.clone(), state.queue.clone(), state.adapter.get_info());
-        // Only whole objects are culled: lights are edited, and a look must not be compiled anew
-        // when one goes out.
-        let planner = Planner::default().culling(CullMode::Objects);
         let renderer = Renderer::new(gpu.clone());
-        let mut picture_renderer =
-            PictureRenderer { renderer, planner, provided: None, library: None, crashes };
+        let planner = PicturePlanner::default();
+        let mut picture_renderer = PictureRenderer { renderer, planner, crashes };
         let worker = Worker::waiting("picture", wake, async move |request| {
             picture_renderer.draw(&request).await
         });
@@ -239,6 +238,7 @@ impl ViewportPicture {
             problems: Vec::new(),
             tells_effects: false,
             effects: Arc::default(),
+            is_covered: false,
         }
     }
 
@@ -295,6 +295,9 @@ impl ViewportPicture {
     }
 
     fn ask(&mut self, session: &Session) -> bool {
+        if self.is_covered {
+            return false;
+        }
         let size = self
             .size
             .map(|side| if side > 0 { side.div_ceil(self.pace.coarseness).max(1) } else { 0 });
@@ -406,11 +409,7 @@ impl ViewportPicture {
 /// State of the thread that draws.
 struct PictureRenderer {
     renderer: Renderer,
-    planner: Planner,
-    /// Shader that the planner was given last, with its look.
-    provided: Option<(Arc<CompiledShader>, Arc<Look>)>,
-    /// Library that the planner compiled with.
-    library: Option<Arc<Library>>,
+    planner: PicturePlanner,
     crashes: CrashLog,
 }
 
@@ -462,28 +461,8 @@ impl PictureRenderer {
         request: &PictureRequest,
     ) -> Result<WithWarnings<Option<Vec<Effect>>>, Vec<Diagnostic>> {
         let showing = &request.showing;
-        if !self
-            .library
-            .as_ref()
-            .is_some_and(|library| Arc::ptr_eq(library, &request.snapshot.library))
-        {
-            self.planner =
-                Planner::new(std::mem::take(&mut self.planner.assets)).culling(CullMode::Objects);
-            (self.library, self.provided) = (Some(request.snapshot.library.clone()), None);
-        }
-        let (mut setup, of_setup) = request.snapshot.setup(&mut self.planner.assets)?.into_parts();
-        setup.edited = Some(0);
-        if !self.provided.as_ref().is_some_and(|(shader, look)| {
-            Arc::ptr_eq(shader, &showing.shader) && same_keys(look, &showing.look)
-        }) {
-            self.planner.provide(&showing.look, &showing.live, showing.shader.clone());
-            self.provided = Some((showing.shader.clone(), showing.look.clone()));
-        }
-        let options = PlanOptions { size: request.size, samples: 4, time: request.snapshot.time };
-        let planned =
-            self.planner.plan(&setup, &request.snapshot.library, &showing.live, &options)?;
+        let planned = self.planner.plan(showing, &request.snapshot, request.size)?;
         let (plan, mut warnings) = planned.into_parts();
-        warnings.extend(of_setup);
         warnings.extend(self.renderer.gpu().warnings(&plan));
         let is_told = request.tells_effects && showing.live == Live::Keyed;
         let mut effects = is_told.then(|| effects(&plan, self.renderer.done()));
@@ -502,11 +481,6 @@ impl PictureRenderer {
         }
         Ok(WithWarnings::new(effects, warnings))
     }
-}
-
-/// True if a planner that knows the keys of one look knows those of the other.
-fn same_keys(a: &Look, b: &Look) -> bool {
-    (&a.direction_keys, &a.time_keys, &a.exposed) == (&b.direction_keys, &b.time_keys, &b.exposed)
 }
 
 #[cfg(test)]

@@ -1,12 +1,10 @@
 //! Display of the picture in the window: exposure, and a reference image over it or beside it.
 
-use eframe::egui;
-use eframe::egui::{Color32, Rect, TextureHandle, TextureId, Ui, Vec2, pos2, vec2};
+use eframe::egui::{Color32, Rect, TextureHandle, Ui, Vec2, vec2};
 
+use crate::tools::playback::paint::whole;
 use crate::widgets::theme;
 
-/// Exponent of a display's transfer function, approximately.
-const DISPLAY_GAMMA: f32 = 2.2;
 /// Largest exposure up and down, in stops.
 pub(super) const MOST_STOPS: f32 = 4.0;
 
@@ -56,35 +54,5 @@ impl ReferenceImage {
     pub(super) fn paint_beside(&self, ui: &Ui, rect: Rect) {
         ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
         self.paint(ui, rect.shrink2(vec2(2.0, 2.0)));
-    }
-}
-
-fn whole() -> Rect {
-    Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0))
-}
-
-/// Shows a picture brighter or darker by `stops`. The texture stays as it is: it is drawn in part,
-/// or several times, which a display's power law allows.
-pub(super) fn paint_exposed(ui: &Ui, texture: TextureId, rect: Rect, stops: f32) {
-    let painter = ui.painter_at(rect);
-    let mut gain = (stops / DISPLAY_GAMMA).exp2();
-    let first = egui::lerp(0.0..=255.0, gain.min(1.0)).round() as u8;
-    painter.image(
-        texture,
-        rect,
-        whole(),
-        Color32::from_rgba_premultiplied(first, first, first, 255),
-    );
-    gain -= 1.0;
-    while gain > 1.0 / 255.0 {
-        // A color without alpha is added.
-        let part = (gain.min(1.0) * 255.0).round() as u8;
-        painter.image(
-            texture,
-            rect,
-            whole(),
-            Color32::from_rgba_premultiplied(part, part, part, 0),
-        );
-        gain -= 1.0;
     }
 }

@@ -6,6 +6,7 @@
 //! takes long, only on request.
 
 mod compare;
+pub(crate) mod divider;
 mod show;
 
 use std::sync::Arc;
@@ -30,10 +31,10 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
     SwitchPlace::Bar,
     |parts| Box::new(Wipe::new(parts.gpu.clone(), parts.wake())),
     |tools| tools.of::<Wipe>().against.is_some(),
-    |tools, ui, _| {
+    |tools, ui, out| {
         // Pictures beside the viewport's would be in the way of strokes.
         if !tools.of::<FitTool>().is_on() {
-            tools.of_mut::<Wipe>().choice(ui);
+            show::choice(tools, ui, out);
         }
     },
 )

@@ -1,42 +1,78 @@
 //! Controls of the comparison, and its display over the picture.
 
 use eframe::egui;
-use eframe::egui::{
-    Align2, Color32, CursorIcon, FontId, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo,
-    pos2, vec2,
-};
+use eframe::egui::{Color32, Rect, RichText, Ui};
 
+use super::divider::{self, Corner};
 use super::{ComparisonTarget, ComparisonView, GAINS, Wipe};
+use crate::commands::{Command, PanelId};
 use crate::state::problem_text::sentence;
 use crate::state::session::Session;
 use crate::state::worker::BackgroundJobs;
+use crate::tools::PictureTools;
+use crate::tools::flip::FlipBook;
+use crate::tools::playback::Playback;
+use crate::tools::playback::paint::whole;
 use crate::widgets::theme;
 
-/// Half of the width within which the divider can be grabbed, in points.
-const REACH: f32 = 6.0;
+/// Shows the choice of what the picture is compared with: the same in another tier, or frames of
+/// another version.
+pub(super) fn choice(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Command>) {
+    let wipe = tools.of::<Wipe>();
+    if wipe.worker.is_none() {
+        return;
+    }
+    let against = wipe.against;
+    let version = tools.of::<FlipBook>().name().map(str::to_owned);
+    let is_none = against.is_none() && version.is_none();
+    let text = match (&version, against) {
+        (Some(version), _) => version.clone(),
+        (None, against) => against.map_or("Compare with", ComparisonTarget::label).to_owned(),
+    };
+    let combo = egui::ComboBox::from_id_salt("against").selected_text(text).show_ui(ui, |ui| {
+        let (flip, playback) = tools.pair::<FlipBook, Playback>();
+        let mut chosen = None;
+        if ui.selectable_label(is_none, "Nothing").clicked() {
+            chosen = Some(None);
+            flip.close(playback);
+        }
+        for target in ComparisonTarget::ALL {
+            if ui.selectable_label(against == Some(target), target.label()).clicked() {
+                chosen = Some(Some(target));
+                flip.close(playback);
+            }
+        }
+        ui.separator();
+        let has_frames = playback.cache().frames().next().is_some();
+        let keep = ui.add_enabled(has_frames, egui::Button::selectable(false, "Frames kept now"));
+        let help = "A flip book against the frames that the timeline has now, such as those before \
+                    an edit";
+        let keep = keep.on_hover_text(help).on_disabled_hover_text(
+            "The timeline has no frames yet: play it, or press Cache range there",
+        );
+        if keep.clicked() {
+            chosen = Some(None);
+            flip.keep(playback);
+        }
+        let help = "A flip book against frames that were rendered, as by chiaro render: choose one \
+                    of them";
+        let files = ui.selectable_label(false, "Rendered frames...").on_hover_text(help);
+        if files.clicked() {
+            chosen = Some(None);
+            out.push(Command::CompareFrames(None));
+            out.push(Command::ShowPanel(PanelId::TIMELINE));
+        }
+        if let Some(chosen) = chosen {
+            tools.of_mut::<Wipe>().choose(chosen);
+        }
+    });
+    combo.response.on_hover_text(
+        "Shows the picture beside the same in another tier, beside the truth in f64, or beside \
+         frames of another version",
+    );
+}
 
 impl Wipe {
-    /// Shows the choice of the picture to compare with.
-    pub(crate) fn choice(&mut self, ui: &mut Ui) {
-        if self.worker.is_none() {
-            return;
-        }
-        let text = self.against.map_or("Compare with", ComparisonTarget::label);
-        let combo = egui::ComboBox::from_id_salt("against").selected_text(text).show_ui(ui, |ui| {
-            if ui.selectable_label(self.against.is_none(), "Nothing").clicked() {
-                self.choose(None);
-            }
-            for against in ComparisonTarget::ALL {
-                if ui.selectable_label(self.against == Some(against), against.label()).clicked() {
-                    self.choose(Some(against));
-                }
-            }
-        });
-        combo.response.on_hover_text(
-            "Shows the picture beside the same in another tier, or beside the truth in f64",
-        );
-    }
-
     /// Shows a second row of controls while the picture is compared.
     pub(crate) fn bar(&mut self, ui: &mut Ui, session: &Session) {
         let Some(against) = self.against else { return };
@@ -135,67 +171,21 @@ impl Wipe {
             ui.painter().image(texture.id(), rect, whole(), Color32::WHITE);
         }
         let text = format!("Difference ×{gain}, largest {:.1e}", shown.compared.figures.max);
-        tag(ui, rect.left_top() + vec2(8.0, 8.0), Align2::LEFT_TOP, &text);
+        divider::tag(ui, rect, Corner::Left, &text);
     }
 
     fn divider(&mut self, ui: &mut Ui, rect: Rect) {
-        let x = rect.left() + self.split * rect.width();
-        let grip = Rect::from_x_y_ranges(x - REACH..=x + REACH, rect.y_range());
-        let response = ui.interact(grip, ui.scope_id().with("divider"), Sense::drag());
-        let response = response.on_hover_cursor(CursorIcon::ResizeHorizontal);
-        response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, "Divider"));
-        if response.dragged()
-            && let Some(at) = response.interact_pointer_pos()
-        {
-            self.split = ((at.x - rect.left()) / rect.width().max(1.0)).clamp(0.0, 1.0);
-        }
+        let is_hot = divider::drag(ui, rect, &mut self.split);
         let Some(shown) = &self.shown else { return };
-        let x = rect.left() + self.split * rect.width();
-        let painter = ui.painter_at(rect);
-        let half = |from: f32, to: f32| {
-            let place = Rect::from_min_max(
-                pos2(rect.left() + from * rect.width(), rect.top()),
-                pos2(rect.left() + to * rect.width(), rect.bottom()),
-            );
-            (place, Rect::from_min_max(pos2(from, 0.0), pos2(to, 1.0)))
-        };
-        for (texture, (place, uv)) in
-            shown.textures.iter().zip([half(0.0, self.split), half(self.split, 1.0)])
-        {
-            painter.rect_filled(place, 0.0, theme::of(ui).canvas);
-            painter.image(texture.id(), place, uv, Color32::WHITE);
+        for (texture, half) in shown.textures.iter().zip(divider::halves(rect, self.split)) {
+            let painter = ui.painter_at(half);
+            painter.rect_filled(half, 0.0, theme::of(ui).canvas);
+            painter.image(texture.id(), rect, whole(), Color32::WHITE);
         }
-        let color = if response.hovered() || response.dragged() {
-            theme::of(ui).accent
-        } else {
-            Color32::WHITE
-        };
-        painter.vline(x, rect.y_range(), Stroke::new(3.0, Color32::from_black_alpha(110)));
-        painter.vline(x, rect.y_range(), Stroke::new(1.0, color));
-        painter.circle(pos2(x, rect.center().y), 5.0, theme::of(ui).panel, Stroke::new(1.5, color));
-        tag(ui, rect.left_top() + vec2(8.0, 8.0), Align2::LEFT_TOP, "As set");
-        tag(
-            ui,
-            rect.right_top() + vec2(-8.0, 8.0),
-            Align2::RIGHT_TOP,
-            shown.moment.against.label(),
-        );
+        divider::paint(ui, rect, self.split, is_hot);
+        divider::tag(ui, rect, Corner::Left, "As set");
+        divider::tag(ui, rect, Corner::Right, shown.moment.against.label());
     }
-}
-
-fn whole() -> Rect {
-    Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0))
-}
-
-fn tag(ui: &Ui, at: Pos2, align: Align2, text: &str) {
-    let galley = ui.painter().layout_no_wrap(
-        text.to_owned(),
-        FontId::proportional(theme::SMALL_TEXT),
-        theme::of(ui).text,
-    );
-    let place = align.anchor_size(at, galley.size());
-    ui.painter().rect_filled(place.expand2(vec2(5.0, 2.0)), 3.0, Color32::from_black_alpha(150));
-    ui.painter().galley(place.min, galley, theme::of(ui).text);
 }
 
 fn magnified(shown: &ComparisonView, gain: u32) -> egui::ColorImage {

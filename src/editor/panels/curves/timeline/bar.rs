@@ -1,14 +1,15 @@
-//! Bar above the tracks: play, frame rate, range, values to key; and the selected key.
+//! Bar above the tracks: play, frame rate, range, values to key.
 
 use eframe::egui;
 use eframe::egui::{Button, ComboBox, DragValue, RichText, Role, Ui, WidgetInfo};
 
-use super::Timeline;
+use super::{Timeline, transport};
 use crate::commands::Command;
 use crate::document::Target;
 use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::state::keying::changes_in_time;
 use crate::state::session::Session;
+use crate::tools::PictureTools;
 use crate::values;
 use crate::widgets::text::hint;
 
@@ -19,48 +20,35 @@ pub(super) fn show(
     timeline: &mut Timeline,
     ui: &mut Ui,
     session: &Session,
+    tools: &mut PictureTools,
     out: &mut Vec<Command>,
 ) {
     ui.horizontal_wrapped(|ui| {
-        let is_playing = timeline.playing.is_some();
-        let text = if is_playing { "Pause" } else { "Play" };
-        let help = "Plays the range in real time (Space over this panel)";
-        if ui.add(Button::new(text).selected(is_playing)).on_hover_text(help).clicked() {
-            timeline.toggle(ui, session);
-        }
+        transport::buttons(timeline, ui, session, out);
         for (text, help, way) in [
             ("Previous key", "To the key before the playhead", -1.0),
             ("Next key", "To the key after it", 1.0),
         ] {
-            let found = neighbor(session, way);
+            let found = timeline.neighbor(super::times(session), session, way);
             let response = ui.add_enabled(found.is_some(), Button::new(text)).on_hover_text(help);
             if let (true, Some(time)) = (response.clicked(), found) {
                 timeline.go(time, out);
             }
         }
-        let frame = (session.view.time * timeline.fps).round();
-        let text = format!("{} s, frame {frame}", values::number_text(session.view.time, 3));
-        ui.label(RichText::new(text).monospace()).on_hover_text("Where the playhead is");
+        transport::place(timeline, ui, session);
         ui.separator();
         rate(timeline, ui);
         ui.checkbox(&mut timeline.snaps, "Snap")
             .on_hover_text("Keys and the playhead stay on frames");
-        ui.checkbox(&mut timeline.loops, "Loop")
-            .on_hover_text("Begins again at the end of the range");
         range(timeline, ui);
         if ui.button("Fit").on_hover_text("Brings all keys and the range into view").clicked() {
             timeline.fit(session);
         }
         ui.separator();
+        transport::ways(timeline, ui, session, tools, out);
+        ui.separator();
         add_value(ui, session, out);
     });
-}
-
-/// Time of the nearest key before or after the playhead.
-fn neighbor(session: &Session, way: f64) -> Option<f64> {
-    let beyond =
-        super::times(session).filter(|time| (time - session.view.time) * way > super::LEAST / 2.0);
-    beyond.min_by(|a, b| (a * way).total_cmp(&(b * way)))
 }
 
 fn rate(timeline: &mut Timeline, ui: &mut Ui) {

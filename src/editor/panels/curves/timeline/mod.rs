@@ -1,10 +1,13 @@
 //! Timeline: values over time, one row for each keyed value, played in real time.
 //!
 //! The playhead belongs to the window, not to the look: playing does not change the document.
-//! Frames are requested no more often than at the chosen frame rate, and not at all at rest.
+//! Frames are requested no more often than at the chosen frame rate, and not at all at rest. The
+//! clock says which frame is due; `tools::playback` draws and keeps frames.
 
 mod axis;
 mod bar;
+mod clock;
+mod differences;
 mod edges;
 mod graph;
 mod key_bar;
@@ -12,21 +15,26 @@ mod markers;
 mod range;
 mod rows;
 mod sheet;
+mod transport;
 
 use std::time::Duration;
 
 use eframe::egui;
-use eframe::egui::{Key, Modifiers, Rect, ScrollArea, Sense, Stroke, Ui, pos2, vec2};
+use eframe::egui::{Rect, ScrollArea, Sense, Stroke, Ui, pos2, vec2};
 
-use crate::commands::{Command, PanelId, keyboard};
+use crate::commands::{Command, PanelId};
 use crate::document::TimeRange;
 use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::panels::table::{PanelPlace, PanelRow, Presence};
 use crate::state::keying::retime::tidy;
 use crate::state::session::Session;
+use crate::tools::PictureTools;
+use crate::tools::playback::Playback;
+use crate::tools::playback::order::Round;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 use axis::Axis;
+use clock::PlayClock;
 use markers::NameField;
 use sheet::KeySheet;
 
@@ -35,15 +43,17 @@ pub(crate) const PANEL: PanelRow = PanelRow::new(
     "Timeline",
     "Values that change with time: keys, play, scrub",
     PanelPlace::BELOW_GRAPH,
-    |bench, ui, context| bench.memory.of::<Timeline>().show(ui, context.session),
+    |bench, ui, context| bench.memory.of::<Timeline>().show(ui, context.session, &mut bench.tools),
 )
 .with_each_frame(|bench, ui, session, presence| {
     let timeline = bench.memory.of::<Timeline>();
     if presence == Presence::Absent {
-        timeline.stop();
+        timeline.clock.stop();
+        bench.tools.playback().follow(None);
         return Vec::new();
     }
-    let mut commands: Vec<Command> = timeline.tick(ui).map(Command::SetTime).into_iter().collect();
+    let ticked = timeline.tick(ui, session, bench.tools.playback());
+    let mut commands: Vec<Command> = ticked.map(Command::SetTime).into_iter().collect();
     // Before the graph, whose keys are some of the same.
     if let Some(panel) = timeline.panel.filter(|_| presence == Presence::Seen) {
         sheet::keys(timeline, ui, session, panel, &mut commands);
@@ -62,12 +72,11 @@ const LEAST: f64 = 1e-3;
 
 /// The panel, its clock, and its visible range.
 pub(crate) struct Timeline {
-    /// Time of the playhead, not rounded to frames, and the window's clock at that moment, both in
-    /// seconds; `None` while paused.
-    playing: Option<(f64, f64)>,
+    clock: PlayClock,
+    /// Place where a drag that chooses a part of the range began, in points.
+    part_from: Option<f32>,
     fps: f64,
     snaps: bool,
-    loops: bool,
     /// Range that is played, in seconds.
     range: [f64; 2],
     /// Range that is visible, in seconds.
@@ -90,10 +99,10 @@ pub(crate) struct Timeline {
 impl Default for Timeline {
     fn default() -> Self {
         Self {
-            playing: None,
+            clock: PlayClock::default(),
+            part_from: None,
             fps: TimeRange::default().fps,
             snaps: true,
-            loops: true,
             range: [0.0, 4.0],
             seen: [-0.2, 4.4],
             sheet: KeySheet::default(),
@@ -110,34 +119,25 @@ impl Default for Timeline {
 impl Timeline {
     /// Time that the playhead moves on to while playing; requests the next frame for when it is
     /// due.
-    fn tick(&mut self, ui: &Ui) -> Option<f64> {
-        let (at, then) = self.playing?;
+    fn tick(&mut self, ui: &Ui, session: &Session, playback: &mut Playback) -> Option<f64> {
+        let (round, present) = (self.round(), session.view.time);
+        let is_ready = |frame| playback.is_ready(frame);
         let now = ui.input(|input| input.time);
-        let [start, end] = self.range;
-        let length = (end - start).max(LEAST);
-        let mut at = at + (now - then).max(0.0);
-        let is_over = at >= end;
-        if is_over && self.loops {
-            at = start + (at - start).rem_euclid(length);
+        let tick = self.clock.tick(round, (self.fps, present), now, is_ready);
+        if tick.ends_round {
+            playback.fill(true);
         }
-        self.playing = (!is_over || self.loops).then_some((at, now));
-        let time = self.on_frame(at.min(end));
-        if self.playing.is_some() {
-            let next = ((at * self.fps).floor() + 1.0) / self.fps - at;
-            let wait = if self.snaps { next.clamp(0.001, 1.0) } else { 0.0 };
+        if let Some(wait) = tick.wait {
             ui.ctx().request_repaint_after(Duration::from_secs_f64(wait));
         }
-        Some(time)
+        let transport = self.clock.transport(round, self.fps, tick.time.unwrap_or(present));
+        playback.follow(Some(transport));
+        tick.time
     }
 
-    /// Stops the playhead at its present time.
-    fn stop(&mut self) {
-        self.playing = None;
-    }
-
-    /// Time as shown: the start of its frame where times snap to frames.
-    fn on_frame(&self, time: f64) -> f64 {
-        if self.snaps { tidy((time * self.fps + 1e-6).floor() / self.fps) } else { tidy(time) }
+    /// Frames that are played.
+    fn round(&self) -> Round {
+        self.clock.round(self.range, self.fps)
     }
 
     /// Time as chosen by hand: the nearest frame where times snap to frames.
@@ -146,32 +146,28 @@ impl Timeline {
     }
 
     fn toggle(&mut self, ui: &Ui, session: &Session) {
-        let now = ui.input(|input| input.time);
-        let [start, end] = self.range;
-        // Playing from the end starts anew.
-        let at = if session.view.time >= end - LEAST || session.view.time < start {
-            start
-        } else {
-            session.view.time
-        };
-        self.playing = if self.playing.is_some() { None } else { Some((at, now)) };
+        let frame = (session.view.time * self.fps).round() as i32;
+        self.clock.toggle(self.round(), frame, ui.input(|input| input.time));
         ui.ctx().request_repaint();
     }
 
     /// Moves the playhead to another time, also while playing.
     fn go(&mut self, time: f64, out: &mut Vec<Command>) {
-        if let Some((at, _)) = &mut self.playing {
-            *at = time;
-        }
+        self.clock.go(self.round(), (time * self.fps).round() as i32);
         out.push(Command::SetTime(time));
     }
 
     /// Shows the values that are keyed over time.
-    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+    pub(crate) fn show(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        tools: &mut PictureTools,
+    ) -> Vec<Command> {
         let mut commands = Vec::new();
         self.sheet.begin_frame(session);
         let panel = ui.max_rect();
-        bar::show(self, ui, session, &mut commands);
+        bar::show(self, ui, session, tools, &mut commands);
         let (ruler, _) = ui.allocate_exact_size(vec2(ui.available_width(), RULER), Sense::hover());
         let lane = Rect::from_min_max(
             pos2(ruler.left() + NAMES, ruler.top()),
@@ -179,9 +175,11 @@ impl Timeline {
         );
         let axis = Axis { lane, seen: self.seen };
         axis.ruler(ui, self.fps, self.range);
+        transport::band(self, ui, axis, tools.playback());
         self.scrub(ui, session, axis, &mut commands);
         markers::show(self, ui, session, axis, &mut commands);
         edges::show(self, ui, session, axis, &mut commands);
+        differences::show(self, ui, tools, axis, &mut commands);
         let top = ui.cursor().top();
         if times(session).next().is_none() {
             ui.add_space(6.0);
@@ -235,10 +233,7 @@ impl Timeline {
         }
         self.navigate(ui, panel, axis, rows);
         playhead(ui, session, axis, rows);
-        let is_over = ui.rect_contains_pointer(panel) && !keyboard::is_keyboard_taken(ui.ctx());
-        if is_over && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Space)) {
-            self.toggle(ui, session);
-        }
+        transport::keys(self, ui, session, panel, &mut commands);
         commands
     }
 
@@ -248,8 +243,11 @@ impl Timeline {
         let response = ui.interact(axis.lane, id, Sense::click_and_drag());
         let time = session.view.time;
         response.widget_info(|| egui::WidgetInfo::slider(true, time, "Playhead"));
-        if let Some(pointer) =
-            response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked())
+        let is_part = transport::choose_part(self, ui, axis, &response);
+        self.clock.is_scrubbed = response.dragged() && !is_part;
+        if let Some(pointer) = response
+            .interact_pointer_pos()
+            .filter(|_| !is_part && (response.dragged() || response.clicked()))
         {
             let time = self.snapped(axis.time(pointer.x));
             if time != session.view.time {
@@ -257,7 +255,8 @@ impl Timeline {
             }
         }
         response.on_hover_text(
-            "Drag to scrub. The wheel zooms in time; a drag with the middle button pans.",
+            "Drag to scrub; with Shift choose the part that is played. The wheel zooms in time; a \
+             drag with the middle button pans.",
         );
         for (end, name) in [(0, "Start of the range"), (1, "End of the range")] {
             let at = pos2(axis.x(self.range[end]), axis.lane.bottom() - 5.0);
@@ -401,8 +400,6 @@ mod tests {
         let mut timeline = Timeline { fps: 24.0, ..Timeline::default() };
         assert_eq!(timeline.snapped(0.5), 0.5);
         assert_eq!(timeline.snapped(0.51), 0.5, "frame 12.24");
-        assert_eq!(timeline.on_frame(0.54), 0.5, "a frame holds until the next");
-        assert_eq!(timeline.on_frame(13.0 / 24.0), tidy(13.0 / 24.0));
         timeline.snaps = false;
         assert_eq!(timeline.snapped(0.512_345_678), 0.512_346);
     }

@@ -1,0 +1,125 @@
+//! Row of the timeline below the ruler while a flip book is open: how far each frame is from the
+//! other version's, and the ways to the frames that are wrong.
+
+use eframe::egui::{
+    Button, DragValue, Rect, RichText, Role, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2,
+    vec2,
+};
+
+use super::axis::Axis;
+use super::{NAMES, Timeline};
+use crate::commands::Command;
+use crate::tools::PictureTools;
+use crate::tools::flip::FlipBook;
+use crate::tools::playback::time_of;
+use crate::widgets::theme;
+
+/// Height of the row, in points.
+const HEIGHT: f32 = 30.0;
+/// Greatest number of frames in the list.
+const LISTED: usize = 500;
+
+/// Shows the row, where a flip book is open.
+pub(super) fn show(
+    timeline: &mut Timeline,
+    ui: &mut Ui,
+    tools: &mut PictureTools,
+    axis: Axis,
+    out: &mut Vec<Command>,
+) {
+    let flip = tools.of_mut::<FlipBook>();
+    if flip.name().is_none() {
+        return;
+    }
+    let size = vec2(ui.available_width(), HEIGHT);
+    let (row, _) = ui.allocate_exact_size(size, Sense::hover());
+    let names = Rect::from_min_size(row.min, vec2(NAMES - 8.0, HEIGHT));
+    let mut head = ui.new_child(UiBuilder::new().id_salt("differences").max_rect(names));
+    let chosen = head.horizontal_centered(|ui| controls(ui, flip, timeline)).inner;
+    let lane = Rect::from_x_y_ranges(axis.lane.x_range(), row.y_range());
+    let clicked = strip(ui, flip, timeline, axis, lane);
+    if let Some(frame) = chosen.or(clicked) {
+        timeline.clock.stop();
+        out.push(Command::SetTime(time_of(frame, timeline.fps)));
+    }
+}
+
+/// Shows the threshold, the list of frames beyond it, and the way to the worst; gives the frame
+/// that is chosen.
+fn controls(ui: &mut Ui, flip: &mut FlipBook, timeline: &Timeline) -> Option<i32> {
+    ui.spacing_mut().item_spacing.x = 3.0;
+    let mut chosen = None;
+    let greatest = flip.greatest();
+    let help = "Goes to the frame with the greatest difference";
+    let button = ui.add_enabled(greatest.is_some(), Button::new("Greatest")).on_hover_text(help);
+    button.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Greatest difference"));
+    if button.clicked() {
+        chosen = greatest;
+    }
+    let count = flip.wrong().count();
+    let lacking = flip.lacking(timeline.round().range());
+    let menu = ui.menu_button(format!("{count} differ"), |ui| {
+        ScrollArea::vertical().max_height(300.0).show(ui, |ui| {
+            for (frame, kind) in flip.wrong().take(LISTED) {
+                if ui.button(format!("Frame {frame} {}", kind.text())).clicked() {
+                    chosen = Some(frame);
+                    ui.close();
+                }
+            }
+            for (frame, problem) in flip.failed().take(LISTED) {
+                ui.label(format!("Frame {frame}: {problem}"));
+            }
+            ui.label(match lacking {
+                0 => "Every frame of the range has another version".to_owned(),
+                1 => "A frame of the range has no other version".to_owned(),
+                count => format!("{count} frames of the range have no other version"),
+            });
+        });
+    });
+    menu.response.on_hover_text("Frames that differ by more than the threshold");
+    let drag = DragValue::new(&mut flip.threshold).range(0..=254).prefix("> ").suffix("/255");
+    let response = ui.add(drag).on_hover_text("Differences up to this one count as none");
+    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Threshold"));
+    chosen
+}
+
+/// Draws the difference of each frame as a bar; gives the frame that is clicked.
+fn strip(ui: &Ui, flip: &FlipBook, timeline: &Timeline, axis: Axis, lane: Rect) -> Option<i32> {
+    let colors = theme::of(ui);
+    let painter = ui.painter_at(lane);
+    painter.rect_filled(lane, 3.0, colors.canvas);
+    let fps = timeline.fps;
+    for (frame, kind) in flip.deltas() {
+        let greatest = kind.greatest();
+        let x = axis.x(f64::from(frame) / fps)..=axis.x((f64::from(frame) + 1.0) / fps);
+        if greatest == 0 {
+            let y = lane.bottom() - 2.0..=lane.bottom();
+            painter.rect_filled(Rect::from_x_y_ranges(x, y), 0.0, colors.second);
+            continue;
+        }
+        // Small differences are seen beside great ones.
+        let part = f32::from(greatest).ln_1p() / 255.0_f32.ln_1p();
+        let top = lane.bottom() - 3.0 - part * (lane.height() - 4.0);
+        let is_wrong = greatest > flip.threshold;
+        let color = if is_wrong { colors.error } else { colors.dim };
+        painter.rect_filled(Rect::from_x_y_ranges(x, top..=lane.bottom()), 0.0, color);
+    }
+    for (frame, _) in flip.failed() {
+        let x = axis.x((f64::from(frame) + 0.5) / fps);
+        let at = pos2(x, lane.center().y);
+        painter.circle_filled(at, 3.0, colors.warning);
+    }
+    let response = ui.interact(lane, ui.scope_id().with("difference strip"), Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Differences"));
+    let frame_at = |x: f32| (axis.time(x) * fps).floor() as i32;
+    let clicked = response.interact_pointer_pos().filter(|_| response.clicked());
+    if let Some(at) = response.hover_pos() {
+        let frame = frame_at(at.x);
+        let found = flip.deltas().find(|(of, _)| *of == frame);
+        let text = found.map_or("is not compared yet".to_owned(), |(_, kind)| kind.text());
+        response.on_hover_ui_at_pointer(|ui| {
+            ui.label(RichText::new(format!("Frame {frame} {text}")));
+        });
+    }
+    clicked.map(|at| frame_at(at.x))
+}

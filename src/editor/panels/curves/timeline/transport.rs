@@ -1,0 +1,285 @@
+//! Transport of the timeline: play, step, the ways to play, and the frames that are kept.
+
+use eframe::egui::containers::menu::{MenuButton, MenuConfig};
+use eframe::egui::{
+    Button, ComboBox, DragValue, Key, Label, Modifiers, PopupCloseBehavior, Rect, RichText, Role,
+    Stroke, Ui, WidgetInfo,
+};
+
+use super::Timeline;
+use super::axis::Axis;
+use super::clock::SPEEDS;
+use crate::commands::{Command, keyboard};
+use crate::state::session::Session;
+use crate::tools::PictureTools;
+use crate::tools::flip::FlipBook;
+use crate::tools::onion::OnionSkin;
+use crate::tools::playback::order::LoopMode;
+use crate::tools::playback::{MEMORIES, PlayPace, Playback, frame_at, time_of};
+use crate::values;
+use crate::widgets::theme;
+
+/// Part of the wanted rate below which the real one is told as slow.
+const SLOW: f64 = 0.95;
+/// Height of the band of kept frames, in points.
+const BAND: f32 = 3.0;
+
+/// Shows the buttons to play and to step.
+pub(super) fn buttons(
+    timeline: &mut Timeline,
+    ui: &mut Ui,
+    session: &Session,
+    out: &mut Vec<Command>,
+) {
+    let is_playing = timeline.clock.is_running();
+    let text = if is_playing { "Pause" } else { "Play" };
+    let help = "Plays the range (Space over this panel)";
+    if ui.add(Button::new(text).selected(is_playing)).on_hover_text(help).clicked() {
+        timeline.toggle(ui, session);
+    }
+    for (text, name, help, by) in [
+        ("⏴", "Previous frame", "A frame back (Comma over this panel)", -1),
+        ("⏵", "Next frame", "A frame on (Period over this panel)", 1),
+    ] {
+        let response = ui.button(text).on_hover_text(help);
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
+        if response.clicked() {
+            step(timeline, session, by, out);
+        }
+    }
+}
+
+/// Stops, and moves the playhead by frames; beyond an end of the range it comes in at the other.
+fn step(timeline: &mut Timeline, session: &Session, by: i32, out: &mut Vec<Command>) {
+    timeline.clock.stop();
+    let [first, last] = timeline.round().range();
+    let now = (session.view.time * timeline.fps).round() as i32;
+    let next = now.saturating_add(by);
+    let next = if next > last && now <= last {
+        first
+    } else if next < first && now >= first {
+        last
+    } else {
+        next
+    };
+    out.push(Command::SetTime(time_of(next, timeline.fps)));
+}
+
+/// Takes the keys of the transport, over the panel.
+pub(super) fn keys(
+    timeline: &mut Timeline,
+    ui: &Ui,
+    session: &Session,
+    panel: Rect,
+    out: &mut Vec<Command>,
+) {
+    if !ui.rect_contains_pointer(panel) || keyboard::is_keyboard_taken(ui.ctx()) {
+        return;
+    }
+    let pressed = |key: Key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
+    if pressed(Key::Space) {
+        timeline.toggle(ui, session);
+    }
+    for (key, by) in [(Key::Comma, -1), (Key::Period, 1)] {
+        if pressed(key) {
+            step(timeline, session, by, out);
+        }
+    }
+    let time = session.view.time;
+    let [start, end] = timeline.clock.part.unwrap_or(timeline.range);
+    if pressed(Key::I) && time < end {
+        timeline.clock.part = Some([time, end]);
+    }
+    if pressed(Key::O) && time > start {
+        timeline.clock.part = Some([start, time]);
+    }
+    if pressed(Key::Home) {
+        timeline.go(start, out);
+    }
+    if pressed(Key::End) {
+        timeline.go(end, out);
+    }
+}
+
+/// Shows the ways to play, the real rate, and what is kept.
+pub(super) fn ways(
+    timeline: &mut Timeline,
+    ui: &mut Ui,
+    session: &Session,
+    tools: &mut PictureTools,
+    out: &mut Vec<Command>,
+) {
+    let clock = &mut timeline.clock;
+    let combo = ComboBox::from_id_salt("mode").width(70.0).selected_text(clock.mode.label());
+    let combo = combo.show_ui(ui, |ui| {
+        for mode in LoopMode::ALL {
+            ui.selectable_value(&mut clock.mode, mode, mode.label()).on_hover_text(mode.help());
+        }
+    });
+    combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "At the end"));
+    combo.response.on_hover_text(clock.mode.help());
+    let text = |speed: f64| format!("×{}", values::number_text(speed, 2));
+    let combo = ComboBox::from_id_salt("speed").width(44.0).selected_text(text(clock.speed));
+    let combo = combo.show_ui(ui, |ui| {
+        for speed in SPEEDS {
+            ui.selectable_value(&mut clock.speed, speed, text(speed));
+        }
+    });
+    combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Speed"));
+    combo.response.on_hover_text("Speed, as a factor of the frame rate");
+    let playback = tools.playback();
+    if !playback.can_draw() {
+        return;
+    }
+    let mut waits = clock.pace == PlayPace::EveryFrame;
+    let help = "Shows every frame, later than its time where it is not drawn yet; else those are \
+                left out";
+    if ui.checkbox(&mut waits, "Every frame").on_hover_text(help).changed() {
+        clock.pace = if waits { PlayPace::EveryFrame } else { PlayPace::RealTime };
+    }
+    if clock.part.is_some() {
+        let help = "Plays the whole range again. A drag on the ruler with Shift chooses a part; I \
+                    and O over this panel set its ends";
+        if ui.button("Whole range").on_hover_text(help).clicked() {
+            clock.part = None;
+        }
+    }
+    ui.separator();
+    kept(ui, playback, out);
+    real_rate(ui, playback);
+    let keys = super::times(session);
+    tools.of_mut::<OnionSkin>().form(ui, timeline.fps, keys);
+    let (flip, playback) = tools.pair::<FlipBook, Playback>();
+    let has_frames = playback.cache().frames().next().is_some();
+    let help = "Keeps these frames, to compare later ones with: a flip book, for which the picture \
+                gets buttons";
+    let keep = ui.add_enabled(has_frames, Button::new("Keep version")).on_hover_text(help);
+    if keep.clicked() {
+        flip.keep(playback);
+    }
+}
+
+/// Shows how many frames are kept, the button that draws the others, and the memory.
+fn kept(ui: &mut Ui, playback: &mut Playback, out: &mut Vec<Command>) {
+    let is_filling = playback.is_filling();
+    let (text, help) = match is_filling {
+        true => ("Stop drawing", "Leaves the other frames undrawn"),
+        false => (
+            "Cache range",
+            "Draws the frames of the range ahead, so that they play in real time; after a first \
+             round this begins by itself, and an edit ends it",
+        ),
+    };
+    if ui.button(text).on_hover_text(help).clicked() {
+        playback.fill(!is_filling);
+    }
+    let Some(transport) = playback.transport() else { return };
+    let round = transport.order.round;
+    let [first, last] = round.range();
+    let count = playback.cache().frames().filter(|(at, _)| (first..=last).contains(at)).count();
+    let used = playback.cache().bytes().div_ceil(1 << 20);
+    let memory = playback.memory();
+    let text = format!("{count} of {} kept", round.count());
+    let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    let (menu, _) = MenuButton::new(text).config(stays).ui(ui, |ui| {
+        ui.label(format!("{used} of {memory} MiB in use; {} frames drawn", playback.drawn()));
+        let mut chosen = memory;
+        for mib in MEMORIES {
+            ui.radio_value(&mut chosen, mib, format!("{mib} MiB"));
+        }
+        let other = ui.add(DragValue::new(&mut chosen).range(1..=1 << 20).suffix(" MiB"));
+        other.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Memory of frames"));
+        if chosen != memory {
+            out.push(Command::KeepFrameMemory(chosen));
+        }
+        if ui.button("Drop all frames").clicked() {
+            playback.clear();
+            ui.close();
+        }
+    });
+    menu.on_hover_text(
+        "Frames that are kept, and their memory: where it is short, those that are shown last go \
+         first",
+    );
+    if let Some(problem) = playback.problems().first() {
+        let text = RichText::new("a frame failed").color(theme::of(ui).error);
+        ui.label(text).on_hover_text(&problem.message);
+    }
+}
+
+/// Shows the frames a second that are really seen.
+fn real_rate(ui: &mut Ui, playback: &Playback) {
+    let Some(transport) = playback.transport().filter(|transport| transport.is_playing) else {
+        return;
+    };
+    let colors = theme::of(ui);
+    let wanted = values::number_text(transport.wanted_rate, 1);
+    let (text, color) = match playback.shown_rate(ui.input(|input| input.time)) {
+        None => (format!("- of {wanted} fps"), colors.dim),
+        Some(real) => {
+            let is_slow = real < transport.wanted_rate * SLOW;
+            let color = if is_slow { colors.warning } else { colors.text };
+            (format!("{real:.1} of {wanted} fps"), color)
+        }
+    };
+    let help = "Frames that are really shown a second, of those that should be";
+    let text = RichText::new(text).color(color).monospace();
+    ui.add(Label::new(text).extend()).on_hover_text(help);
+}
+
+/// Draws the frames that are kept as a band along the ruler, and the part that is played.
+pub(super) fn band(timeline: &Timeline, ui: &Ui, axis: Axis, playback: &Playback) {
+    let colors = theme::of(ui);
+    let painter = ui.painter_at(axis.lane);
+    let top = axis.lane.top();
+    let fps = timeline.fps;
+    for run in playback.cache().runs() {
+        let [from, to] = [f64::from(*run.start()), f64::from(*run.end()) + 1.0];
+        let x = axis.x(from / fps)..=axis.x(to / fps);
+        painter.rect_filled(Rect::from_x_y_ranges(x, top..=top + BAND), 0.0, colors.second);
+    }
+    if let Some([start, end]) = timeline.clock.part {
+        let x = axis.x(start)..=axis.x(end);
+        let place = Rect::from_x_y_ranges(x, axis.lane.bottom() - 5.0..=axis.lane.bottom());
+        painter.rect_filled(place, 0.0, colors.accent);
+        for time in [start, end] {
+            let stroke = Stroke::new(1.0, colors.accent);
+            painter.vline(axis.x(time), axis.lane.y_range(), stroke);
+        }
+    }
+}
+
+/// Takes a drag on the ruler with Shift, which chooses the part of the range that is played; true
+/// while it does.
+pub(super) fn choose_part(
+    timeline: &mut Timeline,
+    ui: &Ui,
+    axis: Axis,
+    response: &eframe::egui::Response,
+) -> bool {
+    if response.drag_started() && ui.input(|input| input.modifiers.shift) {
+        timeline.part_from = ui.input(|input| input.pointer.press_origin()).map(|at| at.x);
+    }
+    let Some(from) = timeline.part_from else { return false };
+    if let Some(at) = response.interact_pointer_pos() {
+        let [a, b] = [from, at.x].map(|x| timeline.snapped(axis.time(x)));
+        let [a, b] = [a.min(b), a.max(b)];
+        timeline.clock.part = (b - a >= 1.0 / timeline.fps - 1e-6).then_some([a, b]);
+    }
+    if response.drag_stopped() || !ui.input(|input| input.pointer.any_down()) {
+        timeline.part_from = None;
+    }
+    true
+}
+
+/// Text of the playhead's place.
+pub(super) fn place(timeline: &Timeline, ui: &mut Ui, session: &Session) {
+    let time = session.view.time;
+    let frame = (time * timeline.fps).round();
+    let text = format!("{} s, frame {frame}", values::number_text(time, 3));
+    let between = frame_at(time, timeline.fps).is_none();
+    let help = if between { "Where the playhead is, between two frames" } else { HERE };
+    ui.label(RichText::new(text).monospace()).on_hover_text(help);
+}
+
+const HERE: &str = "Where the playhead is";

@@ -1,0 +1,291 @@
+//! Flip book: the frames as they are now against those of another version, kept before an edit or
+//! rendered to files. A key shows the other version while it is held, a divider wipes between both,
+//! or their difference is shown; each frame that both have is compared, so that the one that is
+//! wrong is found.
+//!
+//! While a flip book is open the present frames are drawn in the size of the other version, and
+//! both share the memory.
+
+mod difference;
+mod show;
+mod version;
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use eframe::egui::TextureHandle;
+
+use super::playback::cache::FrameCache;
+use super::playback::{Demands, FrameForm, Playback, bytes_of};
+use super::{PictureContext, SwitchPlace, ToolRow};
+use crate::state::revision::RequestNumber;
+use crate::state::worker::{BackgroundJobs, Worker};
+pub(crate) use difference::{DeltaKind, FrameDelta};
+use version::{FlipAnswer, FlipRequest, FrameFiles, KeyedPicture, OtherPicture, OtherVersion};
+
+pub(super) const TOOL: ToolRow = ToolRow::new(
+    SwitchPlace::Bar,
+    |parts| Box::new(FlipBook::new(parts.wake())),
+    |tools| tools.of::<FlipBook>().is_open(),
+    // The choice is one with that of the comparison.
+    |_, _, _| {},
+)
+.with_bar(|tools, ui, session| {
+    let (flip, playback) = tools.pair::<FlipBook, Playback>();
+    flip.bar(ui, session, playback);
+})
+.with_overlay(|tools, ui, PictureContext { session, rect, pointer, .. }, _| {
+    let (flip, playback) = tools.pair::<FlipBook, Playback>();
+    flip.over(ui, session, playback, *rect, pointer.is_some());
+})
+.with_jobs(|tools| tools.of::<FlipBook>());
+
+/// Greatest number of frames that are looked through for one that is to be compared.
+const MOST_FRAMES: usize = 50_000;
+
+/// Way to show both versions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum FlipView {
+    /// One at a time.
+    Flicker,
+    /// Both, beside a divider.
+    Wipe,
+    /// Their difference.
+    Difference,
+}
+
+/// Picture on the screen that was made of two frames.
+struct FlipPicture<K> {
+    of: K,
+    texture: TextureHandle,
+}
+
+/// Flip book against another version.
+pub(crate) struct FlipBook {
+    worker: Worker<FlipRequest, FlipAnswer>,
+    version: Option<OtherVersion>,
+    /// Number of the version: an answer about another one does not count.
+    number: RequestNumber,
+    /// Files to be opened.
+    opens: Option<PathBuf>,
+    view: FlipView,
+    /// True if the other version is shown, as long as no key is held.
+    shows_other: bool,
+    /// Position of the divider, as a part of the width.
+    split: f32,
+    /// Brightness of the difference, in stops.
+    stops: i32,
+    /// Greatest difference that is none, in steps of 1/255.
+    pub(crate) threshold: u8,
+    deltas: BTreeMap<i32, FrameDelta>,
+    /// State of the documents and the view that the differences are of.
+    basis: RequestNumber,
+    other: Option<FlipPicture<KeyedPicture>>,
+    difference: Option<FlipPicture<(KeyedPicture, KeyedPicture, i32)>>,
+    problem: Option<String>,
+    /// Exposure of the picture, in stops.
+    pub(crate) exposure: f32,
+}
+
+impl FlipBook {
+    fn new(wake: impl Fn() + Send + 'static) -> Self {
+        Self {
+            worker: Worker::new("flip book", wake, version::run),
+            version: None,
+            number: RequestNumber::default(),
+            opens: None,
+            view: FlipView::Flicker,
+            shows_other: false,
+            split: 0.5,
+            stops: 3,
+            threshold: 2,
+            deltas: BTreeMap::new(),
+            basis: RequestNumber::default(),
+            other: None,
+            difference: None,
+            problem: None,
+            exposure: 0.0,
+        }
+    }
+
+    /// True if there is another version, or one is being opened.
+    pub(crate) fn is_open(&self) -> bool {
+        self.version.is_some() || self.opens.is_some() || self.problem.is_some()
+    }
+
+    /// Name of the other version.
+    pub(crate) fn name(&self) -> Option<&str> {
+        self.version.as_ref().map(|version| version.name.as_str())
+    }
+
+    /// Differences of the frames that were compared.
+    pub(crate) fn deltas(&self) -> impl Iterator<Item = (i32, DeltaKind)> {
+        self.deltas.iter().map(|(frame, delta)| (*frame, delta.kind))
+    }
+
+    /// Frames that differ by more than the threshold, with their differences.
+    pub(crate) fn wrong(&self) -> impl Iterator<Item = (i32, DeltaKind)> {
+        self.deltas().filter(|(_, kind)| kind.greatest() > self.threshold)
+    }
+
+    /// Frame with the greatest difference: the first one of several.
+    pub(crate) fn greatest(&self) -> Option<i32> {
+        let most =
+            self.deltas().max_by(|(a, x), (b, y)| x.greatest().cmp(&y.greatest()).then(b.cmp(a)));
+        most.filter(|(_, kind)| kind.greatest() > 0).map(|(frame, _)| frame)
+    }
+
+    /// Number of frames of a range that the other version does not have.
+    pub(crate) fn lacking(&self, [first, last]: [i32; 2]) -> usize {
+        let Some(version) = &self.version else { return 0 };
+        (first..=last).take(MOST_FRAMES).filter(|frame| !version.has(*frame)).count()
+    }
+
+    /// Problems of files, with the number of the frame.
+    pub(crate) fn failed(&self) -> impl Iterator<Item = (i32, &str)> {
+        let failed = self.version.iter().flat_map(|version| &version.failed);
+        failed.map(|(frame, problem)| (*frame, problem.message.as_str()))
+    }
+
+    /// Keeps the frames of the cache as the other version.
+    pub(crate) fn keep(&mut self, playback: &mut Playback) {
+        let (Some(transport), Some(size)) = (playback.transport(), playback.frame_size()) else {
+            return;
+        };
+        let order = transport.order;
+        let half = playback.memory_bytes() / 2;
+        let frames = playback.cache().copy_within(half, order);
+        let name = "Kept version".to_owned();
+        let failed = BTreeMap::new();
+        let kept = Some(size);
+        self.begin(OtherVersion { name, files: None, frames, size: kept, bytes: 0, failed });
+        playback.share(Some(FrameForm { size, by_scene: false }));
+    }
+
+    /// Opens rendered frames: a file of the sequence, or its folder.
+    pub(crate) fn open(&mut self, path: PathBuf) {
+        self.opens = Some(path);
+        self.problem = None;
+    }
+
+    /// Closes the flip book.
+    pub(crate) fn close(&mut self, playback: &mut Playback) {
+        self.version = None;
+        self.opens = None;
+        self.problem = None;
+        self.deltas.clear();
+        (self.other, self.difference) = (None, None);
+        self.number.advance();
+        playback.share(None);
+    }
+
+    fn begin(&mut self, version: OtherVersion) {
+        self.number.advance();
+        self.version = Some(version);
+        self.deltas.clear();
+        (self.other, self.difference) = (None, None);
+        self.problem = None;
+        self.shows_other = false;
+    }
+
+    /// Takes what was read and compared, requests the next frame, and returns the frames that the
+    /// flip book needs at rest.
+    pub(crate) fn update(&mut self, playback: &mut Playback) -> Demands {
+        for answer in self.worker.answers() {
+            self.take(answer, playback);
+        }
+        if let Some(path) = self.opens.take_if(|_| !self.worker.owes()) {
+            self.worker.request(|_| FlipRequest::Open(path));
+            return Demands::default();
+        }
+        let Some(transport) = playback.transport().copied() else { return Demands::default() };
+        if self.version.is_none() {
+            return Demands::default();
+        }
+        if self.basis != playback.basis() {
+            self.basis = playback.basis();
+            self.deltas.clear();
+        }
+        if !self.worker.owes()
+            && let Some(request) = self.next(playback)
+        {
+            self.worker.request(|_| request);
+        }
+        Demands { frames: vec![transport.order.frame()], covers: true }
+    }
+
+    fn take(&mut self, answer: FlipAnswer, playback: &mut Playback) {
+        match answer {
+            FlipAnswer::Opened(Ok(FrameFiles { name, paths })) => {
+                let frames = FrameCache::new(playback.memory_bytes() / 2);
+                let (files, failed) = (Some(paths), BTreeMap::new());
+                self.begin(OtherVersion { name, files, frames, size: None, bytes: 0, failed });
+            }
+            FlipAnswer::Opened(Err(problem)) => self.problem = Some(problem),
+            FlipAnswer::Frame { version, frame, other, delta } if version == self.number => {
+                let Some(version) = &mut self.version else { return };
+                match other {
+                    Ok((key, image)) => {
+                        if version.size.is_none() {
+                            let size = image.size.map(|side| side as u32);
+                            version.size = Some(size);
+                            playback.share(Some(FrameForm { size, by_scene: true }));
+                            playback.fill(true);
+                        }
+                        if let Some(transport) = playback.transport() {
+                            let bytes = bytes_of(&image);
+                            version.bytes = version.bytes.max(bytes);
+                            version.frames.insert(frame, (key, image, bytes), transport.order);
+                        }
+                    }
+                    Err(problem) => {
+                        version.failed.insert(frame, problem);
+                    }
+                }
+                self.deltas.extend(delta.map(|delta| (frame, delta)));
+            }
+            FlipAnswer::Frame { .. } => {}
+        }
+    }
+
+    /// Frame that is to be read or compared next: the first one that is shown from now on.
+    fn next(&self, playback: &Playback) -> Option<FlipRequest> {
+        let (version, transport) = (self.version.as_ref()?, playback.transport()?);
+        let order = transport.order;
+        order.upcoming().take(MOST_FRAMES).find_map(|frame| {
+            if !version.has(frame) || version.failed.contains_key(&frame) {
+                return None;
+            }
+            let cache = playback.cache();
+            let ours = cache.key(frame).zip(cache.get(frame).cloned());
+            let known = version.frames.key(frame).zip(version.frames.get(frame).cloned());
+            let delta = self.deltas.get(&frame);
+            let is_compared = match (&ours, &known) {
+                (None, _) => true,
+                (Some((ours, _)), Some((key, _))) => {
+                    delta.is_some_and(|delta| delta.of == [*ours, *key])
+                }
+                (Some((ours, _)), None) => delta.is_some_and(|delta| delta.of[0] == *ours),
+            };
+            let is_read = known.is_some() || !version.frames.has_room(frame, version.bytes, order);
+            if is_compared && is_read {
+                return None;
+            }
+            let other = match known {
+                Some(picture) => OtherPicture::Known(picture),
+                None => OtherPicture::File(version.files.as_ref()?.get(&frame)?.clone()),
+            };
+            Some(FlipRequest::Frame { version: self.number, frame, ours, other })
+        })
+    }
+}
+
+impl BackgroundJobs for FlipBook {
+    fn is_busy(&self) -> bool {
+        self.worker.is_busy()
+    }
+
+    fn wait(&self) {
+        self.worker.wait();
+    }
+}

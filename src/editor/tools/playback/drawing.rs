@@ -1,0 +1,91 @@
+//! Drawing of frames ahead, on a thread of its own: planned, told from frames that are equal, drawn
+//! on the window's device, and read back.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Weak};
+
+use eframe::egui::ColorImage;
+
+use super::cache::PictureKey;
+use crate::clock::Clock;
+use crate::diag::Diagnostic;
+use crate::film::PlanHasher;
+use crate::render::{Gpu, Renderer};
+use crate::state::picture_plan::PicturePlanner;
+use crate::state::revision::RequestNumber;
+use crate::state::session::DrawableLook;
+use crate::state::snapshot::RenderSnapshot;
+
+/// Number of pictures that are remembered before those are forgotten that nobody has any more.
+const MANY: usize = 1024;
+
+/// Request for a frame.
+pub(super) struct FrameRequest {
+    /// State of the documents and the view.
+    pub(super) basis: RequestNumber,
+    pub(super) frame: i32,
+    pub(super) showing: DrawableLook,
+    /// Snapshot at the frame's time.
+    pub(super) snapshot: RenderSnapshot,
+    pub(super) size: [u32; 2],
+}
+
+/// Answer to a request.
+pub(super) struct FrameAnswer {
+    pub(super) basis: RequestNumber,
+    pub(super) frame: i32,
+    pub(super) result: Result<(PictureKey, Arc<ColorImage>), Vec<Diagnostic>>,
+    /// Seconds that the answer took; `None` where an equal frame was known.
+    pub(super) seconds: Option<f64>,
+}
+
+/// State of the thread that draws frames.
+pub(super) struct FrameDrawer {
+    renderer: Renderer,
+    planner: PicturePlanner,
+    hasher: PlanHasher,
+    /// Pictures that were drawn, as long as somebody has them.
+    known: HashMap<PictureKey, Weak<ColorImage>>,
+}
+
+impl FrameDrawer {
+    pub(super) fn new(gpu: Gpu) -> Self {
+        Self {
+            renderer: Renderer::new(gpu),
+            planner: PicturePlanner::default(),
+            hasher: PlanHasher::default(),
+            known: HashMap::new(),
+        }
+    }
+
+    pub(super) async fn run(&mut self, request: FrameRequest) -> FrameAnswer {
+        let clock = Clock::start();
+        let (basis, frame) = (request.basis, request.frame);
+        let drawn = self.draw(&request).await;
+        let was_drawn = drawn.as_ref().is_ok_and(|(_, was_drawn)| *was_drawn);
+        let result = drawn.map(|(picture, _)| picture);
+        FrameAnswer { basis, frame, result, seconds: was_drawn.then(|| clock.seconds()) }
+    }
+
+    /// The picture of a frame, and true if it had to be drawn.
+    async fn draw(
+        &mut self,
+        request: &FrameRequest,
+    ) -> Result<((PictureKey, Arc<ColorImage>), bool), Vec<Diagnostic>> {
+        let FrameRequest { showing, snapshot, size, .. } = request;
+        let plan = self.planner.plan(showing, snapshot, *size)?.value;
+        let key = u128::from_str_radix(&self.hasher.hash(&plan), 16).map(PictureKey);
+        let key = key.map_err(|_| vec![Diagnostic::error("plan-hash", "a plan has no hash")])?;
+        if let Some(known) = self.known.get(&key).and_then(Weak::upgrade) {
+            return Ok(((key, known), false));
+        }
+        let picture = self.renderer.picture(&plan).await.map_err(|error| vec![error.into()])?;
+        let size = picture.size.map(|side| side as usize);
+        let image = Arc::new(ColorImage::from_rgba_unmultiplied(size, &picture.to_rgba8()));
+        if self.known.len() >= MANY {
+            self.known.retain(|_, known| known.strong_count() > 0);
+        }
+        self.known.insert(key, Arc::downgrade(&image));
+        Ok(((key, image), true))
+    }
+}

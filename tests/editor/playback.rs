@@ -1,0 +1,218 @@
+//! Playback in the window: frames are drawn once, kept within a bound, and compared with those of
+//! another version.
+
+use std::path::PathBuf;
+
+use chiaro::document::{Edit, GraphId, Interpolation, Target, TimeKey, TimeKeys, Value};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers, Pos2, pos2};
+
+use crate::editor_support::User;
+
+/// A window with a look whose exposed layer fades in steps and then evenly, and its timeline over
+/// frames 0 to 8.
+fn moving() -> User {
+    let mut hand = User::drawing();
+    let look =
+        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("examples/looks/figure5-directional.json");
+    hand.app_mut().open(&look);
+    hand.app_mut().show_on("shape:sphere");
+    hand.settle();
+    let layer = hand.look().graph.nodes.iter().find(|(_, node)| node.kind == "light_layer");
+    let (id, _) = layer.expect("the example has a layer");
+    let target = Target::parse(&format!("{id}.opacity")).unwrap();
+    let key = |frame: f64, value: f64, interpolation| TimeKey {
+        time: frame / 24.0,
+        value: Value::Number(value),
+        interpolation,
+        unknown: Default::default(),
+    };
+    // Held over frames 0 to 3.
+    let keys = vec![
+        key(0.0, 1.0, Interpolation::Stepped),
+        key(4.0, 0.8, Interpolation::Linear),
+        key(8.0, 0.2, Interpolation::Linear),
+    ];
+    let keys = TimeKeys { target, keys, unknown: Default::default() };
+    let edit = Edit::AddTimeKeys { keys, index: None };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Timeline");
+    let nothing = hand.empty_place();
+    hand.click(nothing);
+    let end = hand.fields_called("Range to")[0];
+    hand.type_over(end, "0.3333");
+    assert!(hand.says("0 of 9 kept"), "nothing is drawn ahead unasked");
+    hand
+}
+
+/// Picture of the picture's panel, as it is on the screen.
+fn seen(hand: &mut User) -> Vec<u8> {
+    let rect = hand.app().viewport().rect().unwrap().shrink(60.0);
+    let image = hand.harness.render().unwrap();
+    let at = |x: f32| x.round() as u32;
+    let (left, top) = (at(rect.left()), at(rect.top()));
+    let part = image::imageops::crop_imm(&image, left, top, at(rect.width()), at(rect.height()));
+    part.to_image().into_raw()
+}
+
+fn scrub_to(hand: &mut User, frame: f64) {
+    let flag = |hand: &User, name: &str| hand.place(name).center().x;
+    let [start, end] = ["Start of the range", "End of the range"].map(|name| flag(hand, name));
+    let x = start + frame as f32 / 8.0 * (end - start);
+    let at = pos2(x, hand.place("Playhead").top() + 8.0);
+    hand.click(at);
+    hand.settle();
+    let time = hand.app().session().view().time();
+    assert!((time * 24.0 - frame).abs() < 1e-3, "{time} for frame {frame}");
+}
+
+/// Clicks in a window that may never rest.
+fn press_without_rest(hand: &mut User, label: &str) {
+    let at = hand.place(label).center();
+    hand.click(at);
+}
+
+fn hold(hand: &mut User, key: Key, pressed: bool) {
+    hand.harness.event(Event::Key {
+        key,
+        physical_key: None,
+        pressed,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    });
+    hand.harness.run_steps(2);
+}
+
+#[test]
+fn frames_are_drawn_once_and_played_without_the_gpu() {
+    let mut hand = moving();
+    hand.press("Cache range");
+    let [kept, drawn] = hand.app().frames();
+    assert_eq!((kept, drawn), (9, 6), "four frames are held, and drawn once");
+    assert!(hand.says("9 of 9 kept") && !hand.app().is_busy());
+    let [width, height] = hand.app().viewport().rect().unwrap().size().into();
+    let one = width.round() as usize * height.round() as usize * 4;
+    assert_eq!(hand.app().frame_bytes(), 6 * one, "equal frames are stored once");
+
+    // Two rounds show each frame and draw nothing.
+    let pictures = hand.app().pictures();
+    press_without_rest(&mut hand, "Play");
+    let mut times = Vec::new();
+    for _ in 0..45 {
+        hand.harness.step();
+        times.push((hand.app().session().view().time() * 24.0).round() as i32);
+    }
+    let mut shown = times.clone();
+    shown.sort_unstable();
+    shown.dedup();
+    assert_eq!(shown, (0..9).collect::<Vec<i32>>(), "{times:?}");
+    assert!(times.windows(2).any(|pair| pair[1] < pair[0]), "it has come around");
+    assert_eq!((hand.app().pictures(), hand.app().frames()), (pictures, [9, 6]));
+    assert!(hand.says("of 24 fps"), "the real rate is told");
+    press_without_rest(&mut hand, "Pause");
+    hand.settle();
+    assert_eq!(hand.app().session().steps().done(), 1, "playing changes nothing");
+
+    // An edit gives all up; what is undone is known again, and is not drawn anew.
+    let layer = hand.look().graph.nodes.iter().find(|(_, node)| node.kind == "light_layer");
+    let node = layer.unwrap().0.clone();
+    let edit = Edit::SetValue {
+        graph: GraphId::Look,
+        id: node,
+        port: "falloff".into(),
+        value: Value::Number(0.4),
+        index: None,
+    };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    hand.press("Next frame");
+    assert!(hand.says("0 of 9 kept"), "{:?}", hand.app().frames());
+    hand.undo();
+    hand.settle();
+    hand.press("Cache range");
+    assert_eq!(hand.app().frames(), [9, 6], "the pictures were still there");
+}
+
+#[test]
+fn a_first_round_fills_the_cache_and_memory_is_bounded() {
+    let mut hand = moving();
+    hand.press("0 of 9 kept");
+    let field = hand.fields_called("Memory of frames")[0];
+    hand.type_over(field, "4");
+    hand.key(Key::Escape);
+    hand.settle();
+    press_without_rest(&mut hand, "Play");
+    for _ in 0..60 {
+        hand.harness.step();
+        hand.app().wait();
+    }
+    press_without_rest(&mut hand, "Pause");
+    hand.settle();
+    let [kept, drawn] = hand.app().frames();
+    assert!(hand.app().frame_bytes() <= 4 << 20, "{}", hand.app().frame_bytes());
+    assert!(kept >= 1 && drawn >= 1, "{kept} kept, {drawn} drawn");
+    assert!(!hand.app().is_busy(), "and the window rests although not all frames have room");
+}
+
+#[test]
+fn a_kept_version_is_compared_with_the_frames_after_an_edit() {
+    let mut hand = moving();
+    hand.press("Cache range");
+    scrub_to(&mut hand, 6.0);
+    hand.press("Keep version");
+    assert!(hand.says("0 differ") && hand.says("frame 6 no difference"));
+    // The last key is changed: frames 5 to 8 differ, and 8 most.
+    let mut keys = hand.look().time_keys[0].clone();
+    keys.keys[2].value = Value::Number(0.9);
+    let edit = Edit::SetTimeKeys { index: 0, keys };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    hand.press("Cache range");
+    assert!(hand.says("4 differ"), "{:?}", hand.app().frames());
+    hand.press("Greatest difference");
+    assert!((hand.app().session().view().time() - 8.0 / 24.0).abs() < 1e-3);
+    // While V is held the other version is seen.
+    let middle: Pos2 = hand.app().viewport().rect().unwrap().center();
+    hand.hover(middle);
+    let now = seen(&mut hand);
+    hold(&mut hand, Key::V, true);
+    let before = seen(&mut hand);
+    hold(&mut hand, Key::V, false);
+    assert!(now != before && seen(&mut hand) == now);
+    // In the difference what is equal is black, and more stops show more of it.
+    hand.press("Difference");
+    hand.hover(middle);
+    let difference = seen(&mut hand);
+    let lit = |bytes: &[u8]| bytes.chunks_exact(4).filter(|of| of[..3] != [0; 3]).count();
+    assert!(lit(&difference) > 500 && lit(&difference) < difference.len() / 4);
+    // The divider follows the pointer; the camera stays.
+    hand.press("Wipe");
+    let orbit = hand.app().session().view().orbit().clone();
+    hand.drag(middle, middle + eframe::egui::vec2(60.0, 0.0));
+    assert_eq!(*hand.app().session().view().orbit(), orbit);
+    hand.press("Close flip book");
+    assert!(!hand.says("differ"));
+}
+
+#[test]
+fn an_onion_skin_costs_nothing_while_it_is_off() {
+    let mut hand = moving();
+    scrub_to(&mut hand, 6.0);
+    let plain = seen(&mut hand);
+    assert_eq!(hand.app().frames(), [0, 0]);
+    hand.press("Onion skin");
+    hand.press_a(Role::CheckBox, "Show ghosts");
+    hand.key(Key::Escape);
+    hand.settle();
+    // The present frame and those at the keys before and after it.
+    assert_eq!(hand.app().frames(), [3, 3]);
+    let ghosts = seen(&mut hand);
+    assert!(plain != ghosts, "ghosts are seen");
+    hand.press("Onion skin");
+    hand.press_a(Role::CheckBox, "Show ghosts");
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(seen(&mut hand) == plain);
+}
