@@ -3,9 +3,66 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
+use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
 use crate::document::parse_hex;
+use crate::files::{OutputKind, Outputs};
+use crate::film::sheet::scaled;
 use crate::film::{FrameList, FramePattern, StoredFrame};
+use crate::frame::Picture;
+
+/// Arguments of commands that show frames as one file.
+#[derive(Debug, clap::Args)]
+#[group(skip)]
+pub(super) struct ShownFrames {
+    /// The frames' files, in which `####` stands for the number, and single pictures
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// The file to write
+    #[arg(short, long)]
+    output: OutputPath,
+    /// The frames to show [default: those that are there]
+    #[arg(long, allow_hyphen_values = true)]
+    frames: Option<FrameList>,
+    /// The color behind transparent pictures
+    #[arg(long, default_value = "#292a2e", value_parser = parse_backdrop)]
+    backdrop: [f64; 3],
+    /// Replace a file that Chiaro did not make
+    #[arg(long)]
+    force: bool,
+}
+
+impl ShownFrames {
+    /// Path of the file to write.
+    pub(super) fn target(&self) -> &Path {
+        self.output.as_ref()
+    }
+
+    /// The frames' files, and the outputs of a command that reads them, in which a file of this
+    /// kind may be written.
+    ///
+    /// # Errors
+    /// As [`files`] and [`Outputs::check`].
+    pub(super) fn found(
+        &self,
+        kind: OutputKind<'_>,
+    ) -> Result<(Vec<FrameFile>, Outputs), Diagnostic> {
+        let found = files(&self.files, self.frames.as_ref())?;
+        let outputs = outputs(self.force, found.iter().map(|file| &file.path));
+        outputs.check(self.target(), kind)?;
+        Ok((found, outputs))
+    }
+
+    /// The picture of a frame over the backdrop, at most so wide.
+    ///
+    /// # Errors
+    /// As [`FrameFile::read`] and [`StoredFrame::over`], with the file.
+    pub(super) fn picture(&self, file: &FrameFile, width: u32) -> Result<Picture, Diagnostic> {
+        let picture = file.read()?.over(self.backdrop);
+        let in_file = |problem: Diagnostic| problem.in_file(file.path.display().to_string());
+        Ok(scaled(&picture.map_err(in_file)?, width))
+    }
+}
 
 /// The file of a frame.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -75,10 +132,7 @@ pub(super) fn found(pattern: &FramePattern) -> Result<Vec<i32>, Diagnostic> {
 ///
 /// # Errors
 /// As [`found`] and [`pattern_of`].
-pub(super) fn files(
-    arguments: &[PathBuf],
-    frames: Option<&FrameList>,
-) -> Result<Vec<FrameFile>, Diagnostic> {
+fn files(arguments: &[PathBuf], frames: Option<&FrameList>) -> Result<Vec<FrameFile>, Diagnostic> {
     let mut files = Vec::new();
     for path in arguments {
         if path.is_file() || arguments.len() > 1 && matches!(FramePattern::of(path), Ok(None)) {
@@ -97,7 +151,7 @@ pub(super) fn files(
 }
 
 /// A color as shown, behind transparent pictures.
-pub(super) fn parse_backdrop(text: &str) -> Result<[f64; 3], String> {
+fn parse_backdrop(text: &str) -> Result<[f64; 3], String> {
     let color = parse_hex(text).map(|[red, green, blue, _]| [red, green, blue]);
     color.ok_or_else(|| "write a color such as #202428".to_owned())
 }

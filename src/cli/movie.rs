@@ -1,16 +1,14 @@
 //! `chiaro movie`: frames that move, for review.
 
 use std::io::{Read as _, Write as _};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
-use super::frame_files::{FrameFile, files, parse_backdrop};
+use super::frame_files::{FrameFile, ShownFrames};
 use super::output::Output;
-use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
 use crate::files::OutputKind;
-use crate::film::sheet::scaled;
-use crate::film::{FrameList, FrameRate, animated, rgb8};
+use crate::film::{FrameRate, animated, rgb8};
 use crate::frame::Picture;
 use crate::progress::Progress;
 
@@ -25,27 +23,14 @@ An MP4 is made by ffmpeg, where the system has it. A PNG moves by itself in ever
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The frames' files; `####` stands for the number
-    #[arg(required = true)]
-    files: Vec<PathBuf>,
-    /// The movie to write: an MP4, or a PNG that moves
-    #[arg(short, long)]
-    output: OutputPath,
-    /// The frames to show [default: those that are there]
-    #[arg(long, allow_hyphen_values = true)]
-    frames: Option<FrameList>,
+    #[command(flatten)]
+    shown: ShownFrames,
     /// Frames per second: 24, 23.976, 24000/1001
     #[arg(long, default_value = "24")]
     rate: FrameRate,
     /// Greatest width, in pixels
     #[arg(long, default_value_t = 1920, value_parser = clap::value_parser!(u32).range(16..=16_384))]
     width: u32,
-    /// The color behind transparent pictures
-    #[arg(long, default_value = "#292a2e", value_parser = parse_backdrop)]
-    backdrop: [f64; 3],
-    /// Replace a file that Chiaro did not make
-    #[arg(long)]
-    force: bool,
 }
 
 /// Keyword of the seal of a movie, before its checksum.
@@ -57,16 +42,14 @@ const MOVIE: OutputKind<'static> =
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
-    let target = arguments.output.as_ref();
+    let target = arguments.shown.target();
     let is_png = match ending(target).as_deref() {
         Some("png" | "apng") => true,
         Some("mp4") => false,
         _ => return Err(one(other_ending(target))),
     };
     let kind = if is_png { OutputKind::PICTURE } else { MOVIE };
-    let found = files(&arguments.files, arguments.frames.as_ref()).map_err(one)?;
-    let mut outputs = outputs(arguments.force, found.iter().map(|file| &file.path));
-    outputs.check(target, kind).map_err(one)?;
+    let (found, mut outputs) = arguments.shown.found(kind).map_err(one)?;
     let bytes = output.watch("writing", |progress| {
         if is_png {
             let count = u32::try_from(found.len()).unwrap_or(u32::MAX);
@@ -107,10 +90,7 @@ fn pictures<'a>(
     progress.begin(files.len() as u64);
     files.iter().enumerate().map(move |(at, file)| {
         progress.add(u64::from(at > 0));
-        let picture = file.read()?.over(arguments.backdrop);
-        let picture =
-            picture.map_err(|problem| problem.in_file(file.path.display().to_string()))?;
-        Ok(scaled(&picture, arguments.width))
+        arguments.shown.picture(file, arguments.width)
     })
 }
 

@@ -1,15 +1,11 @@
 //! `chiaro sheet`: frames side by side, with their numbers.
 
-use std::path::PathBuf;
-
-use super::frame_files::{files, parse_backdrop};
+use super::frame_files::ShownFrames;
 use super::output::Output;
 use super::render::check_png;
-use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
 use crate::files::OutputKind;
-use crate::film::FrameList;
-use crate::film::sheet::{self, SheetCell, columns_for, scaled};
+use crate::film::sheet::{self, SheetCell, columns_for};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -21,15 +17,8 @@ Examples:
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The frames' files, in which `####` stands for the number, and single pictures
-    #[arg(required = true)]
-    files: Vec<PathBuf>,
-    /// The PNG to write
-    #[arg(short, long)]
-    output: OutputPath,
-    /// The frames to show [default: those that are there]
-    #[arg(long, allow_hyphen_values = true)]
-    frames: Option<FrameList>,
+    #[command(flatten)]
+    shown: ShownFrames,
     /// Greatest number of pictures: of more frames some are shown, evenly
     #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     cells: u32,
@@ -39,34 +28,23 @@ pub(super) struct Arguments {
     /// Number of pictures in a row
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1000))]
     columns: Option<u32>,
-    /// The color behind transparent pictures
-    #[arg(long, default_value = "#292a2e", value_parser = parse_backdrop)]
-    backdrop: [f64; 3],
     /// Words above the pictures
     #[arg(long, default_value = "")]
     title: String,
-    /// Replace a file that Chiaro did not render
-    #[arg(long)]
-    force: bool,
 }
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
-    let target = arguments.output.as_ref();
+    let target = arguments.shown.target();
     check_png(target).map_err(one)?;
-    let found = files(&arguments.files, arguments.frames.as_ref()).map_err(one)?;
-    let mut outputs = outputs(arguments.force, found.iter().map(|file| &file.path));
-    outputs.check(target, OutputKind::PICTURE).map_err(one)?;
+    let (found, mut outputs) = arguments.shown.found(OutputKind::PICTURE).map_err(one)?;
     let shown = evenly(found.len(), arguments.cells as usize);
     let cells = output.watch("reading", |progress| {
         progress.begin(shown.len() as u64);
         let cell = |(at, index): (usize, &usize)| {
             progress.add(u64::from(at > 0));
             let file = &found[*index];
-            let picture = file.read()?.over(arguments.backdrop);
-            let picture =
-                picture.map_err(|problem| problem.in_file(file.path.display().to_string()))?;
-            let picture = scaled(&picture, arguments.width);
+            let picture = arguments.shown.picture(file, arguments.width)?;
             Ok(SheetCell { picture, labels: vec![file.label()] })
         };
         shown.iter().enumerate().map(cell).collect::<Result<Vec<_>, Diagnostic>>()

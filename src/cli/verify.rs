@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use rayon::prelude::*;
 use serde_json::{Value as Json, json};
 
 use super::frame_files::{FrameFile, found, pattern_of};
@@ -82,7 +83,11 @@ impl Verdict {
     }
 }
 
-/// A frame that was read again.
+/// Number of frames that are read side by side: each takes what its pixels take, twice where it is
+/// compared.
+const FRAMES_AT_ONCE: usize = 32;
+
+/// A frame that was read again; `stored` is without its numbers.
 struct Finding {
     verdict: Verdict,
     stored: Option<StoredFrame>,
@@ -104,8 +109,14 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let mut first: Option<StoredFrame> = None;
     let mut faults: Vec<(&'static str, Vec<i32>)> = Vec::new();
     let mut greatest = 0.0_f64;
-    for &frame in &frames {
-        let found = check(&pattern, against.as_ref(), frame, first.as_ref(), arguments.within);
+    // Every core reads files; what is found is told in the order of the frames.
+    let read = |frame: &i32| check(&pattern, against.as_ref(), *frame, arguments.within);
+    let found = frames.chunks(FRAMES_AT_ONCE).flat_map(|some| {
+        let found: Vec<Finding> = some.par_iter().map(read).collect();
+        some.iter().copied().zip(found)
+    });
+    for (frame, found) in found {
+        let found = found.beside(first.as_ref());
         let Finding { verdict, stored, difference } = &found;
         greatest = difference.as_ref().map_or(greatest, |found| greatest.max(found.greatest));
         let file = pattern.path(frame);
@@ -120,9 +131,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
                 None => faults.push((verdict.word(), vec![frame])),
             }
         }
-        // The first frame says what all are to be; its numbers are not needed any more.
+        // The first frame says what all are to be.
         if first.is_none() && matches!(verdict, Verdict::Whole | Verdict::Different(_)) {
-            first = stored.as_ref().map(StoredFrame::without_numbers);
+            first.clone_from(stored);
         }
     }
     let count = frames.len();
@@ -145,11 +156,11 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
+/// Reads a frame, and compares it with that of another run.
 fn check(
     pattern: &FramePattern,
     against: Option<&FramePattern>,
     frame: i32,
-    first: Option<&StoredFrame>,
     within: f64,
 ) -> Finding {
     let alone = |verdict| Finding { verdict, stored: None, difference: None };
@@ -162,44 +173,58 @@ fn check(
         Ok(stored) => stored,
         Err(problem) => return alone(Verdict::Broken(problem.message)),
     };
-    let mut difference = None;
-    let verdict = if !stored.is_sealed {
-        Verdict::Broken("the file is not as Chiaro wrote it".to_owned())
-    } else if let Some(first) = first
-        && (first.size != stored.size || first.names() != stored.names())
-    {
-        let [width, height] = stored.size;
-        let names = stored.names().join(", ");
-        Verdict::Odd(format!(
-            "it is {width}x{height} with the channels {names}, unlike the first frame"
-        ))
+    let (verdict, difference) = if !stored.is_sealed {
+        (Verdict::Broken("the file is not as Chiaro wrote it".to_owned()), None)
     } else {
         match against.map(|other| of(other).read()) {
-            None => Verdict::Whole,
+            None => (Verdict::Whole, None),
             Some(Err(problem)) => {
-                Verdict::Different(format!("the other run's cannot be read: {}", problem.message))
+                let message = format!("the other run's cannot be read: {}", problem.message);
+                (Verdict::Different(message), None)
             }
-            Some(Ok(other)) => match stored.difference(&other) {
-                Err(reason) => Verdict::Different(reason),
-                Ok(found) => {
-                    difference = found;
-                    match difference.as_ref().filter(|found| found.greatest > within) {
-                        None => Verdict::Whole,
-                        Some(FrameDifference { greatest, channel, pixel: [x, y], pixels }) => {
-                            Verdict::Different(format!(
-                                "{pixels} pixels are others, by {greatest} at most ({channel} at \
-                                 {x}, {y})"
-                            ))
-                        }
-                    }
-                }
-            },
+            Some(Ok(other)) => compared(&stored, &other, within),
         }
     };
-    Finding { verdict, stored: Some(stored), difference }
+    Finding { verdict, stored: Some(stored.without_numbers()), difference }
+}
+
+/// Verdict about a frame beside that of another run, with their difference.
+fn compared(
+    stored: &StoredFrame,
+    other: &StoredFrame,
+    within: f64,
+) -> (Verdict, Option<FrameDifference>) {
+    let difference = match stored.difference(other) {
+        Ok(difference) => difference,
+        Err(reason) => return (Verdict::Different(reason), None),
+    };
+    let verdict = match difference.as_ref().filter(|found| found.greatest > within) {
+        None => Verdict::Whole,
+        Some(FrameDifference { greatest, channel, pixel: [x, y], pixels }) => Verdict::Different(
+            format!("{pixels} pixels are others, by {greatest} at most ({channel} at {x}, {y})"),
+        ),
+    };
+    (verdict, difference)
 }
 
 impl Finding {
+    /// The finding, where the frame's size and channels are to be those of the first one.
+    fn beside(self, first: Option<&StoredFrame>) -> Self {
+        let is_sound = matches!(self.verdict, Verdict::Whole | Verdict::Different(_));
+        let (Some(stored), Some(first)) = (self.stored.as_ref().filter(|_| is_sound), first) else {
+            return self;
+        };
+        if first.size == stored.size && first.names() == stored.names() {
+            return self;
+        }
+        let [width, height] = stored.size;
+        let names = stored.names().join(", ");
+        let verdict = Verdict::Odd(format!(
+            "it is {width}x{height} with the channels {names}, unlike the first frame"
+        ));
+        Self { verdict, difference: None, ..self }
+    }
+
     fn json(&self, frame: i32, file: &str) -> Json {
         let mut told = json!({"frame": frame, "file": file, "state": self.verdict.word()});
         if !self.verdict.reason().is_empty() {

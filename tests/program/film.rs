@@ -220,6 +220,51 @@ fn a_wedge_draws_every_combination() {
     assert!(refused(2, &["--vary", "strength"]).contains("0.5..2/4"));
 }
 
+/// What varies stands over what a shot sets and keys, wherever the shot says it.
+#[test]
+fn a_wedge_stands_over_what_a_shot_changes() {
+    let stage = Stage::new();
+    let write = |name: &str, json: Json| fs::write(stage.path(name), json.to_string()).unwrap();
+    write(
+        "scene.json",
+        json!({"chiaro": "scene", "version": 1,
+            "objects": [{"id": "ball", "mesh": "shape:sphere", "looks": "look.json"}],
+            "lights": {"key": {"direction": [-0.5, 0.8, 0.6], "groups": ["stage"]}}}),
+    );
+    let keys = |target: &str, from: f64| {
+        json!({"target": target,
+            "keys": [{"frame": 0, "value": from}, {"frame": 9, "value": 0.9}]})
+    };
+    let shot = |overrides: Json| {
+        json!({"chiaro": "shot", "version": 1, "scene": "scene.json", "frames": [0, 9],
+            "overrides": overrides})
+    };
+    let all =
+        ["lights.key.intensity", "light_groups.stage.intensity", "objects.ball.values.strength"];
+    write("shot.json", shot(all.iter().map(|target| keys(target, 0.2)).collect()));
+    let words =
+        ["--size", "24x16", "--samples", "1", "--on", "reference", "--frames", "5", "-o", "w.png"];
+    for varied in all {
+        let vary = format!("{varied}=0.4,0.8");
+        stage.done(&[&["wedge", "shot.json", "--vary", &vary][..], &words].concat());
+        let held = |target: &&str| {
+            if *target == varied {
+                json!({"target": target, "value": 0.8})
+            } else {
+                keys(target, 0.2)
+            }
+        };
+        write("held.json", shot(all.iter().map(held).collect()));
+        let held = [&["render", "held.json"][..], &words[..8], &["-o", "h.#.png"]].concat();
+        stage.done(&held);
+        let pixels = |name: &str| image::open(stage.path(name)).unwrap().to_rgba8();
+        assert_eq!(pixels("w/002.png"), pixels("h.5.png"), "{varied}");
+        assert_ne!(pixels("w/001.png"), pixels("w/002.png"), "{varied}");
+    }
+    let refused = ["wedge", "shot.json", "--vary", "light_groups.stage.exposur=1,2"];
+    assert!(stage.fails(1, &[&refused[..], &words].concat()).contains("exposure"));
+}
+
 #[test]
 fn jobs_of_farms_hand_every_option_on() {
     let stage = Stage::new();
@@ -337,6 +382,10 @@ fn a_full_disk_a_vanished_mesh_and_a_changed_look_lose_nothing() {
     assert!(said.contains("cannot-write") && said.contains("a.2.exr"), "{said}");
     assert_eq!(fs::read(stage.path("a.1.exr")).unwrap(), before);
     assert!(stage.names().iter().all(|name| !name.ends_with(".tmp")), "{:?}", stage.names());
+    // A folder that takes no files, not even from root.
+    let closed = [&RENDER[..], &["-o", "/sys/a.#.exr", "--frames", "0-1"]].concat();
+    let said = stage.fails(1, &closed);
+    assert!(said.contains("cannot-write") && said.contains("/sys"), "{said}");
     // A mesh that is gone is named, and the frames stay.
     let words: Vec<&str> =
         RENDER.map(|word| if word == "shape:sphere" { "mesh.obj" } else { word }).to_vec();
@@ -407,4 +456,36 @@ fn open_job_descriptions_own_tool_takes_the_template_and_runs_it() {
         said.contains("6 frames, all whole") && stage.path("out/sheet.png").is_file(),
         "{said}"
     );
+}
+
+/// OpenCue's own RQD runs the commands of the job: `tests/farm/rqd.py` plays Cuebot.
+#[test]
+fn open_cues_own_rqd_runs_the_job() {
+    let python = std::env::var("CHIARO_FARM_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let probe = Command::new(&python).args(["-c", "import rqd, opencue_proto, grpc"]).output();
+    if !probe.is_ok_and(|output| output.status.success()) {
+        let line = "SKIPPED: RQD is missing; pip install opencue-rqd, and CHIARO_FARM_PYTHON names \
+                    its Python";
+        crate::support::validators::say(line);
+        return;
+    }
+    let stage = Stage::new();
+    fs::create_dir(stage.path("out")).unwrap();
+    let program = env!("CARGO_BIN_EXE_chiaro");
+    let farm = ["farm", "-o", "out/####.exr", "--frames", "1-4", "--chunk", "2", "--to", "opencue"];
+    let more = ["--job", "job.xml", "--program", program];
+    stage.done(&[&farm[..], &more[..], &RENDER[1..10]].concat());
+    let mut command = Command::new(&python);
+    command.arg(crate::support::root().join("tests/farm/rqd.py"));
+    command.args(["job.xml", "."]).current_dir(stage.folder());
+    let ran = command.output().unwrap();
+    let said = [ran.stdout, ran.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+    assert!(ran.status.success(), "{said:?}");
+    assert_eq!(
+        said[0].matches("exit 0").count(),
+        3,
+        "two tasks, the check with its sheet: {said:?}"
+    );
+    stage.done(&["verify", "out/####.exr", "--frames", "1-4"]);
+    assert!(stage.path("out/sheet.png").is_file(), "{said:?}");
 }

@@ -14,6 +14,7 @@ mod layers;
 mod lights;
 #[cfg(target_os = "linux")]
 mod memory;
+mod nightfall;
 mod outputs;
 mod shots;
 #[cfg(target_os = "linux")]

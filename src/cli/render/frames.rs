@@ -7,6 +7,7 @@
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::time::SystemTime;
 
 use serde_json::{Value as Json, json};
 
@@ -29,11 +30,66 @@ pub(super) struct Sequence<'a> {
     pub(super) rate: FrameRate,
     pub(super) pattern: &'a FramePattern,
     pub(super) format: PictureFormat,
+    /// Files of a run before.
+    pub(super) earlier: &'a EarlierFrames,
     pub(super) is_strict: bool,
     /// True if each frame is told as a line of JSON.
     pub(super) has_json: bool,
     /// Lines that tell a farm how far the frames are.
     pub(super) progress: Option<ProgressLines>,
+}
+
+/// Files of a run before, read once: the plan of each that is whole, and how it was found.
+#[derive(Debug, Default)]
+pub(super) struct EarlierFrames(HashMap<PathBuf, (String, Option<FileStamp>)>);
+
+/// Length of a file and the time of its last change: another one was written in between.
+type FileStamp = (u64, SystemTime);
+
+fn stamp(file: &Path) -> Option<FileStamp> {
+    let data = std::fs::metadata(file).ok()?;
+    Some((data.len(), data.modified().ok()?))
+}
+
+impl EarlierFrames {
+    /// Reads the files of frames that are there, and checks that they may be replaced.
+    ///
+    /// # Errors
+    /// As [`Outputs::check`], of the first file that may not be.
+    pub(super) fn read(
+        frames: &FrameList,
+        pattern: &FramePattern,
+        format: PictureFormat,
+        outputs: &Outputs,
+    ) -> Result<Self, Diagnostic> {
+        let mut earlier = Self::default();
+        for &frame in frames.frames() {
+            let file = pattern.path(frame);
+            // Before the file: what comes in between is read again.
+            let stamp = stamp(&file);
+            let mut plan = None;
+            outputs.check_looking(&file, format.kind(), |bytes| {
+                plan = format.plan_of(bytes);
+                plan.is_some()
+            })?;
+            earlier.0.extend(plan.map(|plan| (file, (plan, stamp))));
+        }
+        Ok(earlier)
+    }
+
+    /// True if the file is whole and of the plan. One that is another since it was read, such as a
+    /// frame that another machine has drawn, is read again.
+    fn has(&self, file: &Path, plan: &str, format: PictureFormat) -> bool {
+        let now = stamp(file);
+        match self.0.get(file) {
+            Some((known, then)) if now.is_some() && *then == now => known == plan,
+            _ => {
+                now.is_some()
+                    && std::fs::read(file)
+                        .is_ok_and(|bytes| format.plan_of(&bytes).as_deref() == Some(plan))
+            }
+        }
+    }
 }
 
 /// Work on a frame: a plan, or the picture that is drawn of it.
@@ -156,9 +212,7 @@ fn plan_all(
             layers_in: layers_in(&plan, &blended_in),
             attributes: plan.attributes(),
         };
-        let is_whole =
-            |bytes: Vec<u8>| sequence.format.plan_of(&bytes) == Some(header.plan.clone());
-        let state = if std::fs::read(&file).is_ok_and(is_whole) {
+        let state = if sequence.earlier.has(&file, &header.plan, sequence.format) {
             FrameState::Kept
         } else if let Some((frame, file)) = seen.get(&content).cloned() {
             FrameState::Equal { frame, file }

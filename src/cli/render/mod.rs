@@ -12,7 +12,7 @@ use std::str::FromStr;
 use serde_json::json;
 
 use format::{PictureFormat, parse_compression, parse_depth};
-use frames::Sequence;
+use frames::{EarlierFrames, Sequence};
 use progress::ProgressLines;
 
 use super::open::{check_nodes_folder, library_for};
@@ -225,11 +225,11 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
         arguments.nodes.as_deref(),
     ];
     let mut outputs = outputs(arguments.force, read.into_iter().flatten());
+    let mut earlier = EarlierFrames::default();
     match &sequence {
         None => outputs.check(target, format.kind()).map_err(one)?,
         Some(FrameFiles { frames, pattern, .. }) => {
-            let mut files = frames.frames().iter().map(|frame| pattern.path(*frame));
-            files.try_for_each(|file| outputs.check(&file, format.kind())).map_err(one)?;
+            earlier = EarlierFrames::read(frames, pattern, format, &outputs).map_err(one)?;
         }
     }
     let clock = Clock::start();
@@ -258,6 +258,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
             rate: *rate,
             pattern: files,
             format,
+            earlier: &earlier,
             is_strict: arguments.strict,
             has_json: arguments.json,
             progress: arguments.progress,

@@ -26,8 +26,10 @@ Examples:
   chiaro wedge look.json --vary lit.offset=0..1.2/5 --frames 1,24 -o out/wedge.png --size 480x270
 
 Something that varies is a field of a light (key.intensity), an input of a node (lit.offset), an
-exposed parameter (width), or that of one object (hero.width). Its values are a list, 0.5,1,2, or so
-many from one to another, 0.5..2/4; colors as #8af or #88aaff.
+exposed parameter (width), or that of one object (hero.width), the master of a group of lights
+(light_groups.dusk.exposure) or a field of the camera (camera.fov). It stands over what a shot says,
+keyed or not. Its values are a list, 0.5,1,2, or so many from one to another, 0.5..2/4; colors as
+#8af or #88aaff.
 Every combination is a cell. The sheet's pictures lie in a folder of its name, and their values in a
 JSON beside it.";
 
@@ -115,10 +117,10 @@ pub(crate) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     };
     check(&outputs).map_err(one)?;
     let mut warnings = Vec::new();
-    let stage = render.open(&mut warnings)?;
+    let mut stage = render.open(&mut warnings)?;
     let targets = arguments.vary.iter().map(|varied| {
         VariedTarget::find(&varied.target, &stage.setup, &stage.library)
-            .and_then(|target| target.check_all(&varied.values).map(|()| target))
+            .and_then(|target| target.check_all(&varied.values, &stage.setup).map(|()| target))
     });
     let targets: Vec<VariedTarget> = targets
         .collect::<Result<_, Diagnostic>>()
@@ -131,7 +133,7 @@ pub(crate) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     files::make_folder(&folder).map_err(|problem| vec![*problem])?;
     let mut drawn = Vec::with_capacity(cells.len());
     for (at, cell) in cells.iter().enumerate() {
-        let picture = draw(arguments, &stage, &targets, cell, executor.as_mut()).await?;
+        let picture = draw(arguments, &mut stage, &targets, cell, executor.as_mut()).await?;
         let bytes = picture.to_png().map_err(one)?;
         outputs.write(&cell.file, OutputKind::PICTURE, &bytes).map_err(one)?;
         let labels = cell.labels();
@@ -214,7 +216,7 @@ fn columns(arguments: &Arguments, cells: usize, size: [u32; 2]) -> usize {
 
 async fn draw(
     arguments: &Arguments,
-    stage: &Stage,
+    stage: &mut Stage,
     targets: &[VariedTarget],
     cell: &Cell<'_>,
     executor: &mut dyn Executor,
@@ -226,11 +228,16 @@ async fn draw(
     let rate = arguments.render.rate_of(&stage.setup);
     let time = cell.frame.map_or(stage.options.time, |frame| rate.time(frame));
     let options = PlanOptions { time, ..stage.options.clone() };
-    // A planner keeps the lights of looks that it has compiled; each cell has its own.
-    let is_truth = arguments.render.on == Some(ExecutorChoice::Reference);
-    let style = if is_truth { PlanStyle::AsWritten } else { PlanStyle::Specialized };
-    let mut planner = style.planner(stage.planner.assets.clone());
-    let plan = planner.plan(&setup, &stage.library, &stage.live, &options)?;
+    // One planner serves all cells: it compiles again what a value is folded into, and nothing
+    // else. A look as it is written, with all values live, is known to a planner by its graph
+    // alone, and keeps the values of the lights with which it was first seen: there each cell has
+    // a planner of its own.
+    let plan = if arguments.render.on == Some(ExecutorChoice::Reference) {
+        let mut planner = PlanStyle::AsWritten.planner(stage.planner.assets.clone());
+        planner.plan(&setup, &stage.library, &stage.live, &options)?
+    } else {
+        stage.planner.plan(&setup, &stage.library, &stage.live, &options)?
+    };
     let plan = plan.tell(&mut Vec::new());
     let progress = crate::progress::Progress::default();
     executor.picture(&plan, &progress).await.map_err(|problem| vec![problem])

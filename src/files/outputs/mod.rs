@@ -113,7 +113,22 @@ impl Outputs {
     /// - `would-overwrite`: the command reads the file at the path.
     /// - `file-exists`: somebody made the file at the path.
     pub fn check(&self, path: &Path, kind: OutputKind<'_>) -> Result<(), Diagnostic> {
-        self.check_bytes(path, kind, None)
+        self.check_bytes(path, kind, |old| (kind.is_own)(old))
+    }
+
+    /// Checks as [`check`](Self::check), and lets `look` see what a file holds that is there: true
+    /// for one that may be replaced. What it does not know is judged by the kind. It sees nothing
+    /// where files are replaced unseen.
+    ///
+    /// # Errors
+    /// As [`check`](Self::check).
+    pub fn check_looking(
+        &self,
+        path: &Path,
+        kind: OutputKind<'_>,
+        mut look: impl FnMut(&[u8]) -> bool,
+    ) -> Result<(), Diagnostic> {
+        self.check_bytes(path, kind, |old| look(old) || (kind.is_own)(old))
     }
 
     /// Writes a file, to be seen with all others that were added before [`commit`](Self::commit).
@@ -128,7 +143,7 @@ impl Outputs {
     ) -> Result<(), Diagnostic> {
         let sealed = kind.has_seal.then(|| kind::sealed(bytes));
         let bytes = sealed.as_deref().unwrap_or(bytes);
-        self.check_bytes(path, kind, Some(bytes))?;
+        self.check_bytes(path, kind, |old| bytes == old || (kind.is_own)(old))?;
         if self.added.iter().any(|added| added == path) {
             let message = "the same command would write two different files here";
             return Err(in_file(Diagnostic::error("would-overwrite", message), path)
@@ -172,7 +187,7 @@ impl Outputs {
         &self,
         path: &Path,
         kind: OutputKind<'_>,
-        new: Option<&[u8]>,
+        is_known: impl FnOnce(&[u8]) -> bool,
     ) -> Result<(), Diagnostic> {
         let Some(identity) = Identity::of(path) else { return Ok(()) };
         let is_it = |(input, _): &&(Identity, PathBuf)| input.is(&identity);
@@ -195,7 +210,6 @@ impl Outputs {
         if self.is_forced {
             return Ok(());
         }
-        let is_known = |old: &[u8]| new == Some(old) || (kind.is_own)(old);
         // The write itself reports a path that is no file.
         if path.is_dir() || known_bytes(path).is_some_and(|old| is_known(&old)) {
             return Ok(());

@@ -27,16 +27,30 @@ enum Place {
     Object { object: usize, name: PortName },
     /// An input of a node of a look's own graph.
     Input { look: usize, node: NodeId, port: PortName },
+    /// A field of the scene, by the address that shots have for it.
+    Scene { address: String },
 }
 
+/// Parts of a scene whose fields vary by their addresses. Lights and objects have names of their
+/// own.
+const SCENE_PARTS: [&str; 5] = ["light_groups", "camera", "outlines", "backdrop", "illumination"];
+
 impl VariedTarget {
-    /// Finds what a name stands for: a light's field before an object's parameter before a node's
-    /// input.
+    /// Finds what a name stands for: a field of the scene before a light's before an object's
+    /// parameter before a node's input.
     ///
     /// # Errors
     /// `unknown-target` with the nearest names.
     pub(super) fn find(name: &str, setup: &Setup, library: &Library) -> Result<Self, Diagnostic> {
-        let places = match name.rsplit_once('.') {
+        if SCENE_PARTS.contains(&name.split('.').next().unwrap_or_default()) {
+            setup.scene.value_at(name)?;
+            let places = vec![Place::Scene { address: name.to_owned() }];
+            return Ok(Self { name: name.to_owned(), places });
+        }
+        // As shots have it: `objects.hero.values.width` is `hero.width`.
+        let of_object = name.strip_prefix("objects.").and_then(|rest| rest.split_once(".values."));
+        let short = of_object.map(|(object, value)| format!("{object}.{value}"));
+        let places = match short.as_deref().unwrap_or(name).rsplit_once('.') {
             None => exposed(setup, None, name),
             Some((owner, part)) => {
                 let light = owner.strip_prefix("lights.").unwrap_or(owner);
@@ -66,15 +80,21 @@ impl VariedTarget {
     /// Checks that all places take these values.
     ///
     /// # Errors
-    /// `wrong-value` with what a place takes.
-    pub(super) fn check_all(&self, all: &[Value]) -> Result<(), Diagnostic> {
+    /// `wrong-value` with what a place takes; of a field of the scene, the field's own problem.
+    pub(super) fn check_all(&self, all: &[Value], setup: &Setup) -> Result<(), Diagnostic> {
         let wrong = |value: &Value, wanted: &str| {
             let message = format!("`{}` cannot be {}", self.name, values::text(value));
             Diagnostic::error("wrong-value", message).hint(format!("write {wanted}"))
         };
         for place in &self.places {
-            let (Place::SceneLight { field, .. } | Place::LookLight { field, .. }) = place else {
-                continue;
+            let field = match place {
+                Place::SceneLight { field, .. } | Place::LookLight { field, .. } => field,
+                Place::Scene { address } => {
+                    let mut scene = setup.scene.clone();
+                    all.iter().try_for_each(|value| scene.set_value(address, value))?;
+                    continue;
+                }
+                Place::Object { .. } | Place::Input { .. } => continue,
             };
             for value in all {
                 let numbers = numbers(*field, value, ColorSpace::Display);
@@ -91,7 +111,8 @@ impl VariedTarget {
         Ok(())
     }
 
-    /// Sets all places, and takes out the time keys that would say otherwise.
+    /// Sets all places, and takes out the keys, of looks, scenes and shots, that would say
+    /// otherwise.
     pub(super) fn set(&self, setup: &mut Setup, value: &Value) {
         for place in &self.places {
             match place {
@@ -112,7 +133,19 @@ impl VariedTarget {
                     }
                 }
                 Place::Object { object, name } => {
-                    setup.objects[*object].values.insert(name.clone(), value.clone());
+                    let object = &mut setup.objects[*object];
+                    object.values.insert(name.clone(), value.clone());
+                    // What the scene says is what an object that a shot moves takes again.
+                    if let Some(own) = setup.scene.objects.get_mut(&object.id) {
+                        own.values.insert(name.clone(), value.clone());
+                    }
+                    let address = format!("objects.{}.values.{name}", object.id);
+                    setup.hold(&address);
+                }
+                Place::Scene { address } => {
+                    setup.hold(address);
+                    // `check_all` has tried the value.
+                    let _ = setup.scene.set_value(address, value);
                 }
                 Place::Input { look, node, port } => {
                     let look = &mut setup.looks[*look].look;
@@ -230,6 +263,11 @@ fn known(setup: &Setup, library: &Library) -> Vec<String> {
     let of_looks = setup.looks.iter().flat_map(|worn| &worn.look.lights);
     for (id, light) in setup.scene.lights.iter().chain(of_looks) {
         known.extend(LightField::of(light.kind).map(|field| format!("{id}.{}", field.name())));
+    }
+    for id in setup.scene.light_groups.keys() {
+        known.extend(
+            ["intensity", "exposure", "tint"].map(|part| format!("light_groups.{id}.{part}")),
+        );
     }
     for object in &setup.objects {
         for look in object.worn_looks() {

@@ -1,0 +1,50 @@
+//! The example film of `examples/shots/nightfall`: graded from its files alone.
+
+use std::process::{Command, Stdio};
+
+use crate::support::root;
+use crate::support::validators::say;
+
+/// A frame whose lights are graded by `scripts/regrade.py` is the frame that is rendered with the
+/// grade, everywhere but where two objects share a pixel of a matte. Some ten seconds on software
+/// Vulkan: the twelve looks of the shot are compiled with their layers, twice.
+#[test]
+fn a_frame_is_graded_from_its_file_alone() {
+    let python = std::env::var("CHIARO_FILM_PYTHON").unwrap_or_else(|_| "python3".to_owned());
+    let probe = Command::new(&python).args(["-c", "import OpenImageIO, numpy"]).output();
+    if !probe.is_ok_and(|output| output.status.success()) {
+        say("SKIPPED: the Python packages openimageio and numpy are missing");
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let render = |shot: &str, to: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
+        command.env("CHIARO_CACHE_DIR", "").current_dir(folder.path()).stdout(Stdio::piped());
+        command.arg("render").arg(root().join("examples/shots/nightfall").join(shot));
+        command.args(["-o", to, "--frames", "49", "--size", "96x54"]);
+        command.args(["--aov", "lights", "--matte", "objects"]).stderr(Stdio::piped());
+        command.spawn().unwrap()
+    };
+    let both = [
+        render("nightfall-010.json", "shot.#.exr"),
+        render("nightfall-010-graded.json", "graded.#.exr"),
+    ];
+    for child in both {
+        let ran = child.wait_with_output().unwrap();
+        assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
+    }
+    let graded = |lantern: &str| {
+        let mut command = Command::new(&python);
+        command.arg(root().join("scripts/regrade.py")).current_dir(folder.path());
+        command.args(["shot.#.exr", "--frames", "49-49", "--light", "sun=0.2"]);
+        command.args(["--light", "moon=1.25", "--light", lantern, "--on", "hob", "moon=1.5"]);
+        command.args(["--against", "graded.#.exr", "--within", "0.002"]);
+        let ran = command.output().unwrap();
+        let said = [ran.stdout, ran.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+        (ran.status.success(), said.concat())
+    };
+    let (is_equal, said) = graded("lantern=0.7,1.0,0.8");
+    assert!(is_equal, "{said}");
+    let (is_equal, said) = graded("lantern=0.7,1.0,0.9");
+    assert!(!is_equal && said.contains("frame 49 is"), "another grade is another frame: {said}");
+}
