@@ -178,7 +178,7 @@ fn contributions_of_examples_add_up() {
 #[cfg(unix)]
 #[test]
 #[ignore = "a soak: every look in both spaces"]
-fn contributions_of_all_looks_add_up() {
+fn soak_contributions_of_all_looks_add_up() {
     let folder = RenderFolder::new();
     fs::create_dir(folder.path("looks")).unwrap();
     for beside in ["hcbtf", "images", "scenes", "shadows"] {
