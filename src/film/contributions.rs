@@ -1,4 +1,4 @@
-//! What layers of stacks, lights and groups of lights add to a picture, as layers of its file.
+//! Contributions of layers, lights and groups of lights to a picture, as layers of its file.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 

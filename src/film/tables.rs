@@ -1,5 +1,5 @@
-//! Tables of what becomes of a layer's values, as compositors read them: one column for each channel
-//! in a `.cube`.
+//! Tables of what becomes of a layer's values, as compositors read them: one column for each
+//! channel in a `.cube`.
 
 use std::fmt::Write as _;
 use std::hash::Hasher as _;

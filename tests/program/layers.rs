@@ -178,7 +178,7 @@ fn contributions_of_examples_add_up() {
 #[cfg(unix)]
 #[test]
 #[ignore = "a soak: every look in both spaces"]
-fn contributions_of_all_looks_add_up() {
+fn soak_contributions_of_all_looks_add_up() {
     let folder = RenderFolder::new();
     fs::create_dir(folder.path("looks")).unwrap();
     for beside in ["hcbtf", "images", "scenes", "shadows"] {
@@ -644,7 +644,10 @@ fn layers_of_what_is_transparent_and_cut_out_are_the_picture() {
     let mut cut = glass.clone();
     cut["nodes"][3]["values"] = json!({"cutoff": 0.55});
     fs::write(folder.path("cut.json"), cut.to_string()).unwrap();
-    let object = |id: &str, look: &str, at: [f64; 3]| json!({"id": id, "mesh": "shape:sphere", "looks": {"*": look}, "transform": {"translate": at}});
+    let object = |id: &str, look: &str, at: [f64; 3]| {
+        json!({"id": id, "mesh": "shape:sphere", "looks": {"*": look},
+            "transform": {"translate": at}})
+    };
     let scene = json!({
         "chiaro": "scene", "version": 1,
         "outlines": {"width": 0.01},

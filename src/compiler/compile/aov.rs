@@ -11,7 +11,7 @@ use std::collections::HashSet;
 
 use super::check::{TypedGraph, TypedNode, TypedSource, check};
 use super::flatten::FlatGraph;
-use super::parting::{BentSum, Parting};
+use super::parting::{BentSum, LightShares};
 use super::transfer::Transfer;
 use crate::diag::{Diagnostic, Severity};
 use crate::document::{Look, NamedAov, Target};
@@ -426,15 +426,16 @@ impl TypedGraph {
         let stack = self.stack();
         let known = self.lights_by_node();
         let mut bent = Vec::new();
-        let mut shares = |id: &StepId, lights: &BTreeSet<LightId>, part: &dyn Fn() -> Parting| {
-            if lights.len() < 2 {
-                return Vec::new();
-            }
-            let parting = part();
-            bent.extend(parting.bent.iter().map(|sum| self.bent_lights(sum)));
-            let share = |(lights, _)| StepId { share: Some(lights), ..id.clone() };
-            parting.by_lights().into_iter().map(share).collect()
-        };
+        let mut shares =
+            |id: &StepId, lights: &BTreeSet<LightId>, part: &dyn Fn() -> LightShares| {
+                if lights.len() < 2 {
+                    return Vec::new();
+                }
+                let parting = part();
+                bent.extend(parting.bent.iter().map(|sum| self.bent_lights(sum)));
+                let share = |(lights, _)| StepId { share: Some(lights), ..id.clone() };
+                parting.by_lights().into_iter().map(share).collect()
+            };
         let mut parts = Vec::with_capacity(stack.steps.len() + 1);
         for &(index, below) in &stack.steps {
             let (id, lights) = (self.step_id(index), self.lights_of(index, Some(below)));

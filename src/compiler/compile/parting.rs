@@ -27,7 +27,7 @@ pub(super) enum CutRule {
     Sum,
     /// All to the greater one, channel by channel.
     Greatest,
-    /// What a layer leaves of those below it.
+    /// Remainder that a layer leaves of those below it.
     Over,
     /// By weights: the input and the output that count them.
     Mean(&'static str, &'static str),
@@ -107,7 +107,7 @@ const PROPORTIONAL: [(&str, &[&str]); 6] = [
 /// Cut of a share in two. The parts of the first cut are the shares 1 and 2, those of the next one
 /// 3 and 4, and so on.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Cut {
+pub(super) struct ShareCut {
     /// Share that is cut; 0 is the whole.
     pub(super) share: usize,
     /// The node that brings the lights together.
@@ -134,9 +134,9 @@ pub(super) struct BentSum {
 
 /// Shares of a step among lights.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Parting {
+pub(super) struct LightShares {
     /// The cuts, each after the one that made its share.
-    pub(super) cuts: Vec<Cut>,
+    pub(super) cuts: Vec<ShareCut>,
     /// Shares that are cut no further, with their lights: one, none, or all that cannot be parted.
     pub(super) ends: Vec<(usize, BTreeSet<LightId>)>,
     /// Sums that were not cut.
@@ -152,7 +152,7 @@ struct Lead {
 }
 
 /// A share on its way up.
-struct Way {
+struct SharePath {
     share: usize,
     /// The node whose inputs are gone into.
     at: usize,
@@ -200,7 +200,12 @@ impl TypedGraph {
     }
 
     /// Parts a step among lights by its inputs but the one for what is below.
-    pub(super) fn part_step(&self, lights: &LightsByNode, index: usize, below: usize) -> Parting {
+    pub(super) fn part_step(
+        &self,
+        lights: &LightsByNode,
+        index: usize,
+        below: usize,
+    ) -> LightShares {
         let leads = self.leads(index).filter(|lead| lead.into != Some((index, below))).collect();
         let mut parting = self.part(lights, index, leads);
         // The step itself is no part of what bends.
@@ -211,7 +216,7 @@ impl TypedGraph {
     }
 
     /// Parts an output of a node among lights.
-    pub(super) fn part_output(&self, lights: &LightsByNode, source: (usize, usize)) -> Parting {
+    pub(super) fn part_output(&self, lights: &LightsByNode, source: (usize, usize)) -> LightShares {
         self.part(lights, source.0, vec![Lead { source, into: None }])
     }
 
@@ -222,11 +227,17 @@ impl TypedGraph {
         })
     }
 
-    fn part(&self, lights: &LightsByNode, at: usize, leads: Vec<Lead>) -> Parting {
-        let mut parting = Parting::default();
+    fn part(&self, lights: &LightsByNode, at: usize, leads: Vec<Lead>) -> LightShares {
+        let mut parting = LightShares::default();
         let mut visits = 0;
-        let whole =
-            Way { share: 0, at, leads, bent: None, chain: Some(Vec::new()), chain_to_bent: 0 };
+        let whole = SharePath {
+            share: 0,
+            at,
+            leads,
+            bent: None,
+            chain: Some(Vec::new()),
+            chain_to_bent: 0,
+        };
         let mut open = vec![whole];
         while let Some(mut way) = open.pop() {
             visits += 1;
@@ -258,8 +269,8 @@ impl TypedGraph {
         &self,
         lights: &LightsByNode,
         (index, output): (usize, usize),
-        mut way: Way,
-        (parting, open): (&mut Parting, &mut Vec<Way>),
+        mut way: SharePath,
+        (parting, open): (&mut LightShares, &mut Vec<SharePath>),
         all: BTreeSet<LightId>,
     ) {
         way.at = index;
@@ -274,7 +285,10 @@ impl TypedGraph {
             let source = self.wire(index, input)?;
             Some(Lead { source, into: Some((index, input)) })
         };
-        let of_second = |share: usize, way: &Way, parting: &mut Parting, open: &mut Vec<Way>| {
+        let of_second = |share: usize,
+                         way: &SharePath,
+                         parting: &mut LightShares,
+                         open: &mut Vec<SharePath>| {
             let lead = lead(second);
             let mut known: BTreeSet<LightId> =
                 lead.map(|lead| (*lights[lead.source.0]).clone()).unwrap_or_default();
@@ -284,7 +298,7 @@ impl TypedGraph {
                 parting.ends.push((share, known));
             } else {
                 let leads = lead.into_iter().collect();
-                open.push(Way { share, leads, ..way.after_cut(index) });
+                open.push(SharePath { share, leads, ..way.after_cut(index) });
             }
         };
         let Some(before) = lead(first) else {
@@ -315,7 +329,7 @@ impl TypedGraph {
             return;
         }
         let place = parting.cut(way.share, (index, output), first, row.rule);
-        open.push(Way { share: place, leads: vec![before], ..way.after_cut(index) });
+        open.push(SharePath { share: place, leads: vec![before], ..way.after_cut(index) });
         of_second(place + 1, &way, parting, open);
     }
 
@@ -347,7 +361,12 @@ impl TypedGraph {
     }
 
     /// The one output that all ways of a share lead to; `None` where there are several.
-    fn only_lead(&self, lights: &LightsByNode, way: &mut Way, visits: &mut usize) -> Option<Lead> {
+    fn only_lead(
+        &self,
+        lights: &LightsByNode,
+        way: &mut SharePath,
+        visits: &mut usize,
+    ) -> Option<Lead> {
         let first = *way.leads.first()?;
         if way.leads.iter().all(|lead| lead.source == first.source) {
             if way.leads.len() > 1 {
@@ -390,7 +409,7 @@ impl TypedGraph {
     }
 }
 
-impl Parting {
+impl LightShares {
     /// Cuts a share; returns the first of its two parts.
     fn cut(
         &mut self,
@@ -399,11 +418,11 @@ impl Parting {
         first: usize,
         rule: CutRule,
     ) -> usize {
-        self.cuts.push(Cut { share, node, output, first, rule });
+        self.cuts.push(ShareCut { share, node, output, first, rule });
         2 * self.cuts.len() - 1
     }
 
-    fn refuse(&mut self, way: Way, lights: BTreeSet<LightId>) {
+    fn refuse(&mut self, way: SharePath, lights: BTreeSet<LightId>) {
         let (node, value) = way.bent.unwrap_or((way.at, None));
         let chain = way.chain.filter(|_| value.is_some()).map(|mut chain| {
             chain.truncate(way.chain_to_bent);
@@ -430,7 +449,7 @@ impl Parting {
     }
 }
 
-impl Way {
+impl SharePath {
     /// Notes a node that the way goes through by one of its inputs.
     fn walk(&mut self, graph: &TypedGraph, (index, input): (usize, usize), source: (usize, usize)) {
         if let Some(chain) = &mut self.chain {

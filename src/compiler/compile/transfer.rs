@@ -18,7 +18,7 @@ const CHANGE: f64 = 1e-6;
 /// Differences of channels that one another's values leave.
 const CROSSING: f64 = 1e-5;
 
-/// What nodes after one another make of one value, with all their other inputs fixed. Where the
+/// Result of nodes after one another for one value, with all their other inputs fixed. Where the
 /// value is a color, each channel comes of that channel alone.
 #[derive(Clone, Debug)]
 pub struct Transfer {
@@ -101,7 +101,7 @@ impl Transfer {
         Ok(false)
     }
 
-    /// What comes of a value; of a number all three are the same.
+    /// Result for a value; of a number all three are the same.
     fn at(&self, value: [f64; 3]) -> Result<[f64; 3], String> {
         let [r, g, b] = value;
         let mut value = match self.is_color {

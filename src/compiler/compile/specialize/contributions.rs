@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::{Argument, Builder, Function, ValueId};
 use crate::compile::aov::{Passage, Stack, StepId, TypedAovKind};
-use crate::compile::parting::{Cut, CutRule, Parting};
+use crate::compile::parting::{CutRule, LightShares, ShareCut};
 use crate::interp;
 use crate::library::{Library, Type};
 
@@ -187,7 +187,7 @@ impl Builder<'_> {
     }
 
     /// The value of each share of a step, as `vec3f`.
-    fn shares(&mut self, index: usize, parting: &Parting) -> Vec<ValueId> {
+    fn shares(&mut self, index: usize, parting: &LightShares) -> Vec<ValueId> {
         let ones = interp::Value::vec(&[1.0; 3]);
         let mut shares = vec![self.constant(index, Type::Vec3, ones)];
         for cut in &parting.cuts {
@@ -204,7 +204,7 @@ impl Builder<'_> {
     }
 
     /// The first part of a share that a node cuts.
-    fn first_of_cut(&mut self, cut: &Cut, share: ValueId) -> Option<ValueId> {
+    fn first_of_cut(&mut self, cut: &ShareCut, share: ValueId) -> Option<ValueId> {
         let (graph, at) = (self.graph, cut.node);
         let node = &graph.nodes[at];
         let inputs = self.inputs(at, node);
