@@ -16,8 +16,8 @@ use crate::values;
 use crate::widgets::handle::{focus_ring, handle};
 use crate::widgets::theme;
 
-/// Height of an opened track, in points.
-pub(super) const HEIGHT: f32 = 150.0;
+/// Least and greatest height of an opened track, in points.
+pub(super) const HEIGHTS: std::ops::RangeInclusive<f32> = 100.0..=240.0;
 /// Space above and below the curves, in points.
 const MARGIN: f32 = 16.0;
 /// Height of the bar of colors, in points.

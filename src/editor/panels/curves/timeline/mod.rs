@@ -86,6 +86,8 @@ pub(crate) struct Timeline {
     /// Place of the panel, and the height of the row of selected keys, in points, as last shown.
     panel: Option<Rect>,
     bar_height: f32,
+    /// Height of opened tracks, in points: as much as there is place.
+    curve_height: f32,
     /// Seconds by which arrow keys move the selected keys in this frame.
     steps: Option<f64>,
     /// True if the selected keys are deleted in this frame.
@@ -108,6 +110,7 @@ impl Default for Timeline {
             sheet: KeySheet::default(),
             panel: None,
             bar_height: 0.0,
+            curve_height: *graph::HEIGHTS.start(),
             steps: None,
             is_deleting: false,
             went: None,
@@ -193,6 +196,7 @@ impl Timeline {
         } else {
             // The row of the selected keys is below, so that no key moves as it is pressed.
             let height = (ui.available_height() - self.bar_height).max(ROW);
+            self.curve_height = height.clamp(*graph::HEIGHTS.start(), *graph::HEIGHTS.end());
             let tracks = ScrollArea::vertical().auto_shrink([false, false]).max_height(height);
             tracks.show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 2.0;
@@ -207,7 +211,8 @@ impl Timeline {
         let rows = Rect::from_min_max(pos2(lane.left(), top), pos2(lane.right(), bottom));
         key_bar::show(self, ui, session, &mut commands);
         let bar_height = ui.cursor().top() - bottom;
-        if bar_height != self.bar_height {
+        // Its greatest height stays, so that curves keep theirs while keys are chosen.
+        if bar_height > self.bar_height {
             self.bar_height = bar_height;
             ui.ctx().request_repaint();
         }

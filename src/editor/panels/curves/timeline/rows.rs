@@ -49,7 +49,7 @@ pub(super) fn show(
     let track = &owned.look().time_keys[index];
     let place = (owned.owner, track.target.clone());
     let is_open = timeline.sheet.open.contains(&place) && graph::has_curves(track);
-    let height = if is_open { graph::HEIGHT } else { ROW };
+    let height = if is_open { timeline.curve_height } else { ROW };
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     if !ui.is_rect_visible(rect) {
         return;
