@@ -184,6 +184,8 @@ mod tests {
             target: "lights.key.intensity".to_owned(),
             value: Some(Value::Number(intensity)),
             keys: Vec::new(),
+            before: Default::default(),
+            after: Default::default(),
             step: 1,
             unknown: Default::default(),
         })
