@@ -7,8 +7,8 @@ use std::path::Path;
 use crate::editor_support::{User, close};
 use chiaro::catalog::values::number_text;
 use chiaro::document::{
-    DirectionKey, DirectionKeys, Driver, Edit, ExposedValue, GraphId, Interpolation, KeyDirection,
-    Target, Value,
+    DirectionKey, DirectionKeys, Driver, Edit, ExposedValue, GraphId, KeyDirection, Target,
+    TimeInterpolation, Value,
 };
 use chiaro::editor::App;
 use eframe::egui::{Key, Pos2, Role, pos2, vec2};
@@ -465,8 +465,9 @@ fn a_value_is_keyed_in_time_and_played() {
     hand.drag(second, second + vec2(40.0, 0.0));
     hand.settle();
     assert!(keys(&hand)[1].time > time);
+    click(&mut hand, "Interpolation");
     click(&mut hand, "Stepped");
-    assert_eq!(keys(&hand)[1].interpolation, Interpolation::Stepped);
+    assert_eq!(keys(&hand)[1].interpolation, TimeInterpolation::Stepped);
     // The timeline plays, and only then asks for frames.
     assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
     click(&mut hand, "Play");

@@ -34,5 +34,6 @@ mod shots;
 mod stack;
 mod stack_shots;
 mod start;
+mod timeline;
 mod viewport;
 mod window;

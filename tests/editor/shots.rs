@@ -282,32 +282,26 @@ fn keys_shots() {
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn timeline_shots() {
-    use chiaro::document::{Edit, Interpolation, Target, TimeKey, TimeKeys, Value};
+    use chiaro::document::{Edit, Target, TimeInterpolation, TimeKey, TimeKeys, Value};
     let mut hand = window();
     hand.app_mut().open(Path::new("examples/looks/figure6-comics.json"));
     hand.settle();
     let nodes: Vec<_> =
         hand.look().graph.nodes.iter().filter(|(_, node)| node.kind == "light_layer").collect();
     let id = nodes[0].0.clone();
-    let track = |port: &str, keys: Vec<(f64, Value, Interpolation)>| Edit::AddTimeKeys {
+    let track = |port: &str, keys: Vec<(f64, Value, TimeInterpolation)>| Edit::AddTimeKeys {
         keys: TimeKeys {
-            target: Target::parse(&format!("{id}.{port}")).unwrap(),
             keys: keys
                 .into_iter()
-                .map(|(time, value, interpolation)| TimeKey {
-                    time,
-                    value,
-                    interpolation,
-                    unknown: Default::default(),
-                })
+                .map(|(time, value, interpolation)| TimeKey::new(time, value, interpolation))
                 .collect(),
-            unknown: Default::default(),
+            ..TimeKeys::new(Target::parse(&format!("{id}.{port}")).unwrap())
         },
         index: None,
     };
     let color = |r, g, b| Value::Vector(vec![r, g, b]);
     let (smooth, stepped, linear) =
-        (Interpolation::Smooth, Interpolation::Stepped, Interpolation::Linear);
+        (TimeInterpolation::Bezier, TimeInterpolation::Stepped, TimeInterpolation::Linear);
     for edit in [
         track(
             "cutoff",

@@ -16,7 +16,9 @@ use crate::support::random::Random;
 use crate::support::validators::{say, tools_are_required};
 use crate::support::{files, root};
 use chiaro::compile::{CompileOptions, CompiledShader, HostInputs, Live, compile};
-use chiaro::document::{Camera, Look, Target, Tier, Value, Values};
+use chiaro::document::{
+    Camera, Extrapolation, Look, Target, Tier, TimeInterpolation, TimeKey, TimeKeys, Value, Values,
+};
 use chiaro::export::ExportOptions;
 use chiaro::export::package::{PackageScene, export_package, package};
 use chiaro::files::Disk;
@@ -204,7 +206,65 @@ struct Case {
 fn cases(first_live: usize, written: fn(&Look, &str, &Path) -> String) -> Vec<Case> {
     // An export carries no rays.
     let is_live = |index: usize| index % 2 == first_live;
-    cases_in(Tier::Balanced, is_live, |look, name, folder| Some(written(look, name, folder)))
+    let mut cases =
+        cases_in(Tier::Balanced, is_live, |look, name, folder| Some(written(look, name, folder)));
+    cases.push(moving_case(written));
+    cases
+}
+
+/// A look of ten lights whose directions, colors and intensities go from key to key, and on beyond
+/// their keys, in every way that there is.
+fn moving_case(written: fn(&Look, &str, &Path) -> String) -> Case {
+    use Extrapolation::{Cycle, CycleOffset, Hold, Linear, Mirror};
+    use TimeInterpolation::{Bezier, Linear as Even, Smooth, Stepped};
+    let mut random = Random::new(25);
+    let path = root().join("examples/looks/lights-apart.json");
+    let mut look = Look::load(&Disk, &path).value.expect("an example opens");
+    look.set_every_tier(Tier::Balanced);
+    let ids: Vec<_> = look.lights.keys().cloned().collect();
+    for (number, light) in ids.into_iter().enumerate() {
+        for (field, width) in [("direction", 3), ("color", 3), ("intensity", 1)] {
+            let ways = [Bezier, Even, Bezier, Smooth, Stepped];
+            let mut time = random.between(-0.5, 0.5);
+            let mut key = |index: usize| {
+                time += random.between(0.2, 1.5);
+                let numbers: Vec<f64> = (0..width).map(|_| random.between(0.1, 1.0)).collect();
+                let value = match numbers.as_slice() {
+                    [number] => Value::Number(*number),
+                    _ => Value::Vector(numbers),
+                };
+                let mut key = TimeKey::new(time, value, ways[(number + index) % ways.len()]);
+                if random.chance(0.5) {
+                    let way = |way: f64, random: &mut Random| {
+                        [way * random.between(0.0, 1.0), random.between(-0.3, 0.3)]
+                    };
+                    key.incoming = (0..width).map(|_| way(-1.0, &mut random)).collect();
+                    key.outgoing = (0..width).map(|_| way(1.0, &mut random)).collect();
+                }
+                key
+            };
+            let keys = (0..4).map(&mut key).collect();
+            let ends = [Hold, Linear, Cycle, CycleOffset, Mirror];
+            look.time_keys.push(TimeKeys {
+                before: ends[(number + width) % ends.len()],
+                after: ends[number % ends.len()],
+                keys,
+                ..TimeKeys::new(Target::Light { light: light.clone(), field: field.to_owned() })
+            });
+        }
+    }
+    let options = CompileOptions { live: Live::Exposed, ..CompileOptions::default() };
+    let shader = compile(&look, Library::built_in(), &options).expect("an example").value;
+    let states: Vec<State> = (0..40)
+        .map(|_| State { time: random.between(-6.0, 9.0), ..State::random(&look, &mut random) })
+        .collect();
+    let name = "lights-moving".to_owned();
+    Case {
+        script: written(&look, &name, path.parent().expect("a folder")),
+        name,
+        wanted: states.iter().map(|state| state.uniform(&look, &shader)).collect(),
+        states: states.iter().map(State::json).collect(),
+    }
 }
 
 /// The examples in a tier of which something is written; those that `is_live` names by their

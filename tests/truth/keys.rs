@@ -266,6 +266,8 @@ fn keys_over_time() {
         ("linear", (|t| t) as fn(f64) -> f64),
         ("smooth", ease as fn(f64) -> f64),
         ("stepped", |_| 0.0),
+        // Automatic handles are flat at ends and turning points, as eased keys are.
+        ("bezier", ease),
     ] {
         let key =
             |time: f64, value: f64| json!({"time": time, "value": value, "interpolation": word});

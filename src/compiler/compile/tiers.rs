@@ -19,7 +19,7 @@ use super::flatten::{ParamId, TierReason};
 use super::host::conversion_program;
 use super::intervals;
 use super::value::typed_value;
-use crate::document::{ColorSpace, Look, MAX_ERROR, Target, Tier, Value, linear_to_srgb};
+use crate::document::{ColorSpace, Look, MAX_ERROR, Target, Tier, TimeKey, Value, linear_to_srgb};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::interp::{self, Bindings, BoundProgram, LANES, Lanes, Precision, Program};
 use crate::library::{
@@ -127,7 +127,7 @@ fn spread(graph: &TypedGraph, look: &Look) -> HashMap<ParamId, Vec<Value>> {
         });
     }
     for track in &look.time_keys {
-        add(&track.target, &mut |_| track.keys.iter().map(|key| key.value.clone()).collect());
+        add(&track.target, &mut |_| track.keys.iter().flat_map(reached).collect());
     }
     for key in look.direction_keys.iter().flat_map(|set| &set.keys) {
         for (target, value) in &key.values {
@@ -135,6 +135,16 @@ fn spread(graph: &TypedGraph, look: &Look) -> HashMap<ParamId, Vec<Value>> {
         }
     }
     spread
+}
+
+/// Values of a key and of the ends of its handles, between which the curve stays.
+fn reached(key: &TimeKey) -> Vec<Value> {
+    let mut values = vec![key.value.clone()];
+    if let Value::Number(own) = key.value {
+        let handles = key.incoming.iter().chain(&key.outgoing);
+        values.extend(handles.map(|[_, value]| Value::Number(own + value)));
+    }
+    values
 }
 
 /// Greatest difference from the exact tier that is stated of a node in the tier that it has, or of

@@ -7,7 +7,8 @@ use super::described::{AUTOMATIC_OR_TIER, described};
 use super::light::{Light, LightField, NodeLinks};
 use super::set::LightSet;
 use super::shape::{F32, FAR, FORMAT, FieldKind, LINE, LONG, MAX_NODES, MAX_WIRES, NumberBounds};
-use super::value::{Interpolation, Value, Values};
+use super::timing::{MAX_MARKERS, Marker, TimeKeys};
+use super::value::{Value, Values};
 use super::word::WordChoice as _;
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NodePath, NoteId, ObjectId, PortName};
 
@@ -69,6 +70,9 @@ described! {
         /// Values that change with time.
         time_keys: Vec<TimeKeys> = Vec::new(),
             FieldKind::List(&FieldKind::Object(TimeKeys::shape), 10_000);
+        /// Times with a name.
+        markers: Vec<Marker> = Vec::new(),
+            FieldKind::List(&FieldKind::Object(Marker::shape), MAX_MARKERS);
         unknown;
     }
 }
@@ -562,31 +566,6 @@ described! {
         "at": FieldKind::Numbers(1, 3, FAR), words "required, if drivers decide";
         /// The values there, by target; what is left out has the look's own value.
         values: IndexMap<Target, Value> = IndexMap::new(), FieldKind::TargetValues, by TargetValues;
-        unknown;
-    }
-}
-
-described! {
-    /// The values of one target over time.
-    pub struct TimeKeys("time keys", Lines) {
-        /// Value that changes.
-        target: Target, FieldKind::Target, required;
-        /// The keys, in increasing time.
-        keys: Vec<TimeKey> = Vec::new(),
-            FieldKind::List(&FieldKind::Object(TimeKey::shape), 100_000);
-        unknown;
-    }
-}
-
-described! {
-    /// A value at one time.
-    pub struct TimeKey("time key", Line) {
-        /// Time, in seconds.
-        time: f64, FieldKind::Number(FAR), required;
-        /// The value then.
-        value: Value, FieldKind::Value, required;
-        /// Interpolation between neighbors; for a time key, on to the next.
-        interpolation: Interpolation = Interpolation::Linear, FieldKind::Word(Interpolation::WORDS);
         unknown;
     }
 }

@@ -29,6 +29,7 @@ mod source;
 mod storage;
 mod structure;
 mod text;
+mod timing;
 mod value;
 mod word;
 mod write;
@@ -64,6 +65,9 @@ pub use source::{LoadedDocument, SourceMap};
 pub use storage::Storage;
 pub use structure::{GraphId, InnerNode};
 pub use text::read_text;
+pub use timing::{
+    Extrapolation, HandlePair, Marker, ShotMarker, TimeInterpolation, TimeKey, TimeKeys, TrackEnds,
+};
 pub use value::*;
 
 /// Version of the format that this Chiaro writes, and the newest that it reads.

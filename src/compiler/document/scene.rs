@@ -5,9 +5,10 @@ use serde::{Deserialize, Serialize};
 
 use super::described::described;
 use super::light::{GroupMaster, LayerLink, Light, LightLink, ShadowLink};
-use super::look::{DirectionKeys, Look, TimeKeys};
+use super::look::{DirectionKeys, Look};
 use super::set::{LightSet, ObjectSet};
 use super::shape::{FAR, FORMAT, FieldKind, LINE, LONG, MAX_PATH, NumberBounds};
+use super::timing::{MAX_MARKERS, Marker, TimeKeys};
 use super::value::Values;
 use super::word::WordChoice as _;
 use crate::ids::{LightGroup, LightId, ObjectId};
@@ -48,6 +49,9 @@ described! {
         /// Values of the scene's lights that change with time.
         time_keys: Vec<TimeKeys> = Vec::new(),
             FieldKind::List(&FieldKind::Object(TimeKeys::shape), 10_000);
+        /// Times with a name.
+        markers: Vec<Marker> = Vec::new(),
+            FieldKind::List(&FieldKind::Object(Marker::shape), MAX_MARKERS);
         /// The rotation of the illumination frame: world from illumination frame.
         illumination: [f64; 4] = [0.0, 0.0, 0.0, 1.0], FieldKind::Rotation;
         /// Camera of the picture.

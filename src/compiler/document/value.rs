@@ -37,7 +37,7 @@ described! {
         /// `[x, y]` pairs in increasing x; at least one.
         points: Vec<[f64; 2]> = Vec::new(),
             FieldKind::List(&FieldKind::Numbers(2, 2, F32), Curve::MAX_POINTS), required;
-        /// Interpolation between neighbors; for a time key, on to the next.
+        /// Interpolation between neighbors.
         #[serde(default)]
         interpolation: Interpolation = Interpolation::Linear, FieldKind::Word(Interpolation::WORDS);
     }
@@ -54,7 +54,7 @@ described! {
         /// In increasing `at`; at least one.
         stops: Vec<RampStop> = Vec::new(),
             FieldKind::List(&FieldKind::Object(RampStop::shape), Ramp::MAX_STOPS), required;
-        /// Interpolation between neighbors; for a time key, on to the next.
+        /// Interpolation between neighbors.
         #[serde(default)]
         interpolation: Interpolation = Interpolation::Linear, FieldKind::Word(Interpolation::WORDS);
     }
@@ -75,7 +75,7 @@ described! {
     }
 }
 
-/// Interpolation between neighboring points of a curve, a ramp or a time track.
+/// Interpolation between neighboring points of a curve or a ramp.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Interpolation {

@@ -2,7 +2,10 @@
 
 use super::hcbtf::relief::Channel;
 use super::hcbtf::{Angle, StrokeShape};
-use super::{ColorSpace, Interpolation, KeyScheme, LightKind, LightSpace, Projection, Tier};
+use super::{
+    ColorSpace, Extrapolation, HandlePair, Interpolation, KeyScheme, LightKind, LightSpace,
+    Projection, Tier, TimeInterpolation,
+};
 
 /// Choice that is written as a word.
 pub(super) trait WordChoice: Sized + Copy + PartialEq + 'static {
@@ -70,6 +73,23 @@ words!(Interpolation {
     Smooth "smooth" "smooth, without overshoot (monotone cubic)",
     Stepped "stepped" "each value holds until the next",
 });
+words!(TimeInterpolation {
+    Linear "linear" "evenly",
+    Smooth "smooth" "slow at both keys",
+    Stepped "stepped" "the value holds until the next key",
+    Bezier "bezier" "a cubic by the [handles](#handles) of both keys",
+});
+words!(Extrapolation {
+    Hold "hold" "the key's value",
+    Linear "linear" "on with the curve's slope at the key",
+    Cycle "cycle" "all keys again",
+    CycleOffset "cycle_offset" "all keys again, each time from the value that was reached",
+    Mirror "mirror" "all keys to and fro",
+});
+words!(HandlePair {
+    Aligned "aligned" "one turns with the other",
+    Free "free" "each is moved by itself",
+});
 words!(Projection {
     Perspective "perspective" "lines meet at the eye",
     Orthographic "orthographic" "parallel lines stay parallel",
@@ -130,6 +150,9 @@ mod tests {
         agree_with_serde::<LightSpace>();
         agree_with_serde::<KeyScheme>();
         agree_with_serde::<Interpolation>();
+        agree_with_serde::<TimeInterpolation>();
+        agree_with_serde::<Extrapolation>();
+        agree_with_serde::<HandlePair>();
         agree_with_serde::<Projection>();
         agree_with_serde::<Angle>();
         agree_with_serde::<StrokeShape>();

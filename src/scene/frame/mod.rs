@@ -65,8 +65,8 @@ pub use executor::{Executor, LayersFuture, PictureFuture};
 pub use handover::stack_of;
 pub use handover::{MAX_DEPTH, SHORTEN, too_deep};
 pub use keys::{
-    KeyedValues, ObjectValues, ParamTable, Rig, RigInputs, SceneRig, Wires, at_time, driver_value,
-    is_direction, light_field, set_light_field, structural_look,
+    BezierSpan, KeyedValues, ObjectValues, ParamTable, Rig, RigInputs, SceneRig, Track, Wires,
+    driver_value, is_direction, light_field, set_light_field, structural_look,
 };
 pub use links::{LayerReach, LightReach, ShadowReach};
 pub use mattes::MattePart;

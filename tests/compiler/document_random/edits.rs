@@ -139,6 +139,7 @@ impl Random {
             7 => Some(Edit::SetDirectionKeys { index, keys: self.direction_keys(look) }),
             8 => Some(Edit::RemoveDirectionKeys { index }),
             9 => self.time_keys(look).map(|keys| Edit::AddTimeKeys { keys, index: None }),
+            13 => Some(Edit::SetMarkers { markers: self.markers() }),
             11 => Some(Edit::SetLookTier { tier: self.look().tier }),
             12 => Some(Edit::SetMaxError { max_error: self.below(256) as f64 / 255.0 }),
             10 => self.time_keys(look).map(|keys| Edit::SetTimeKeys { index, keys }),
@@ -242,6 +243,7 @@ proptest! {
                 11 => SceneEdit::RemoveLight { id: random.slug().into() },
                 12 => SceneEdit::SetSoloedLights { soloed: random.light_set() },
                 13 => SceneEdit::SetOutlines { outlines: random.outlines() },
+                14 => SceneEdit::SetMarkers { markers: random.markers() },
                 _ => SceneEdit::Group {
                     edits: vec![
                         SceneEdit::SetSceneName { name: "a".into() }, SceneEdit::RemoveObject { id }

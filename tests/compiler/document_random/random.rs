@@ -2,11 +2,12 @@
 
 use chiaro_compiler::document::{
     Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint,
-    ExposedValue, FileCamera, Frame, Graph, GroupMaster, InterfacePort, Interpolation,
-    KeyDirection, KeyScheme, LayerLink, Light, LightField, LightKind, LightQuantity, LightSet,
-    LightSpace, Look, MeshAnimation, Node, NodeLinks, Note, Object, ObjectSet, Override,
-    Projection, Ramp, RampStop, Scene, SceneOutlines, Shot, ShotKey, Target, Tier, TimeKey,
-    TimeKeys, TimeRange, Transform, UnknownFields, Value, Values, Wire,
+    ExposedValue, Extrapolation, FileCamera, Frame, Graph, GroupMaster, HandlePair, InterfacePort,
+    Interpolation, KeyDirection, KeyScheme, LayerLink, Light, LightField, LightKind, LightQuantity,
+    LightSet, LightSpace, Look, Marker, MeshAnimation, Node, NodeLinks, Note, Object, ObjectSet,
+    Override, Projection, Ramp, RampStop, Scene, SceneOutlines, Shot, ShotKey, ShotMarker, Target,
+    Tier, TimeInterpolation, TimeKey, TimeKeys, TimeRange, Transform, UnknownFields, Value, Values,
+    Wire,
 };
 use chiaro_language::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
@@ -158,6 +159,26 @@ impl Random {
 
     fn interpolation(&mut self) -> Interpolation {
         self.choose(&[Interpolation::Linear, Interpolation::Smooth, Interpolation::Stepped])
+    }
+
+    fn time_interpolation(&mut self) -> TimeInterpolation {
+        use TimeInterpolation::{Bezier, Linear, Smooth, Stepped};
+        self.choose(&[Linear, Smooth, Stepped, Bezier])
+    }
+
+    fn extrapolation(&mut self) -> Extrapolation {
+        use Extrapolation::{Cycle, CycleOffset, Hold, Linear, Mirror};
+        self.choose(&[Hold, Linear, Cycle, CycleOffset, Mirror])
+    }
+
+    fn handles(&mut self) -> Vec<[f64; 2]> {
+        (0..self.below(4)).map(|_| self.numbers(1e3)).collect()
+    }
+
+    pub(crate) fn markers(&mut self) -> Vec<Marker> {
+        let marker =
+            |r: &mut Self| Marker { time: r.number(1e6), name: r.text(), unknown: r.unknown() };
+        (0..self.below(3)).map(|_| marker(self)).collect()
     }
 
     pub(crate) fn value(&mut self) -> Value {
@@ -413,16 +434,30 @@ impl Random {
         let key = |r: &mut Self, time| TimeKey {
             time,
             value: r.value(),
-            interpolation: r.interpolation(),
+            interpolation: r.time_interpolation(),
+            incoming: r.handles(),
+            outgoing: r.handles(),
+            handles: r.choose(&[HandlePair::Aligned, HandlePair::Free]),
             unknown: r.unknown(),
         };
         let keys = times.into_iter().map(|time| key(self, time)).collect();
-        Some(TimeKeys { target: self.target(look)?, keys, unknown: self.unknown() })
+        Some(TimeKeys {
+            target: self.target(look)?,
+            before: self.extrapolation(),
+            after: self.extrapolation(),
+            keys,
+            unknown: self.unknown(),
+        })
     }
 
     /// A valid look.
     pub(crate) fn look(&mut self) -> Look {
-        let mut look = Look { name: self.text(), unknown: self.unknown(), ..Look::default() };
+        let mut look = Look {
+            name: self.text(),
+            markers: self.markers(),
+            unknown: self.unknown(),
+            ..Look::default()
+        };
         look.color_space = self.choose(&[ColorSpace::Display, ColorSpace::Linear]);
         look.about = self.text();
         look.tuned = self.text();
@@ -590,6 +625,7 @@ impl Random {
             soloed: self.light_set(),
             direction_keys: Vec::new(),
             time_keys: Vec::new(),
+            markers: self.markers(),
             illumination: self.rotation(),
             camera: self.camera(),
             file_camera: self
@@ -625,7 +661,10 @@ impl Random {
             ShotKey {
                 frame,
                 value: self.value(),
-                interpolation: self.interpolation(),
+                interpolation: self.time_interpolation(),
+                incoming: self.handles(),
+                outgoing: self.handles(),
+                handles: self.choose(&[HandlePair::Aligned, HandlePair::Free]),
                 unknown: self.unknown(),
             }
         };
@@ -641,6 +680,8 @@ impl Random {
             target: address,
             value,
             step: if keys.is_empty() { 1 } else { 1 + self.below(4) as u32 },
+            before: self.extrapolation(),
+            after: self.extrapolation(),
             keys,
             unknown: self.unknown(),
         }
@@ -671,6 +712,13 @@ impl Random {
                 .then(|| [1 + self.below(4000) as u32, 1 + self.below(4000) as u32]),
             step: self.chance(4).then(|| 1 + self.below(4) as u32),
             camera,
+            markers: (0..self.below(3))
+                .map(|_| ShotMarker {
+                    frame: self.below(2000) as i32 - 1000,
+                    name: self.text(),
+                    unknown: self.unknown(),
+                })
+                .collect(),
             overrides,
             unknown,
         }

@@ -1,7 +1,7 @@
 //! A look that moves: an angle and a color over time, and a blend mode that switches at once;
 //! scrubbed, played, and drawn at three times by the program without a window.
 
-use chiaro::document::{Interpolation, Value};
+use chiaro::document::{TimeInterpolation, Value};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Rect, pos2};
 
@@ -72,7 +72,7 @@ fn a_look_is_animated_and_drawn_at_three_moments() {
         (&first.value, &second.value),
         (&Value::Text("add".into()), &Value::Text("multiply".into()))
     );
-    assert_eq!(first.interpolation, Interpolation::Stepped, "a word has nothing between");
+    assert_eq!(first.interpolation, TimeInterpolation::Stepped, "a word has nothing between");
     artist.save_under(&studio.path("moving.json"));
 
     // At three times the window's picture is the one drawn without a window.

@@ -9,8 +9,9 @@ use crate::document::read::reader::Reader;
 use crate::document::shape::{self, FieldKind};
 use crate::document::word::WordChoice as _;
 use crate::document::{
-    ColorSpace, Endpoint, Interpolation, KeyScheme, LightKind, LightSpace, MemberSet, Projection,
-    SetMember, Target, Tier, UnknownFields, Value,
+    ColorSpace, Endpoint, Extrapolation, HandlePair, Interpolation, KeyScheme, LightKind,
+    LightSpace, MemberSet, Projection, SetMember, Target, Tier, TimeInterpolation, UnknownFields,
+    Value,
 };
 use crate::ids::{LightGroup, NodeId, ObjectId, PortName};
 
@@ -219,13 +220,16 @@ words!(
     Angle,
     Channel,
     ColorSpace,
+    Extrapolation,
+    HandlePair,
     Interpolation,
     KeyScheme,
     LightKind,
     LightSpace,
     Projection,
     StrokeShape,
-    Tier
+    Tier,
+    TimeInterpolation
 );
 
 macro_rules! ids {

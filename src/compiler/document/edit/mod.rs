@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     Bookmark, ColorSpace, Definition, DirectionKeys, ExposedValue, Frame, GraphId, InterfacePort,
-    Light, LightSet, Look, Node, NodeLinks, Note, Tier, TimeKeys, Value, Wire,
+    Light, LightSet, Look, Marker, Node, NodeLinks, Note, Tier, TimeKeys, Value, Wire,
 };
 use crate::diag::Diagnostic;
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NoteId, PortName};
@@ -146,6 +146,8 @@ pub enum Edit {
     SetTimeKeys { index: usize, keys: TimeKeys },
     /// Removes the keys of a target.
     RemoveTimeKeys { index: usize },
+    /// Sets the times with names.
+    SetMarkers { markers: Vec<Marker> },
 }
 
 impl Edit {
@@ -201,6 +203,7 @@ impl Edit {
             Self::RemoveDirectionKeys { .. } | Self::RemoveTimeKeys { .. } => {
                 "remove keys".to_owned()
             }
+            Self::SetMarkers { .. } => "change markers".to_owned(),
         }
     }
 }
@@ -239,7 +242,8 @@ impl Editable for Look {
             ) => (g, i, p) == (graph, id, port),
             (Edit::SetLookName { .. }, Edit::SetLookName { .. })
             | (Edit::SetLookAbout { .. }, Edit::SetLookAbout { .. })
-            | (Edit::SetMaxError { .. }, Edit::SetMaxError { .. }) => true,
+            | (Edit::SetMaxError { .. }, Edit::SetMaxError { .. })
+            | (Edit::SetMarkers { .. }, Edit::SetMarkers { .. }) => true,
             (Edit::SetLight { id: i, .. }, Edit::SetLight { id, .. }) => i == id,
             (Edit::MoveNodes { graph: g, positions: p }, Edit::MoveNodes { graph, positions }) => {
                 g == graph

@@ -77,6 +77,9 @@ fn apply_keys(look: &mut Look, edit: Edit) -> EditResult<Edit> {
             let keys = std::mem::replace(at(&mut look.time_keys, index)?, keys);
             Ok(Edit::SetTimeKeys { index, keys })
         }
+        Edit::SetMarkers { markers } => {
+            Ok(Edit::SetMarkers { markers: std::mem::replace(&mut look.markers, markers) })
+        }
         Edit::RemoveTimeKeys { index } => {
             at(&mut look.time_keys, index)?;
             Ok(Edit::AddTimeKeys { keys: look.time_keys.remove(index), index: Some(index) })

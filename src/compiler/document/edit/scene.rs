@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::parts::{insert, remove_named};
 use super::{EditResult, Editable, all_or_none, missing, trial};
 use crate::document::{
-    Camera, DirectionKeys, GroupMaster, Light, LightSet, Object, Scene, SceneOutlines, Target,
-    TimeKeys, TimeRange,
+    Camera, DirectionKeys, GroupMaster, Light, LightSet, Marker, Object, Scene, SceneOutlines,
+    Target, TimeKeys, TimeRange,
 };
 use crate::ids::{LightGroup, LightId, ObjectId};
 
@@ -39,6 +39,8 @@ pub enum SceneEdit {
     RemoveLight { id: LightId },
     /// Sets the keys of the scene's lights.
     SetLightKeys { direction_keys: Vec<DirectionKeys>, time_keys: Vec<TimeKeys> },
+    /// Sets the times with names.
+    SetMarkers { markers: Vec<Marker> },
     /// Sets the master of a group of lights; `None` for none.
     SetMaster { group: LightGroup, master: Option<GroupMaster>, index: Option<usize> },
     /// Sets the lights that are out.
@@ -134,6 +136,9 @@ impl Editable for Scene {
                 direction_keys: replace(&mut self.direction_keys, direction_keys),
                 time_keys: replace(&mut self.time_keys, time_keys),
             },
+            SceneEdit::SetMarkers { markers } => {
+                SceneEdit::SetMarkers { markers: replace(&mut self.markers, markers) }
+            }
             SceneEdit::SetMaster { group, master, index } => {
                 let old = self.light_groups.shift_remove_full(&group);
                 let (at, old) = old.map(|(at, _, old)| (at, old)).unzip();
@@ -183,6 +188,7 @@ impl Editable for Scene {
             SceneEdit::SetLight { id, .. } => format!("change the light {id}"),
             SceneEdit::RemoveLight { id } => format!("remove the light {id}"),
             SceneEdit::SetLightKeys { .. } => "key the lights".to_owned(),
+            SceneEdit::SetMarkers { .. } => "change markers".to_owned(),
             SceneEdit::SetMaster { group, .. } => format!("mix the lights of {group}"),
             SceneEdit::SetMutedLights { .. } => "mute lights".to_owned(),
             SceneEdit::SetSoloedLights { .. } => "solo lights".to_owned(),
@@ -206,6 +212,7 @@ impl Editable for Scene {
                 a == b
             }
             (SceneEdit::SetLightKeys { .. }, SceneEdit::SetLightKeys { .. })
+            | (SceneEdit::SetMarkers { .. }, SceneEdit::SetMarkers { .. })
             | (SceneEdit::SetIllumination { .. }, SceneEdit::SetIllumination { .. })
             | (SceneEdit::SetCamera { .. }, SceneEdit::SetCamera { .. })
             | (SceneEdit::SetBackdrop { .. }, SceneEdit::SetBackdrop { .. })

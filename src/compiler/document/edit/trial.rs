@@ -76,6 +76,7 @@ pub(super) fn check(look: &Look, edit: &Edit) -> Check {
         }
         Edit::AddTimeKeys { keys, .. } => check_time_keys(look, keys, usize::MAX),
         Edit::SetTimeKeys { keys, index } => check_time_keys(look, keys, *index),
+        Edit::SetMarkers { markers } => readable_alone(|trial| trial.markers.clone_from(markers)),
         _ => Ok(()),
     }
 }
@@ -109,6 +110,7 @@ pub(super) fn check_scene(edit: &SceneEdit) -> Check {
                 look.time_keys.clone_from(time_keys);
             });
         }
+        SceneEdit::SetMarkers { markers } => trial.markers.clone_from(markers),
         SceneEdit::SetIllumination { rotation } => {
             let length = rotation.iter().map(|x| x * x).sum::<f64>().sqrt();
             let is_unit = (length - 1.0).abs() < 1e-6;

@@ -8,10 +8,14 @@
 mod place;
 
 use super::Camera;
+use super::UnknownFields;
 use super::described::described;
 use super::rate::FrameRate;
 use super::shape::{FieldKind, LINE, LONG, MAX_PATH, NumberBounds};
-use super::value::{Interpolation, Value};
+use super::timing::{
+    Extrapolation, HANDLES, HandlePair, MAX_MARKERS, ShotMarker, TimeInterpolation, TrackEnds,
+};
+use super::value::Value;
 use super::word::WordChoice as _;
 
 pub use place::{BlendKind, ValuePlace, json_of_value, keyed_target};
@@ -56,6 +60,9 @@ described! {
             words "that of the shot it changes, or else 1";
         /// Camera in place of that of what is changed.
         camera: Option<Camera> = None, FieldKind::Object(Camera::shape), words "none";
+        /// Frames with a name.
+        markers: Vec<ShotMarker> = Vec::new(),
+            FieldKind::List(&FieldKind::Object(ShotMarker::shape), MAX_MARKERS);
         /// Values that are changed.
         overrides: Vec<Override> = Vec::new(),
             FieldKind::List(&FieldKind::Object(Override::shape), 10_000);
@@ -73,6 +80,12 @@ described! {
         target: String = String::new(), FieldKind::Text(LINE), required;
         /// The value that stands in its place.
         value: Option<Value> = None, FieldKind::Value, words "required, unless `keys` are given";
+        /// Values before the first key.
+        #[serde(default, skip_serializing_if = "Extrapolation::is_hold")]
+        before: Extrapolation = Extrapolation::Hold, FieldKind::Word(Extrapolation::WORDS);
+        /// Values after the last key.
+        #[serde(default, skip_serializing_if = "Extrapolation::is_hold")]
+        after: Extrapolation = Extrapolation::Hold, FieldKind::Word(Extrapolation::WORDS);
         /// Values over frames, in increasing order.
         keys: Vec<ShotKey> = Vec::new(),
             FieldKind::List(&FieldKind::Object(ShotKey::shape), 100_000);
@@ -89,13 +102,44 @@ described! {
         frame: f64, FieldKind::Number(NumberBounds::new(-MAX_FRAME, MAX_FRAME)), required;
         /// The value then.
         value: Value, FieldKind::Value, required;
-        /// Interpolation between neighbors; for a time key, on to the next.
-        interpolation: Interpolation = Interpolation::Linear, FieldKind::Word(Interpolation::WORDS);
+        /// Interpolation to the next key.
+        interpolation: TimeInterpolation = TimeInterpolation::Linear,
+            FieldKind::Word(TimeInterpolation::WORDS);
+        /// The [handle](#handles) toward the key before, for each number of the value: frames, not
+        /// above 0, and an offset of the value.
+        #[serde(default, rename = "in", skip_serializing_if = "Vec::is_empty")]
+        incoming as "in": Vec<[f64; 2]> = Vec::new(), HANDLES, words "automatic";
+        /// The handle toward the next key: frames, not below 0, and an offset of the value.
+        #[serde(default, rename = "out", skip_serializing_if = "Vec::is_empty")]
+        outgoing as "out": Vec<[f64; 2]> = Vec::new(), HANDLES, words "automatic";
+        /// Handles in the timeline.
+        #[serde(default, skip_serializing_if = "HandlePair::is_aligned")]
+        handles: HandlePair = HandlePair::Aligned, FieldKind::Word(HandlePair::WORDS);
         unknown;
     }
 }
 
+impl ShotKey {
+    /// A key with automatic handles.
+    pub fn new(frame: f64, value: Value, interpolation: TimeInterpolation) -> Self {
+        Self {
+            frame,
+            value,
+            interpolation,
+            incoming: Vec::new(),
+            outgoing: Vec::new(),
+            handles: HandlePair::Aligned,
+            unknown: UnknownFields::new(),
+        }
+    }
+}
+
 impl Override {
+    /// Extrapolation beyond the keys.
+    pub fn ends(&self) -> TrackEnds {
+        TrackEnds { before: self.before, after: self.after }
+    }
+
     /// The value in words: the look that it is of, if any, and its place there.
     pub fn address(&self) -> String {
         value_address(self.look.as_deref(), &self.target)

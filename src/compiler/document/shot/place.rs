@@ -74,8 +74,8 @@ impl Scene {
     }
 
     /// Keys of a field of a light in place of those that the scene has.
-    pub fn key_light(&mut self, target: Target, keys: Vec<TimeKey>) {
-        key(&mut self.time_keys, target, keys);
+    pub fn key_light(&mut self, keys: TimeKeys) {
+        key(&mut self.time_keys, keys);
     }
 
     /// A scene of nothing but the part that an address leads into.
@@ -129,6 +129,7 @@ impl Scene {
                     light_groups: own.light_groups,
                     direction_keys: own.direction_keys,
                     time_keys: own.time_keys,
+                    markers: own.markers,
                     unknown: own.unknown,
                     ..part
                 };
@@ -176,7 +177,10 @@ impl Look {
                     self.time_keys.retain(|track| track.target != target);
                 }
                 // Within a group a value belongs to every use of the group; a key is for this one.
-                _ => self.key_value(target, vec![key_at_start(value)]),
+                _ => {
+                    let keys = vec![TimeKey::new(0.0, value.clone(), Default::default())];
+                    self.key_value(TimeKeys { keys, ..TimeKeys::new(target) });
+                }
             }
             return Ok(());
         }
@@ -209,8 +213,8 @@ impl Look {
     }
 
     /// Keys of an input or of a field of a light in place of those that the look has.
-    pub fn key_value(&mut self, target: Target, keys: Vec<TimeKey>) {
-        key(&mut self.time_keys, target, keys);
+    pub fn key_value(&mut self, keys: TimeKeys) {
+        key(&mut self.time_keys, keys);
     }
 
     /// The input that an address names, and the id of its node where that is one of the look's own
@@ -277,16 +281,10 @@ pub fn keyed_target(address: &str) -> Option<Target> {
     is_keyed.then_some(target)
 }
 
-/// A key of a value that holds at all times.
-fn key_at_start(value: &Value) -> TimeKey {
-    let unknown = Default::default();
-    TimeKey { time: 0.0, value: value.clone(), interpolation: Default::default(), unknown }
-}
-
-fn key(tracks: &mut Vec<TimeKeys>, target: Target, keys: Vec<TimeKey>) {
-    match tracks.iter_mut().find(|track| track.target == target) {
-        Some(track) => track.keys = keys,
-        None => tracks.push(TimeKeys { target, keys, unknown: Default::default() }),
+fn key(tracks: &mut Vec<TimeKeys>, keys: TimeKeys) {
+    match tracks.iter_mut().find(|track| track.target == keys.target) {
+        Some(track) => *track = TimeKeys { unknown: std::mem::take(&mut track.unknown), ..keys },
+        None => tracks.push(keys),
     }
 }
 

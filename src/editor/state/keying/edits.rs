@@ -5,7 +5,7 @@ use indexmap::IndexMap;
 use super::KeyedLook;
 use super::{KeyedBy, rounded, targets_of};
 use crate::document::{
-    DirectionKey, DirectionKeys, Edit, GraphId, Interpolation, KeyDirection, KeyScheme, Target,
+    DirectionKey, DirectionKeys, Edit, GraphId, KeyDirection, KeyScheme, Target, TimeInterpolation,
     TimeKey, TimeKeys, UnknownFields, Value,
 };
 use crate::frame::set_light_field;
@@ -113,8 +113,7 @@ impl KeyedLook<'_> {
         {
             return Some(self.set_in_time(track, self.view.time, value));
         }
-        let mut keys =
-            TimeKeys { target: target.clone(), keys: Vec::new(), unknown: UnknownFields::new() };
+        let mut keys = TimeKeys::new(target.clone());
         put(&mut keys, self.view.time, value);
         Some(self.grounded(Some(target), Edit::AddTimeKeys { keys, index: None }))
     }
@@ -217,7 +216,8 @@ fn put(keys: &mut TimeKeys, time: f64, value: Value) {
         .and_then(|i| keys.keys.get(i));
     let has_between =
         matches!(value, Value::Number(_) | Value::Vector(_)) || value.color().is_some();
-    let otherwise = if has_between { Interpolation::Smooth } else { Interpolation::Stepped };
+    let otherwise =
+        if has_between { TimeInterpolation::Bezier } else { TimeInterpolation::Stepped };
     let interpolation = before.map_or(otherwise, |key| key.interpolation);
-    keys.keys.insert(index, TimeKey { time, value, interpolation, unknown: UnknownFields::new() });
+    keys.keys.insert(index, TimeKey::new(time, value, interpolation));
 }

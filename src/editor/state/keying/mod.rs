@@ -7,6 +7,7 @@
 mod drivers;
 mod edits;
 mod follow;
+pub(crate) mod retime;
 mod scene;
 
 pub(crate) use drivers::said;
@@ -48,7 +49,7 @@ pub(crate) struct KeyEvaluation {
 }
 
 /// Document that a light, or a set of keys, belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) enum Owner {
     Look,
     Scene,

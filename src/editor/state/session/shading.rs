@@ -183,6 +183,7 @@ pub(super) fn is_layout(edit: &Edit) -> bool {
         | Edit::SetNote { .. }
         | Edit::RemoveNote { .. }
         | Edit::SetBookmarks { .. }
+        | Edit::SetMarkers { .. }
         | Edit::SetLookName { .. }
         | Edit::SetLookAbout { .. } => true,
         _ => false,

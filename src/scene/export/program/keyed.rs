@@ -12,9 +12,10 @@ use crate::compile::TypedGraph;
 use crate::diag::Diagnostic;
 use crate::directions::{KeyWeights, SolvedKernel, SolvedWeights, SumKernel, appendix_b_series};
 use crate::document::{
-    DirectionKeys, Driver, Interpolation, KeyDirection, KeyScheme, LightQuantity, Look, Target,
-    TimeKeys, Value,
+    DirectionKeys, Driver, Extrapolation, KeyDirection, KeyScheme, LightQuantity, Look, Target,
+    TimeInterpolation, TimeKey, TimeKeys, Value,
 };
+use crate::frame::{BezierSpan, Track};
 use crate::ids::ObjectId;
 
 /// Other objects whose distances drive keys, with their members of the surroundings.
@@ -54,6 +55,46 @@ impl Place<'_> {
         matches!(self, Self::Light(_, LightQuantity::Direction))
     }
 
+    /// Name of the place's type.
+    fn wgsl(&self) -> String {
+        match self {
+            Self::Parameter(setting) => setting.ty.wgsl().to_owned(),
+            Self::Light(_, quantity) => match quantity {
+                LightQuantity::Direction | LightQuantity::Position | LightQuantity::Color => {
+                    "vec3f".to_owned()
+                }
+                _ => "f32".to_owned(),
+            },
+        }
+    }
+
+    /// Count of numbers that the place holds, where there are values between two others.
+    fn width(&self) -> Option<usize> {
+        match self.wgsl().as_str() {
+            "f32" => Some(1),
+            "vec2f" => Some(2),
+            "vec3f" => Some(3),
+            "vec4f" => Some(4),
+            _ => None,
+        }
+    }
+
+    /// The type's constructor over as many expressions as the place has numbers; `None` where
+    /// their count is another. Colors of three numbers are opaque.
+    fn of_numbers(&self, numbers: &[String]) -> Option<String> {
+        let width = self.width()?;
+        let numbers = match (numbers.len(), width) {
+            (3, 4) => [numbers, &["1.0".to_owned()]].concat(),
+            (4, 3) => numbers[..3].to_vec(),
+            (count, width) if count == width => numbers.to_vec(),
+            _ => return None,
+        };
+        Some(match width {
+            1 => numbers[0].clone(),
+            _ => format!("{}({})", self.wgsl(), numbers.join(", ")),
+        })
+    }
+
     /// A value as a literal of the place's type.
     fn literal(&self, value: &Value) -> Option<String> {
         match self {
@@ -68,6 +109,167 @@ impl Place<'_> {
                     Some(vec3(numbers.get(..3)?.try_into().ok()?))
                 }
             },
+        }
+    }
+}
+
+/// Writer of the function of one track.
+struct TrackWriter<'a> {
+    track: Track<'a>,
+    place: &'a Place<'a>,
+    /// Keys with their values as literals.
+    keys: &'a [(&'a TimeKey, String)],
+}
+
+impl TrackWriter<'_> {
+    /// Statements that return the value before the last key.
+    fn spans(&self) -> Result<String, Diagnostic> {
+        let can_mix = !matches!(self.place.wgsl().as_str(), "bool" | "i32");
+        let mut text = String::new();
+        for (index, pair) in self.keys.windows(2).enumerate() {
+            let [(key, a), (next, b)] = pair else { continue };
+            let _ = writeln!(text, "    if time < {} {{", number(next.time));
+            let span = next.time - key.time;
+            let share = if span > 0.0 {
+                format!("(time - {}) / {}", number(key.time), number(span))
+            } else {
+                "0.0".to_owned()
+            };
+            let plain = format!("clamp({share}, 0.0, 1.0)");
+            let between = |share: &str| match self.place.is_direction() {
+                true => format!("turned({a}, {b}, {share})"),
+                false => format!("mix({a}, {b}, {share})"),
+            };
+            let value = match key.interpolation {
+                TimeInterpolation::Linear if can_mix => between(&plain),
+                TimeInterpolation::Smooth if can_mix => between(&format!("eased({share})")),
+                TimeInterpolation::Bezier if can_mix => match self.track.spans(index) {
+                    Some(spans) => {
+                        let cubic = self.cubic(&spans)?;
+                        let _ = writeln!(text, "        let share = {plain};");
+                        match self.place.is_direction() {
+                            true => format!("unit_or({cubic}, {})", between("share")),
+                            false => cubic,
+                        }
+                    }
+                    None => between(&plain),
+                },
+                _ => a.clone(),
+            };
+            let _ = writeln!(text, "        return {value};\n    }}");
+        }
+        Ok(text)
+    }
+
+    /// A cubic at `share`.
+    fn cubic(&self, spans: &[BezierSpan]) -> Result<String, Diagnostic> {
+        let numbers: Vec<String> = spans
+            .iter()
+            .map(|span| {
+                format!("bezier_between(share, {}, {})", list(&span.times), list(&span.values))
+            })
+            .collect();
+        self.place.of_numbers(&numbers).ok_or_else(|| self.unfit())
+    }
+
+    /// Error of keys that have another count of numbers than their place.
+    fn unfit(&self) -> Diagnostic {
+        problem(format!(
+            "keys of `{}` have another count of numbers than it",
+            self.place.of("the look")
+        ))
+    }
+
+    /// Statements that return the values beyond the keys, where these do not hold; `within` names
+    /// the function of the values between them.
+    fn beyond(&self, within: &str) -> Result<String, Diagnostic> {
+        let (first, last) = (&self.keys[0], &self.keys[self.keys.len() - 1]);
+        let (start, length) = (first.0.time, last.0.time - first.0.time);
+        let mut text = String::new();
+        let has_length = length > 0.0;
+        for (side, is_first) in [(self.track.ends.before, true), (self.track.ends.after, false)] {
+            let value = match side {
+                Extrapolation::Hold => None,
+                _ if !has_length => None,
+                Extrapolation::Linear => self.straight_on(is_first)?,
+                Extrapolation::Cycle | Extrapolation::CycleOffset => {
+                    let range = format!("time, {}, {}", number(start), number(length));
+                    let again = format!("{within}(cycled({range}))");
+                    let rounds = format!("rounds_of_keys({range})");
+                    let moved = side == Extrapolation::CycleOffset;
+                    Some(if moved { self.moved_on(&again, &rounds)? } else { again })
+                }
+                Extrapolation::Mirror => {
+                    Some(format!("{within}(mirrored(time, {}, {}))", number(start), number(length)))
+                }
+            };
+            let Some(value) = value else { continue };
+            let test = match is_first {
+                true => format!("time < {}", number(start)),
+                false => format!("time > {}", number(last.0.time)),
+            };
+            let _ = writeln!(text, "    if {test} {{\n        return {value};\n    }}");
+        }
+        Ok(text)
+    }
+
+    /// The value beyond an end, on its slope; `None` where it holds.
+    fn straight_on(&self, is_first: bool) -> Result<Option<String>, Diagnostic> {
+        let Some(slopes) = self.track.end_slope(is_first).filter(|_| self.place.width().is_some())
+        else {
+            return Ok(None);
+        };
+        let (key, value) = &self.keys[if is_first { 0 } else { self.keys.len() - 1 }];
+        let beyond = format!("(time - {})", number(key.time));
+        if self.place.is_direction() {
+            let turn = self.track.end_turn(is_first);
+            return Ok(turn.map(|(own, across, speed)| {
+                let (own, across) = (vec3(own.to_array()), vec3(across.to_array()));
+                format!("turned_on({own}, {across}, {} * {beyond})", number(speed))
+            }));
+        }
+        // Numbers that are added to a color's opacity of 1 are none.
+        let slopes: Vec<String> = slopes.iter().map(|slope| number(*slope)).collect();
+        let slopes = match (slopes.len(), self.place.width()) {
+            (3, Some(4)) => [slopes, vec!["0.0".to_owned()]].concat(),
+            _ => slopes,
+        };
+        let slope = self.place.of_numbers(&slopes).ok_or_else(|| self.unfit())?;
+        Ok(Some(self.in_range(&format!("{value} + {beyond} * {slope}"))))
+    }
+
+    /// A value of an earlier round, some rounds later.
+    fn moved_on(&self, value: &str, rounds: &str) -> Result<String, Diagnostic> {
+        if self.place.is_direction() {
+            return Ok(match self.track.turn() {
+                Some((axis, angle)) => {
+                    let axis = vec3(axis.to_array());
+                    format!("turned_around({value}, {axis}, {} * {rounds})", number(angle))
+                }
+                None => value.to_owned(),
+            });
+        }
+        let Some(change) = self.track.change().filter(|_| self.place.width().is_some()) else {
+            return Ok(value.to_owned());
+        };
+        let change: Vec<String> = change.iter().map(|change| number(*change)).collect();
+        let change = match (change.len(), self.place.width()) {
+            (3, Some(4)) => [change, vec!["0.0".to_owned()]].concat(),
+            _ => change,
+        };
+        let change = self.place.of_numbers(&change).ok_or_else(|| self.unfit())?;
+        Ok(self.in_range(&format!("{value} + {rounds} * {change}")))
+    }
+
+    /// An expression within the numbers of 32 bits.
+    fn in_range(&self, value: &str) -> String {
+        let most = number(f64::from(f32::MAX));
+        match self.place.width() {
+            Some(1) => format!("clamp({value}, -{most}, {most})"),
+            _ => {
+                let ty = self.place.wgsl();
+                format!("clamp({value}, {ty}(-{most}), {ty}({most}))")
+            }
         }
     }
 }
@@ -95,7 +297,7 @@ pub(super) fn write(
     let mut writer =
         KeyWriter { look, typed, settings, functions: String::new(), body: String::new() };
     for (index, track) in look.time_keys.iter().enumerate() {
-        writer.track(index, track);
+        writer.track(index, track)?;
     }
     if !look.direction_keys.is_empty() {
         // Lights as they are before the sets decide about them.
@@ -146,60 +348,50 @@ impl<'a> KeyWriter<'a> {
     }
 
     /// A track over time.
-    fn track(&mut self, index: usize, track: &TimeKeys) {
+    fn track(&mut self, index: usize, track: &TimeKeys) -> Result<(), Diagnostic> {
+        let mut track = track.clone();
+        for key in &mut track.keys {
+            key.value = self.in_space(&key.value);
+        }
         for place in self.places(&track.target) {
-            let keys: Option<Vec<_>> = track
-                .keys
-                .iter()
-                .map(|key| Some((key, place.literal(&self.in_space(&key.value))?)))
-                .collect();
+            let keys: Option<Vec<_>> =
+                track.keys.iter().map(|key| Some((key, place.literal(&key.value)?))).collect();
             let Some(keys) = keys.filter(|keys| !keys.is_empty()) else { continue };
             let target = place.of("moved");
             let name = format!("track_{index}");
-            let ty = match &place {
-                Place::Parameter(setting) => setting.ty.wgsl().to_owned(),
-                Place::Light(_, quantity) => match quantity {
-                    LightQuantity::Direction | LightQuantity::Position | LightQuantity::Color => {
-                        "vec3f".to_owned()
-                    }
-                    _ => "f32".to_owned(),
-                },
-            };
-            let can_mix = !matches!(ty.as_str(), "bool" | "i32");
-            let mut text = String::new();
-            for pair in keys.windows(2) {
-                let [(key, a), (next, b)] = pair else { continue };
-                let _ = writeln!(text, "    if time < {} {{", number(next.time));
-                let span = next.time - key.time;
-                let share = if span > 0.0 {
-                    format!("(time - {}) / {}", number(key.time), number(span))
-                } else {
-                    "0.0".to_owned()
-                };
-                let share = match key.interpolation {
-                    Interpolation::Stepped => None,
-                    Interpolation::Linear => Some(format!("clamp({share}, 0.0, 1.0)")),
-                    Interpolation::Smooth => Some(format!("eased({share})")),
-                };
-                let value = match share.filter(|_| can_mix) {
-                    None => a.clone(),
-                    Some(share) if place.is_direction() => {
-                        format!("turned({a}, {b}, {share})")
-                    }
-                    Some(share) => format!("mix({a}, {b}, {share})"),
-                };
-                let _ = writeln!(text, "        return {value};\n    }}");
-            }
+            let ty = place.wgsl();
+            let writer = TrackWriter { track: Track::of(&track), place: &place, keys: &keys };
+            let text = writer.spans()?;
             let last = keys.last().map(|(_, value)| value.clone()).unwrap_or_default();
+            let beyond = writer.beyond(&format!("{name}_between"))?;
+            let within = if beyond.is_empty() { name.clone() } else { format!("{name}_between") };
             let _ = write!(
                 self.functions,
-                "/// `{}` over time.\nfn {name}(time: f32) -> {ty} {{\n{text}    \
+                "/// `{}` over time.\nfn {within}(time: f32) -> {ty} {{\n{text}    \
                  return {last};\n}}\n\n",
                 track.target
             );
+            if !beyond.is_empty() {
+                let _ = write!(
+                    self.functions,
+                    "/// `{}` over time, also beyond its keys.\n\
+                     fn {name}(time: f32) -> {ty} {{\n{beyond}    return {within}(time);\n}}\n\n",
+                    track.target
+                );
+            }
             let _ = writeln!(self.body, "    {target} = {name}(around.time);");
-            if place.is_direction() && !self.functions.contains("fn turned(") {
-                self.functions += templates::TURNED;
+            self.helpers(&(text + &beyond), place.is_direction());
+        }
+        Ok(())
+    }
+
+    /// Functions that the text of a track calls, each once.
+    fn helpers(&mut self, text: &str, is_direction: bool) {
+        for (name, function) in templates::OF_TRACKS {
+            let is_called = text.contains(&format!("{name}("));
+            let is_needed = is_called || *name == "turned" && is_direction;
+            if is_needed && !self.functions.contains(&format!("fn {name}(")) {
+                self.functions += function;
             }
         }
     }

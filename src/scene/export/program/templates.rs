@@ -125,3 +125,97 @@ fn appendix_b_kernel(a: vec3f, b: vec3f) -> f32 {
 }
 
 ";
+
+/// Functions that tracks over time call, by name.
+pub(super) const OF_TRACKS: &[(&str, &str)] = &[
+    ("turned", TURNED),
+    (
+        "bezier_between",
+        "\
+/// A number between two keys: a cubic of four values, whose inner two lie at `first` and `second` of
+/// the way in time.
+fn bezier_between(share: f32, first: f32, second: f32, a: f32, b: f32, c: f32, d: f32) -> f32 {
+    let cube = 1.0 + 3.0 * (first - second);
+    let square = 3.0 * second - 6.0 * first;
+    let line = 3.0 * first;
+    var low = 0.0;
+    var high = 1.0;
+    var s = share;
+    for (var i = 0; i < 40; i++) {
+        let off = ((cube * s + square) * s + line) * s - share;
+        if off < 0.0 {
+            low = s;
+        } else {
+            high = s;
+        }
+        let slope = (3.0 * cube * s + 2.0 * square) * s + line;
+        var next = 0.5 * (low + high);
+        if slope > 1e-6 {
+            let newton = s - off / slope;
+            if newton >= low && newton <= high {
+                next = newton;
+            }
+        }
+        s = next;
+    }
+    let r = 1.0 - s;
+    return r * r * (r * a + 3.0 * s * b) + s * s * (3.0 * r * c + s * d);
+}
+
+",
+    ),
+    (
+        "cycled",
+        "\
+/// The time between keys that come again.
+fn cycled(time: f32, start: f32, length: f32) -> f32 {
+    let since = time - start;
+    return start + clamp(since - length * floor(since / length), 0.0, length);
+}
+
+",
+    ),
+    (
+        "rounds_of_keys",
+        "\
+/// The count of rounds since the first one of keys that come again.
+fn rounds_of_keys(time: f32, start: f32, length: f32) -> f32 {
+    return floor((time - start) / length);
+}
+
+",
+    ),
+    (
+        "mirrored",
+        "\
+/// The time between keys that come to and fro.
+fn mirrored(time: f32, start: f32, length: f32) -> f32 {
+    let since = time - start;
+    let local = clamp(since - 2.0 * length * floor(since / (2.0 * length)), 0.0, 2.0 * length);
+    return start + min(local, 2.0 * length - local);
+}
+
+",
+    ),
+    (
+        "turned_on",
+        "\
+/// A direction that turns toward another one across it.
+fn turned_on(own: vec3f, across: vec3f, angle: f32) -> vec3f {
+    return cos(angle) * own + sin(angle) * across;
+}
+
+",
+    ),
+    (
+        "turned_around",
+        "\
+/// A direction turned around an axis of length 1.
+fn turned_around(v: vec3f, axis: vec3f, angle: f32) -> vec3f {
+    let along = dot(axis, v) * axis;
+    return along + cos(angle) * (v - along) + sin(angle) * cross(axis, v);
+}
+
+",
+    ),
+];

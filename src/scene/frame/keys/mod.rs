@@ -4,10 +4,11 @@
 //! overrides of exposed parameters, time keys, direction keys (BADF eq. 9), and for lights the keys
 //! of the scene. Words and switches move in time only, and change what is compiled.
 //!
-//! [`Rig`] joins the sources; its parts are modules of their own: tracks in [`time`], the blend of
-//! values under weights in [`blend`], drivers in [`driver`], and a light's fields by name in
-//! [`light`].
+//! [`Rig`] joins the sources; its parts are modules of their own: tracks in [`track`], the cubics
+//! between their keys in [`bezier`], the blend of values under weights in [`blend`], drivers in
+//! [`driver`], and a light's fields by name in [`light`].
 
+mod bezier;
 mod blend;
 mod driver;
 mod light;
@@ -15,6 +16,7 @@ mod params;
 mod rig;
 mod scene;
 mod time;
+mod track;
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -26,6 +28,7 @@ use crate::compile::{LightValues, ParamId};
 use crate::document::{AimPlaces, Light, LightFrames, ObjectFrame, Target, Value, Values};
 use crate::ids::{LightId, ObjectId};
 
+pub use bezier::BezierSpan;
 pub use blend::is_direction;
 pub use driver::{Wires, driver_value};
 pub(super) use light::set_lights;
@@ -33,7 +36,8 @@ pub use light::{light_field, set_light_field};
 pub use params::ParamTable;
 pub use rig::Rig;
 pub use scene::SceneRig;
-pub use time::{at_time, structural_look};
+pub use time::structural_look;
+pub use track::Track;
 
 /// Inputs that decide between keys for one object: the object's surroundings and the time.
 #[derive(Clone, Copy, Debug)]

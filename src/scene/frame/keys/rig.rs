@@ -5,11 +5,11 @@ use std::collections::HashMap;
 use glam::DVec3;
 use indexmap::IndexMap;
 
-use super::blend::{blend_keys, is_direction};
+use super::blend::blend_keys;
 use super::driver::{FAR_AWAY, Wires, driver_value, toward_light};
 use super::light::{light_field, set_lights};
 use super::params::ParamTable;
-use super::time::at_time;
+use super::track::Track;
 use super::{KeyedValues, ObjectValues, RigInputs};
 use crate::compile::{HostInputs, LightValues, Param};
 use crate::diag::{Diagnostic, WithWarnings};
@@ -152,7 +152,7 @@ impl Rig {
             }
         }
         for track in &self.time {
-            if let Some(value) = at_time(&track.keys, inputs.time, is_direction(&track.target)) {
+            if let Some(value) = Track::of(track).at(inputs.time) {
                 values.insert(track.target.clone(), value);
             }
         }

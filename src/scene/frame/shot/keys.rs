@@ -5,9 +5,10 @@ use serde_json::{Value as Json, json};
 use super::FrameClock;
 use crate::diag::Diagnostic;
 use crate::document::{
-    BlendKind, Interpolation, Override, ShotKey, TimeKey, UnknownFields, Value, json_of_value,
+    BlendKind, Extrapolation, HandlePair, Override, ShotKey, Target, TimeInterpolation, TimeKey,
+    TimeKeys, TrackEnds, UnknownFields, Value, json_of_value,
 };
-use crate::frame::keys::at_time;
+use crate::frame::keys::{Track, is_direction};
 
 /// Most frames over which a value is held by steps.
 const MOST_HELD: i64 = 100_000;
@@ -15,6 +16,7 @@ const MOST_HELD: i64 = 100_000;
 /// Keys in seconds, and the frames for which their value is held.
 pub(super) struct TimedKeys {
     pub(super) keys: Vec<TimeKey>,
+    pub(super) ends: TrackEnds,
     /// The frames of the first and of the last key.
     range: [f64; 2],
     step: u32,
@@ -42,49 +44,78 @@ pub(super) fn timed_keys(
         check(&key.value)
             .map_err(|problem| WrongKey { field: format!("keys[{index}].value"), problem })?;
         let mut value = key.value.clone();
+        let mut sign = 1.0;
         if blend == BlendKind::Rotation
             && let Some(TimeKey { value: before, .. }) = keys.last()
+            && is_the_longer_way(before, &value)
         {
-            turn_the_shorter_way(before, &mut value);
+            // The other sign is the same rotation.
+            turn_sign(&mut value);
+            sign = -1.0;
         }
+        let handles = |handles: &[[f64; 2]]| {
+            let in_seconds =
+                |[frames, value]: &[f64; 2]| [clock.rate.time_within(*frames), sign * value];
+            handles.iter().map(in_seconds).collect()
+        };
         keys.push(TimeKey {
             time: clock.rate.time_within(key.frame),
             value,
             interpolation: key.interpolation,
+            incoming: handles(&key.incoming),
+            outgoing: handles(&key.outgoing),
+            handles: key.handles,
             unknown: UnknownFields::new(),
         });
     }
     let at = |key: Option<&ShotKey>| key.map_or(0.0, |key| key.frame);
     let range = [at(changed.keys.first()), at(changed.keys.last())];
-    Ok(TimedKeys { keys, range, step: changed.step })
+    Ok(TimedKeys { keys, ends: changed.ends(), range, step: changed.step })
 }
 
-/// Turns the sign of a quaternion so that numbers between it and the one before are rotations
-/// between them.
-fn turn_the_shorter_way(before: &Value, value: &mut Value) {
-    if let (Value::Vector(before), Value::Vector(value)) = (before, value)
-        && before.iter().zip(&*value).map(|(a, b)| a * b).sum::<f64>() < 0.0
-    {
+/// True if numbers between two quaternions are the rotations of the longer way.
+fn is_the_longer_way(before: &Value, value: &Value) -> bool {
+    let (Value::Vector(before), Value::Vector(value)) = (before, value) else { return false };
+    before.iter().zip(value).map(|(a, b)| a * b).sum::<f64>() < 0.0
+}
+
+/// Turns the sign of a quaternion.
+fn turn_sign(value: &mut Value) {
+    if let Value::Vector(value) = value {
         value.iter_mut().for_each(|number| *number = -*number);
     }
 }
 
 impl TimedKeys {
-    /// Keys that hold the value for so many frames as the override says.
+    /// The track of a target that holds its value for so many frames as the override says.
     ///
     /// # Errors
     /// Keys that reach over more frames than are held.
-    pub(super) fn held(
-        self,
-        clock: FrameClock,
-        is_direction: bool,
-    ) -> Result<Vec<TimeKey>, Diagnostic> {
+    pub(super) fn track(self, clock: FrameClock, target: Target) -> Result<TimeKeys, Diagnostic> {
+        let (keys, TrackEnds { before, after }) = self.held(clock, is_direction(&target))?;
+        Ok(TimeKeys { before, after, keys, ..TimeKeys::new(target) })
+    }
+
+    /// Keys that hold the value for so many frames as the override says, and what holds beyond
+    /// them. Values that go on beyond the keys are held within the shot's frames.
+    ///
+    /// # Errors
+    /// Keys that reach over more frames than are held.
+    fn held(self, clock: FrameClock, turns: bool) -> Result<(Vec<TimeKey>, TrackEnds), Diagnostic> {
         if self.step <= 1 {
-            return Ok(self.keys);
+            return Ok((self.keys, self.ends));
         }
         // Frames are bounded by the format.
-        let first = clock.held_frame(self.range[0].floor() as i32, self.step);
-        let last = self.range[1].ceil() as i32;
+        let goes_on = |side: Extrapolation| side != Extrapolation::Hold;
+        let [mut first, mut last] = [self.range[0].floor() as i32, self.range[1].ceil() as i32];
+        if goes_on(self.ends.before) {
+            first = first.min(clock.first);
+        }
+        if goes_on(self.ends.after) {
+            last = last.max(clock.last);
+        }
+        let first = clock.held_frame(first, self.step);
+        let track = Track { keys: &self.keys, ends: self.ends, turns };
         let count = (i64::from(last) - i64::from(first)) / i64::from(self.step) + 2;
         if count > MOST_HELD {
             let message =
@@ -94,14 +125,9 @@ impl TimedKeys {
         }
         let held = |index: i64| {
             let time = clock.rate.time(first + index as i32 * self.step as i32);
-            Some(TimeKey {
-                time,
-                value: at_time(&self.keys, time, is_direction)?,
-                interpolation: Interpolation::Stepped,
-                unknown: UnknownFields::new(),
-            })
+            Some(TimeKey::new(time, track.at(time)?, TimeInterpolation::Stepped))
         };
-        Ok((0..count).filter_map(held).collect())
+        Ok(((0..count).filter_map(held).collect(), TrackEnds::default()))
     }
 }
 
@@ -109,8 +135,16 @@ impl TimedKeys {
 pub(super) fn json_of_keys(keys: &[ShotKey]) -> Json {
     let key = |key: &ShotKey| {
         let mut json = json!({ "frame": number(key.frame), "value": json_of_value(&key.value) });
-        if key.interpolation != Interpolation::default() {
+        if key.interpolation != TimeInterpolation::default() {
             json["interpolation"] = json!(key.interpolation);
+        }
+        for (name, handles) in [("in", &key.incoming), ("out", &key.outgoing)] {
+            if !handles.is_empty() {
+                json[name] = json!(handles);
+            }
+        }
+        if key.handles != HandlePair::default() {
+            json["handles"] = json!(key.handles);
         }
         json
     };
@@ -128,16 +162,15 @@ mod tests {
     use crate::document::FrameRate;
 
     fn changed(keys: &[(f64, f64)], step: u32) -> Override {
-        let key = |&(frame, value): &(f64, f64)| ShotKey {
-            frame,
-            value: Value::Number(value),
-            interpolation: Interpolation::Linear,
-            unknown: UnknownFields::new(),
+        let key = |&(frame, value): &(f64, f64)| {
+            ShotKey::new(frame, Value::Number(value), TimeInterpolation::Linear)
         };
         Override {
             look: None,
             target: "lights.key.intensity".to_owned(),
             value: None,
+            before: Extrapolation::Hold,
+            after: Extrapolation::Hold,
             keys: keys.iter().map(key).collect(),
             step,
             unknown: UnknownFields::new(),
@@ -146,15 +179,18 @@ mod tests {
 
     #[test]
     fn a_value_is_held_from_the_shots_first_frame_on() {
-        let clock = FrameClock { first: 1, rate: FrameRate::FILM, shading_step: 1 };
+        let clock = FrameClock { first: 1, last: 20, rate: FrameRate::FILM, shading_step: 1 };
         let keys = |step| {
             let changed = changed(&[(1.0, 0.0), (10.0, 9.0)], step);
             let keys = timed_keys(clock, &changed, BlendKind::Numbers, &|_| Ok(())).ok().unwrap();
-            keys.held(clock, false).unwrap()
+            keys.held(clock, false).unwrap().0
         };
-        let at = |keys: &[TimeKey], frame| match at_time(keys, clock.rate.time(frame), false) {
-            Some(Value::Number(number)) => (number * 1e9).round() / 1e9,
-            other => panic!("{other:?}"),
+        let at = |keys: &[TimeKey], frame| {
+            let track = Track { keys, ends: TrackEnds::default(), turns: false };
+            match track.at(clock.rate.time(frame)) {
+                Some(Value::Number(number)) => (number * 1e9).round() / 1e9,
+                other => panic!("{other:?}"),
+            }
         };
         for frame in -3..20 {
             let on_ones = at(&keys(1), frame);
@@ -167,8 +203,36 @@ mod tests {
     }
 
     #[test]
+    fn cycles_are_held_within_the_shot() {
+        let clock = FrameClock { first: 1, last: 40, rate: FrameRate::FILM, shading_step: 1 };
+        let mut changed = changed(&[(1.0, 0.0), (6.0, 5.0)], 2);
+        changed.after = Extrapolation::Cycle;
+        let keys = timed_keys(clock, &changed, BlendKind::Numbers, &|_| Ok(())).ok().unwrap();
+        let (keys, ends) = keys.held(clock, false).unwrap();
+        let track = Track { keys: &keys, ends, turns: false };
+        for frame in 7..=40 {
+            let held = clock.held_frame(frame, 2);
+            let wanted = if held <= 6 { held - 1 } else { (held - 1).rem_euclid(5) };
+            let Some(Value::Number(found)) = track.at(clock.rate.time(frame)) else { panic!() };
+            assert!((found - f64::from(wanted)).abs() < 1e-6, "{frame}: {found} for {wanted}");
+        }
+    }
+
+    #[test]
+    fn handles_are_in_frames_and_turn_with_their_quaternion() {
+        let clock = FrameClock { first: 1, last: 20, rate: FrameRate::FILM, shading_step: 1 };
+        let mut changed = changed(&[(0.0, 0.0), (24.0, 0.0)], 1);
+        changed.keys[0].value = Value::Vector(vec![0.0, 0.0, 0.0, 1.0]);
+        changed.keys[1].value = Value::Vector(vec![0.0, -1.0, 0.0, -0.1]);
+        changed.keys[1].incoming = vec![[-12.0, 0.5]];
+        let keys = timed_keys(clock, &changed, BlendKind::Rotation, &|_| Ok(())).ok().unwrap();
+        assert_eq!(keys.keys[1].value, Value::Vector(vec![0.0, 1.0, 0.0, 0.1]));
+        assert_eq!(keys.keys[1].incoming, vec![[-0.5, -0.5]]);
+    }
+
+    #[test]
     fn keys_far_apart_take_no_memory_without_bound() {
-        let clock = FrameClock { first: 1, rate: FrameRate::FILM, shading_step: 1 };
+        let clock = FrameClock { first: 1, last: 20, rate: FrameRate::FILM, shading_step: 1 };
         let changed = changed(&[(-9e7, 0.0), (9e7, 9.0)], 2);
         let keys = timed_keys(clock, &changed, BlendKind::Numbers, &|_| Ok(())).ok().unwrap();
         assert_eq!(keys.held(clock, false).unwrap_err().code, "too-many");

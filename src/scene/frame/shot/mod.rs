@@ -121,6 +121,8 @@ impl ResolvedShot {
 pub(super) struct FrameClock {
     /// The shot's first frame.
     pub(super) first: i32,
+    /// The shot's last frame.
+    pub(super) last: i32,
     pub(super) rate: FrameRate,
     /// Frames for which everything that shades is held.
     pub(super) shading_step: u32,
@@ -151,7 +153,7 @@ mod tests {
 
     #[test]
     fn frames_are_held_from_the_first_on() {
-        let clock = FrameClock { first: 1, rate: FrameRate::FILM, shading_step: 1 };
+        let clock = FrameClock { first: 1, last: 9, rate: FrameRate::FILM, shading_step: 1 };
         let held = |step| [0, 1, 2, 3, 4, 5].map(|frame| clock.held_frame(frame, step));
         assert_eq!(held(1), [0, 1, 2, 3, 4, 5]);
         assert_eq!(held(2), [-1, 1, 1, 3, 3, 5]);

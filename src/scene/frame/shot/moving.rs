@@ -5,8 +5,8 @@ use std::borrow::Cow;
 use glam::DMat4;
 
 use super::ResolvedShot;
-use crate::document::{BlendKind, Object, TimeKey, Transform};
-use crate::frame::keys::at_time;
+use crate::document::{BlendKind, Object, TimeKey, TrackEnds, Transform};
+use crate::frame::keys::Track;
 use crate::frame::setup::{Setup, placed};
 use crate::ids::ObjectId;
 
@@ -28,6 +28,7 @@ pub(in crate::frame) struct MovingValue {
     pub(super) address: String,
     /// Keys by time, in seconds.
     pub(super) keys: Vec<TimeKey>,
+    pub(super) ends: TrackEnds,
     pub(super) blend: BlendKind,
     /// Frames for which the value is held.
     pub(super) step: u32,
@@ -37,6 +38,12 @@ impl MovingValue {
     /// Id of the object whose value it is.
     pub(super) fn object(&self) -> Option<&str> {
         object_of(&self.address).map(|(id, _)| id)
+    }
+
+    /// The keys as they are evaluated.
+    fn track(&self) -> Track<'_> {
+        let turns = matches!(self.blend, BlendKind::Direction | BlendKind::Rotation);
+        Track { keys: &self.keys, ends: self.ends, turns }
     }
 
     /// True if the value is one of those that a stepped look holds.
@@ -134,7 +141,7 @@ impl ResolvedShot {
     fn put(&self, moving: &MovingValue, setup: &mut Setup, time: f64) {
         let step = if moving.shades() { self.clock.shading_step } else { 1 };
         let time = self.clock.held(self.clock.held(time, step), moving.step);
-        if let Some(value) = at_time(&moving.keys, time, moving.blend == BlendKind::Direction) {
+        if let Some(value) = moving.track().at(time) {
             let _ = setup.scene.set_value(&moving.address, &value);
         }
     }

@@ -16,7 +16,6 @@ use crate::document::{
 };
 use crate::files::Files;
 use crate::frame::assets::Assets;
-use crate::frame::keys::is_direction;
 use crate::frame::setup::{Setup, SetupLook, SetupObject, scene_setup};
 use crate::ids::ObjectId;
 
@@ -74,8 +73,8 @@ impl OverrideAt<'_> {
 
 impl<'s> ShotResolver<'s> {
     fn new(stack: &'s ShotStack) -> Self {
-        let (first, rate) = (stack.frames()[0], stack.rate());
-        let clock = FrameClock { first, rate, shading_step: stack.step() };
+        let ([first, last], rate) = (stack.frames(), stack.rate());
+        let clock = FrameClock { first, last, rate, shading_step: stack.step() };
         let scene = stack.scene.clone();
         Self { stack, scene, changes: Vec::new(), moving: Vec::new(), clock, problems: Vec::new() }
     }
@@ -166,14 +165,15 @@ impl<'s> ShotResolver<'s> {
             self.moving.retain(|moving| moving.address != address);
             match keyed_target(address).filter(|target| matches!(target, Target::Light { .. })) {
                 Some(target) => {
-                    let keys = keys.held(self.clock, is_direction(&target));
-                    self.scene.key_light(target, keys.map_err(|wrong| at.problem(wrong, "step"))?);
+                    let track = keys.track(self.clock, target);
+                    self.scene.key_light(track.map_err(|wrong| at.problem(wrong, "step"))?);
                 }
                 None => self.moving.push(MovingValue {
                     address: address.to_owned(),
                     blend: place.blend,
                     step: at.changed.step,
                     keys: keys.keys,
+                    ends: keys.ends,
                 }),
             }
         }
@@ -270,8 +270,8 @@ impl<'s> ShotResolver<'s> {
             let check = |value: &Value| worn.look.check_value(address, value);
             let keys = timed_keys(self.clock, at.changed, place.blend, &check)
                 .map_err(|wrong| at.problem(wrong.problem, &wrong.field))?;
-            let keys = keys.held(self.clock, is_direction(&target));
-            worn.look.key_value(target, keys.map_err(|wrong| at.problem(wrong, "step"))?);
+            let track = keys.track(self.clock, target);
+            worn.look.key_value(track.map_err(|wrong| at.problem(wrong, "step"))?);
         }
         let name = display(setup.looks[index].source.file());
         self.push_override(at, Some(name), place.value);

@@ -3,16 +3,14 @@
 use eframe::egui;
 use eframe::egui::{Button, ComboBox, DragValue, RichText, Role, Ui, WidgetInfo};
 
-use super::{Timeline, rows};
+use super::Timeline;
 use crate::commands::Command;
-use crate::document::{Edit, Interpolation, Target};
+use crate::document::Target;
 use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::state::keying::changes_in_time;
 use crate::state::session::Session;
 use crate::values;
 use crate::widgets::text::hint;
-use crate::widgets::theme;
-use crate::widgets::value;
 
 const RATES: [f64; 7] = [8.0, 12.0, 15.0, 24.0, 25.0, 30.0, 60.0];
 
@@ -131,83 +129,4 @@ fn entry(ui: &mut Ui, owned: OwnedKeys<'_>, target: &Target, out: &mut Vec<Comma
     if ui.button(format!("{owner}{of}: {what}")).clicked() {
         out.extend(owned.once(edit));
     }
-}
-
-/// Shows the selected key: its time, its value, and its interpolation.
-pub(super) fn key(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-    let Some((owner, track_at, key_at)) = timeline.selected else { return };
-    let Some(owned) = OwnedKeys::of(session, owner) else { return };
-    let Some(track) = owned.look().time_keys.get(track_at) else { return };
-    let (Some(key), Some(port)) = (track.keys.get(key_at), owned.keys.base.port_at(&track.target))
-    else {
-        return;
-    };
-    ui.horizontal_wrapped(|ui| {
-        let [owner, what] = rows::owner_and_name(owned, track);
-        ui.label(RichText::new(format!("{owner}: {what}")).color(theme::of(ui).accent));
-        let mut time = key.time;
-        let response = ui
-            .add(DragValue::new(&mut time).speed(1.0 / timeline.fps).max_decimals(4).suffix(" s"));
-        response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Time of the key"));
-        if response.on_hover_text("When").changed() && time.is_finite() {
-            let edit = moved(timeline, owned, track_at, key_at, time);
-            out.extend(owned.held(ui.scope_id().with("time"), edit));
-        }
-        let space = session.look().color_space;
-        if let Some((id, value)) = value::cell(ui, "Value of the key", &port, &key.value, space) {
-            let edit = owned.keys.change_track(track_at, |track| track.keys[key_at].value = value);
-            out.extend(owned.held(id, edit));
-        }
-        for (choice, text, help) in [
-            (Interpolation::Smooth, "Smooth", "Eases to the next key (a circle)"),
-            (Interpolation::Linear, "Straight", "Goes evenly to the next key (a diamond)"),
-            (Interpolation::Stepped, "Stepped", "Holds until the next key (a square)"),
-        ] {
-            let is_it = key.interpolation == choice;
-            if ui.add(Button::selectable(is_it, text)).on_hover_text(help).clicked() && !is_it {
-                let edit = owned
-                    .keys
-                    .change_track(track_at, |track| track.keys[key_at].interpolation = choice);
-                out.extend(owned.once(edit));
-            }
-        }
-        if ui.button("Delete time key").on_hover_text("Takes this key away (Delete)").clicked() {
-            out.extend(owned.once(removed(owned, track_at, key_at)));
-        }
-    });
-}
-
-/// Edit that moves a key in time, between its neighbors.
-pub(super) fn moved(
-    timeline: &Timeline,
-    owned: OwnedKeys<'_>,
-    track: usize,
-    key: usize,
-    time: f64,
-) -> Edit {
-    let gap = if timeline.snaps { 1.0 / timeline.fps } else { super::LEAST };
-    let time = timeline.snapped(time);
-    owned.keys.change_track(track, |track| {
-        let low =
-            key.checked_sub(1).map_or(f64::NEG_INFINITY, |before| track.keys[before].time + gap);
-        let high = track.keys.get(key + 1).map_or(f64::INFINITY, |after| after.time - gap);
-        if low <= high {
-            track.keys[key].time = super::tidy(time.clamp(low, high));
-        }
-    })
-}
-
-/// Edit that removes a key; without its last key the value is the document's own again.
-pub(super) fn removed(owned: OwnedKeys<'_>, track: usize, key: usize) -> Edit {
-    let Some(of) = owned.look().time_keys.get(track) else {
-        return Edit::Group { edits: Vec::new() };
-    };
-    if of.keys.len() < 2 {
-        return owned.keys.unkey(&of.target);
-    }
-    owned.keys.change_track(track, |track| {
-        if key < track.keys.len() {
-            track.keys.remove(key);
-        }
-    })
 }

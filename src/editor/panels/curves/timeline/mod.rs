@@ -5,7 +5,12 @@
 
 mod axis;
 mod bar;
+mod edges;
+mod graph;
+mod key_bar;
+mod markers;
 mod rows;
+mod sheet;
 
 use std::time::Duration;
 
@@ -16,10 +21,13 @@ use crate::commands::{Command, PanelId, keyboard};
 use crate::document::TimeRange;
 use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::panels::table::{PanelPlace, PanelRow, Presence};
+use crate::state::keying::retime::tidy;
 use crate::state::session::Session;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 use axis::Axis;
+use markers::NameField;
+use sheet::KeySheet;
 
 pub(crate) const PANEL: PanelRow = PanelRow::new(
     PanelId::TIMELINE,
@@ -28,13 +36,18 @@ pub(crate) const PANEL: PanelRow = PanelRow::new(
     PanelPlace::BELOW_GRAPH,
     |bench, ui, context| bench.memory.of::<Timeline>().show(ui, context.session),
 )
-.with_each_frame(|bench, ui, _, presence| {
+.with_each_frame(|bench, ui, session, presence| {
     let timeline = bench.memory.of::<Timeline>();
     if presence == Presence::Absent {
         timeline.stop();
         return Vec::new();
     }
-    timeline.tick(ui).map(Command::SetTime).into_iter().collect()
+    let mut commands: Vec<Command> = timeline.tick(ui).map(Command::SetTime).into_iter().collect();
+    // Before the graph, whose keys are some of the same.
+    if let Some(panel) = timeline.panel.filter(|_| presence == Presence::Seen) {
+        sheet::keys(timeline, ui, session, panel, &mut commands);
+    }
+    commands
 });
 
 /// Width of the names of values, in points.
@@ -58,9 +71,21 @@ pub(crate) struct Timeline {
     range: [f64; 2],
     /// Range that is visible, in seconds.
     seen: [f64; 2],
-    /// Selected key: the document of its track, and the indices of the track and of the key within
-    /// it.
-    selected: Option<(Owner, usize, usize)>,
+    /// Selected keys, and the tracks as they are shown.
+    sheet: KeySheet,
+    /// Place of the panel, and the height of the row of selected keys, in points, as last shown.
+    panel: Option<Rect>,
+    bar_height: f32,
+    /// Height of opened tracks, in points: as much as there is place.
+    curve_height: f32,
+    /// Seconds by which arrow keys move the selected keys in this frame.
+    steps: Option<f64>,
+    /// True if the selected keys are deleted in this frame.
+    is_deleting: bool,
+    /// Time of a key that the playhead is brought to in this frame.
+    went: Option<f64>,
+    /// Marker whose name is typed.
+    renaming: NameField,
 }
 
 impl Default for Timeline {
@@ -72,7 +97,14 @@ impl Default for Timeline {
             loops: true,
             range: [0.0, 4.0],
             seen: [-0.2, 4.4],
-            selected: None,
+            sheet: KeySheet::default(),
+            panel: None,
+            bar_height: 0.0,
+            curve_height: *graph::HEIGHTS.start(),
+            steps: None,
+            is_deleting: false,
+            went: None,
+            renaming: None,
         }
     }
 }
@@ -139,15 +171,9 @@ impl Timeline {
     /// Shows the values that are keyed over time.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut commands = Vec::new();
-        let is_there = |&(owner, track, key): &(Owner, usize, usize)| {
-            let keys = owner.keys(session);
-            let track = keys.and_then(|keys| keys.base.look.time_keys.get(track));
-            track.is_some_and(|track| key < track.keys.len())
-        };
-        self.selected = self.selected.filter(is_there);
+        self.sheet.begin_frame(session);
         let panel = ui.max_rect();
         bar::show(self, ui, session, &mut commands);
-        bar::key(self, ui, session, &mut commands);
         let (ruler, _) = ui.allocate_exact_size(vec2(ui.available_width(), RULER), Sense::hover());
         let lane = Rect::from_min_max(
             pos2(ruler.left() + NAMES, ruler.top()),
@@ -156,6 +182,8 @@ impl Timeline {
         let axis = Axis { lane, seen: self.seen };
         axis.ruler(ui, self.fps, self.range);
         self.scrub(ui, session, axis, &mut commands);
+        markers::show(self, ui, session, axis, &mut commands);
+        edges::show(self, ui, session, axis, &mut commands);
         let top = ui.cursor().top();
         if times(session).next().is_none() {
             ui.add_space(6.0);
@@ -167,7 +195,11 @@ impl Timeline {
                  else.",
             );
         } else {
-            ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+            // The row of the selected keys is below, so that no key moves as it is pressed.
+            let height = (ui.available_height() - self.bar_height).max(ROW);
+            self.curve_height = height.clamp(*graph::HEIGHTS.start(), *graph::HEIGHTS.end());
+            let tracks = ScrollArea::vertical().auto_shrink([false, false]).max_height(height);
+            tracks.show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 2.0;
                 for owned in owners(session) {
                     for track in 0..owned.look().time_keys.len() {
@@ -176,7 +208,35 @@ impl Timeline {
                 }
             });
         }
-        let rows = Rect::from_min_max(pos2(lane.left(), top), pos2(lane.right(), panel.bottom()));
+        let bottom = ui.cursor().top().min(panel.bottom());
+        let rows = Rect::from_min_max(pos2(lane.left(), top), pos2(lane.right(), bottom));
+        key_bar::show(self, ui, session, &mut commands);
+        let bar_height = ui.cursor().top() - bottom;
+        // Its greatest height stays, so that curves keep theirs while keys are chosen.
+        if bar_height > self.bar_height {
+            self.bar_height = bar_height;
+            ui.ctx().request_repaint();
+        }
+        self.panel = Some(panel);
+        sheet::go_on(self, ui, session, axis, &mut commands);
+        if let Some(time) = self.went.take() {
+            self.go(time, &mut commands);
+        }
+        if std::mem::take(&mut self.is_deleting) {
+            self.sheet.delete(session, &mut commands);
+        }
+        if let Some(later) = self.steps.take() {
+            let picked = self.sheet.picked(session);
+            let widget = Some(ui.scope_id().with("steps"));
+            let time = |time: f64| tidy(time + later);
+            self.sheet.retime(session, picked, (1.0, &time), widget, &mut commands);
+        }
+        if let Some(drawn) = self.sheet.select_in_box(ui) {
+            let color = theme::of(ui).accent;
+            let painter = ui.painter_at(rows);
+            let stroke = Stroke::new(1.0, color);
+            painter.rect(drawn, 0.0, color.gamma_multiply(0.12), stroke, egui::StrokeKind::Inside);
+        }
         self.navigate(ui, panel, axis, rows);
         playhead(ui, session, axis, rows);
         let is_over = ui.rect_contains_pointer(panel) && !keyboard::is_keyboard_taken(ui.ctx());
@@ -200,7 +260,9 @@ impl Timeline {
                 self.go(time, out);
             }
         }
-        response.on_hover_text("Drag to scrub. The wheel zooms in time; a drag below pans.");
+        response.on_hover_text(
+            "Drag to scrub. The wheel zooms in time; a drag with the middle button pans.",
+        );
         for (end, name) in [(0, "Start of the range"), (1, "End of the range")] {
             let at = pos2(axis.x(self.range[end]), axis.lane.bottom() - 5.0);
             if !axis.lane.expand(2.0).contains(at) {
@@ -249,6 +311,53 @@ impl Timeline {
         if scroll.x != 0.0 {
             self.seen = axis.panned(scroll.x);
         }
+        let middle =
+            ui.input(|input| input.pointer.middle_down().then_some(input.pointer.delta().x));
+        if let Some(by) = middle.filter(|by| *by != 0.0) {
+            self.seen = axis.panned(by);
+        }
+    }
+
+    /// Fits the selected keys into view, or all keys and the range.
+    fn fit_selected(&mut self, session: &Session) {
+        match self.sheet.range(session).filter(|[low, high]| high - low > LEAST) {
+            Some([low, high]) => {
+                let margin = 0.1 * (high - low);
+                self.seen = [low - margin, high + margin];
+            }
+            None => self.fit(session),
+        }
+    }
+
+    /// The nearest of some times before or after the playhead.
+    fn neighbor(
+        &self,
+        times: impl Iterator<Item = f64>,
+        session: &Session,
+        way: f64,
+    ) -> Option<f64> {
+        let beyond = times.filter(|time| (time - session.view.time) * way > LEAST / 2.0);
+        beyond.min_by(|a, b| (a * way).total_cmp(&(b * way)))
+    }
+
+    /// Scales keys about a time, as they were when a gesture began.
+    fn scale(
+        &mut self,
+        session: &Session,
+        held: Vec<sheet::PickedTrack>,
+        (about, scale): (f64, f64),
+        widget: egui::Id,
+        out: &mut Vec<Command>,
+    ) {
+        let snaps = (self.snaps, self.fps);
+        let time = |time: f64| {
+            let time = about + (time - about) * scale;
+            let (snaps, fps) = snaps;
+            if snaps { tidy((time * fps).round() / fps) } else { tidy(time) }
+        };
+        if scale.is_finite() && scale > 0.0 {
+            self.sheet.retime(session, held, (scale, &time), Some(widget), out);
+        }
     }
 
     /// Fits all keys and the range into view.
@@ -271,11 +380,6 @@ fn owners(session: &Session) -> impl Iterator<Item = OwnedKeys<'_>> {
 fn times(session: &Session) -> impl Iterator<Item = f64> {
     let tracks = owners(session).flat_map(|owned| &owned.look().time_keys);
     tracks.flat_map(|track| &track.keys).map(|key| key.time)
-}
-
-/// Time rounded to microseconds, which are fine enough and read better in a file.
-fn tidy(time: f64) -> f64 {
-    (time * 1e6).round() / 1e6
 }
 
 fn playhead(ui: &Ui, session: &Session, axis: Axis, rows: Rect) {

@@ -1,22 +1,26 @@
-//! Track: its name, its values over time, and its keys.
+//! Track: its name, its values over time, and its keys; opened, its curves.
 
 use eframe::egui;
 use eframe::egui::epaint::{Mesh, PathShape, Vertex};
 use eframe::egui::{
-    Color32, Key, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Color32, Key, Modifiers, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo,
+    pos2, vec2,
 };
 
 use super::axis::Axis;
-use super::{NAMES, ROW, Timeline, bar};
+use super::sheet::KeyAt;
+use super::{NAMES, ROW, Timeline, graph};
 use crate::catalog::Port;
 use crate::commands::Command;
-use crate::document::{Interpolation, TimeKeys, Value};
+use crate::document::{Edit, TimeInterpolation, TimeKeys};
 use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::fields::mark;
-use crate::frame::{at_time, is_direction};
+use crate::frame::Track;
 use crate::library::Type;
+use crate::state::keying::retime;
+use crate::state::session::Session;
 use crate::values;
-use crate::widgets::handle::{self, handle};
+use crate::widgets::handle::{self, HandleResponse, handle};
 use crate::widgets::text::cell;
 use crate::widgets::theme;
 
@@ -30,6 +34,9 @@ pub(super) fn owner_and_name(owned: OwnedKeys<'_>, track: &TimeKeys) -> [String;
     }
 }
 
+/// Greatest number of keys that are handles at once; more are marks.
+const MOST_HANDLES: usize = 400;
+
 /// Shows a track.
 pub(super) fn show(
     timeline: &mut Timeline,
@@ -40,14 +47,17 @@ pub(super) fn show(
     out: &mut Vec<Command>,
 ) {
     let track = &owned.look().time_keys[index];
-    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
+    let place = (owned.owner, track.target.clone());
+    let is_open = timeline.sheet.open.contains(&place) && graph::has_curves(track);
+    let height = if is_open { timeline.curve_height } else { ROW };
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     if !ui.is_rect_visible(rect) {
         return;
     }
     let names = Rect::from_min_size(rect.min, vec2(NAMES - 8.0, ROW));
     let mut head =
         ui.new_child(egui::UiBuilder::new().id_salt((owned.owner, index)).max_rect(names));
-    name(&mut head, owned, index, track, out);
+    name(timeline, &mut head, owned, index, track, out);
     let lane = Rect::from_x_y_ranges(axis.lane.x_range(), rect.y_range());
     let [owner, what] = owner_and_name(owned, track);
     let response = ui.interact(
@@ -58,29 +68,65 @@ pub(super) fn show(
     response.widget_info(|| {
         WidgetInfo::labeled(egui::Role::Canvas, true, format!("Track of {owner}: {what}"))
     });
-    if response.dragged() {
+    let is_pan = ui.input(|input| input.modifiers.alt || input.pointer.middle_down());
+    if response.dragged() && is_pan {
         timeline.seen = axis.panned(response.drag_delta().x);
+    } else if !is_pan {
+        timeline.sheet.drag_box(ui, &response);
     }
     if response.double_clicked()
         && let Some(pointer) = response.interact_pointer_pos()
     {
         let time = timeline.snapped(axis.time(pointer.x));
-        if let Some(value) = at_time(&track.keys, time, is_direction(&track.target)) {
+        if let Some(value) = Track::of(track).at(time) {
             out.extend(owned.once(owned.keys.set_in_time(index, time, value)));
         }
     }
-    response.on_hover_text("Double-click adds a key; drag pans; drag a key to move it in time");
+    response.on_hover_text(
+        "Double-click adds a key; a drag selects keys in a box; with Alt or the middle button it \
+         pans. F brings the selected keys into view.",
+    );
+    if is_open {
+        graph::show(timeline, ui, owned, (axis, lane), index, out);
+        return;
+    }
     paint(ui, owned, axis, lane, track);
-    for key in 0..track.keys.len() {
-        key_handle(timeline, ui, owned, axis, (index, key), lane, out);
+    let visible = visible_keys(axis, track);
+    if visible.len() > MOST_HANDLES {
+        let color = theme::of(ui).text;
+        let painter = ui.painter_at(lane);
+        for key in &track.keys[visible] {
+            painter.vline(axis.x(key.time), lane.shrink(8.0).y_range(), Stroke::new(1.0, color));
+        }
+        return;
+    }
+    for key in visible {
+        key_handle(timeline, ui, owned, axis, (index, key), lane);
     }
 }
 
-/// Shows the diamond that keys the value at the playhead, the value's name, and its present value.
-fn name(ui: &mut Ui, owned: OwnedKeys<'_>, index: usize, track: &TimeKeys, out: &mut Vec<Command>) {
+/// Indices of the keys in view.
+pub(super) fn visible_keys(axis: Axis, track: &TimeKeys) -> std::ops::Range<usize> {
+    let [from, to] = [axis.lane.left() - 6.0, axis.lane.right() + 6.0].map(|x| axis.time(x));
+    let first = track.keys.partition_point(|key| key.time < from);
+    first..track.keys.partition_point(|key| key.time <= to).max(first)
+}
+
+/// Shows the triangle that opens the track, the diamond that keys the value at the playhead, the
+/// value's name, and its present value.
+fn name(
+    timeline: &mut Timeline,
+    ui: &mut Ui,
+    owned: OwnedKeys<'_>,
+    index: usize,
+    track: &TimeKeys,
+    out: &mut Vec<Command>,
+) {
     let colors = theme::of(ui);
     let [owner, what] = owner_and_name(owned, track);
     ui.horizontal_centered(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        opener(timeline, ui, owned, track, &format!("{owner}: {what}"));
         let here =
             track.keys.iter().position(|key| (key.time - owned.session.view.time).abs() < 1e-6);
         let verb = if here.is_some() { "Delete key of" } else { "Add key of" };
@@ -92,7 +138,11 @@ fn name(ui: &mut Ui, owned: OwnedKeys<'_>, index: usize, track: &TimeKeys, out: 
         };
         if diamond.on_hover_text(help).clicked() {
             let edit = match here {
-                Some(key) => Some(bar::removed(owned, index, key)),
+                Some(_) if track.keys.len() < 2 => Some(owned.keys.unkey(&track.target)),
+                Some(key) => {
+                    let keys = retime::without(track, &[key]);
+                    Some(Edit::SetTimeKeys { index, keys })
+                }
                 None => owned.keys.key_in_time(&track.target),
             };
             out.extend(edit.and_then(|edit| owned.once(edit)));
@@ -124,57 +174,102 @@ fn name(ui: &mut Ui, owned: OwnedKeys<'_>, index: usize, track: &TimeKeys, out: 
     });
 }
 
-/// Draws the values over time: numbers as a line, colors as themselves.
+/// Shows the triangle that opens the curves of a track.
+fn opener(
+    timeline: &mut Timeline,
+    ui: &mut Ui,
+    owned: OwnedKeys<'_>,
+    track: &TimeKeys,
+    name: &str,
+) {
+    let size = vec2(12.0, ui.spacing().interact_size.y);
+    if !graph::has_curves(track) {
+        ui.allocate_exact_size(size, Sense::hover());
+        return;
+    }
+    let place = (owned.owner, track.target.clone());
+    let is_open = timeline.sheet.open.contains(&place);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let verb = if is_open { "Close" } else { "Open" };
+    response.widget_info(|| {
+        WidgetInfo::labeled(egui::Role::Button, true, format!("{verb} curves of {name}"))
+    });
+    let colors = theme::of(ui);
+    let color = if response.hovered() || response.has_focus() { colors.text } else { colors.dim };
+    let corners = match is_open {
+        true => [vec2(-4.5, -2.5), vec2(4.5, -2.5), vec2(0.0, 3.5)],
+        false => [vec2(-2.5, -4.5), vec2(3.5, 0.0), vec2(-2.5, 4.5)],
+    };
+    let corners = corners.map(|d| rect.center() + d).to_vec();
+    ui.painter().add(Shape::convex_polygon(corners, color, Stroke::NONE));
+    if response.clicked() {
+        if is_open {
+            timeline.sheet.open.remove(&place);
+        } else {
+            timeline.sheet.open.insert(place);
+        }
+    }
+    response.on_hover_text("Shows the curves with their handles");
+}
+
+/// Draws the values over time: numbers as lines, colors as themselves.
 fn paint(ui: &Ui, owned: OwnedKeys<'_>, axis: Axis, lane: Rect, track: &TimeKeys) {
     let colors = theme::of(ui);
     let painter = ui.painter_at(lane);
     painter.rect_filled(lane, 3.0, colors.canvas);
-    let port = owned.keys.base.port_at(&track.target);
-    let of = |time: f64| at_time(&track.keys, time, is_direction(&track.target));
-    let count = (lane.width() / 3.0).clamp(2.0, 400.0) as usize;
-    let places = (0..=count).map(|i| lane.left() + lane.width() * i as f32 / count as f32);
-    let is_color =
-        port.as_ref().is_some_and(|port: &Port| matches!(port.ty, Type::Color | Type::Composite));
-    if is_color {
-        let space = owned.session.look().color_space;
-        let bar = lane.shrink2(vec2(0.0, 7.0));
-        let mut mesh = Mesh::default();
-        for (i, x) in places.enumerate() {
-            let color =
-                of(axis.time(x)).and_then(|value| value.color_in(space)).unwrap_or_default();
-            let byte = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
-            let [r, g, b, _] = color.map(byte);
-            for y in [bar.top(), bar.bottom()] {
-                mesh.vertices.push(Vertex::untextured(pos2(x, y), Color32::from_rgb(r, g, b)));
-            }
-            if i > 0 {
-                let k = 2 * i as u32;
-                mesh.indices.extend_from_slice(&[k - 2, k - 1, k, k, k - 1, k + 1]);
-            }
-        }
-        painter.add(Shape::mesh(mesh));
+    if is_color(owned, track) {
+        color_bar(ui, owned, axis, lane.shrink2(vec2(0.0, 7.0)), track);
         return;
     }
-    let numbers = track.keys.iter().filter_map(|key| number(&key.value));
+    let width = graph::width(track).unwrap_or(1);
+    let shown = track.keys.iter().step_by((track.keys.len() / 2000).max(1));
+    let numbers =
+        shown.flat_map(|key| (0..width).filter_map(move |at| graph::number(&key.value, at)));
     let (low, high) =
         numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
-    if low.is_finite() {
-        let y = |x: f64| {
-            let t = if high > low { (x - low) / (high - low) } else { 0.5 };
-            lane.bottom() - 7.0 - (lane.height() - 14.0) * t as f32
-        };
-        let line: Vec<Pos2> =
-            places.filter_map(|x| Some(pos2(x, y(number(&of(axis.time(x))?)?)))).collect();
-        painter.add(PathShape::line(line, Stroke::new(1.5, colors.second)));
+    if !low.is_finite() {
+        return;
+    }
+    let y = |x: f64| {
+        let t = if high > low { (x - low) / (high - low) } else { 0.5 };
+        lane.bottom() - 7.0 - (lane.height() - 14.0) * t.clamp(-1.0, 2.0) as f32
+    };
+    for at in 0..width {
+        let color = if width == 1 { colors.second } else { graph::ink(ui, width, at) };
+        let line: Vec<Pos2> = graph::places(lane)
+            .filter_map(|x| {
+                let value = Track::of(track).at(axis.time(x))?;
+                Some(pos2(x, y(graph::number(&value, at)?)))
+            })
+            .collect();
+        painter.add(PathShape::line(line, Stroke::new(1.5, color)));
     }
 }
 
-fn number(value: &Value) -> Option<f64> {
-    match value {
-        Value::Number(x) => Some(*x),
-        Value::Bool(on) => Some(f64::from(u8::from(*on))),
-        _ => None,
+/// True for tracks whose values are colors.
+pub(super) fn is_color(owned: OwnedKeys<'_>, track: &TimeKeys) -> bool {
+    let port = owned.keys.base.port_at(&track.target);
+    port.as_ref().is_some_and(|port: &Port| matches!(port.ty, Type::Color | Type::Composite))
+}
+
+/// Draws the colors of a track over time.
+pub(super) fn color_bar(ui: &Ui, owned: OwnedKeys<'_>, axis: Axis, bar: Rect, track: &TimeKeys) {
+    let space = owned.session.look().color_space;
+    let mut mesh = Mesh::default();
+    for (i, x) in graph::places(bar).enumerate() {
+        let value = Track::of(track).at(axis.time(x));
+        let color = value.and_then(|value| value.color_in(space)).unwrap_or_default();
+        let byte = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
+        let [r, g, b, _] = color.map(byte);
+        for y in [bar.top(), bar.bottom()] {
+            mesh.vertices.push(Vertex::untextured(pos2(x, y), Color32::from_rgb(r, g, b)));
+        }
+        if i > 0 {
+            let k = 2 * i as u32;
+            mesh.indices.extend_from_slice(&[k - 2, k - 1, k, k, k - 1, k + 1]);
+        }
     }
+    ui.painter_at(bar).add(Shape::mesh(mesh));
 }
 
 fn key_handle(
@@ -184,59 +279,93 @@ fn key_handle(
     axis: Axis,
     (track, index): (usize, usize),
     lane: Rect,
-    out: &mut Vec<Command>,
 ) {
     let of_track = &owned.look().time_keys[track];
     let key = &of_track.keys[index];
     let at = pos2(axis.x(key.time), lane.center().y);
-    if !lane.x_range().expand(6.0).contains(at.x) {
-        return;
-    }
     let [owner, what] = owner_and_name(owned, of_track);
     let label = format!("Time key {} of {owner}: {what}", index + 1);
-    let handled = handle(
-        ui,
-        ui.scope_id().with(("key", owned.owner, track, index)),
-        at,
-        &label,
-        key.time,
-        true,
-    );
-    if handled.response.clicked() || handled.response.drag_started() {
-        timeline.selected = Some((owned.owner, track, index));
-    }
-    let step = f64::from(handled.steps.x) / timeline.fps;
-    let wished = handled.to.map(|to| axis.time(to.x)).or((step != 0.0).then_some(key.time + step));
-    if let Some(time) = wished {
-        let edit = bar::moved(timeline, owned, track, index, time);
-        out.extend(owned.held(handled.response.id, edit));
-    }
-    if handled.response.double_clicked() {
-        timeline.go(key.time, out);
-    }
-    if handle::pressed(ui, &handled.response, Key::Delete) {
-        out.extend(owned.once(bar::removed(owned, track, index)));
-    }
-    let is_selected = timeline.selected == Some((owned.owner, track, index));
+    let id = ui.scope_id().with(("key", owned.owner, track, index));
+    let handled = handle(ui, id, at, &label, key.time, true);
+    let place = KeyAt { owner: owned.owner, track, key: index };
+    timeline.sheet.shown_at(place, at);
+    grab(timeline, ui, owned.session, &handled.response, (place, key.time), None);
+    type_keys(timeline, ui, &handled, place);
+    let is_selected = timeline.sheet.selected.contains(&place);
     paint_key(ui, at, key.interpolation, is_selected, handled.response.hovered());
     handle::focus_ring(ui, &handled.response, at, 7.0);
-    let time = values::number_text(key.time, 3);
-    handled.response.on_hover_text(format!(
-        "{time} s. Drag it, or arrow keys (a frame); double-click brings the playhead here; Delete \
-         removes it."
+    explain(timeline, handled.response, key.time);
+}
+
+/// Selects a key that is pressed, and begins to drag the selected ones; `height` is the number of
+/// the value that is dragged, and its change for a point upward.
+pub(super) fn grab(
+    timeline: &mut Timeline,
+    ui: &Ui,
+    session: &Session,
+    response: &Response,
+    (place, time): (KeyAt, f64),
+    height: Option<(usize, f64)>,
+) {
+    let modifiers = ui.input(|input| input.modifiers);
+    if response.clicked() {
+        timeline.sheet.press(place, modifiers, false);
+    }
+    if response.drag_started() {
+        timeline.sheet.press(place, modifiers, true);
+        timeline.sheet.begin_drag(ui, session, response.id, time, height);
+    }
+    if response.double_clicked() {
+        timeline.went = Some(time);
+    }
+}
+
+/// Takes keys of the keyboard that the key with the focus is moved or deleted by; what is selected
+/// goes with it.
+pub(super) fn type_keys(timeline: &mut Timeline, ui: &Ui, handled: &HandleResponse, at: KeyAt) {
+    let is_deleted = handle::pressed(ui, &handled.response, Key::Delete);
+    if handled.steps.x == 0.0 && !is_deleted {
+        return;
+    }
+    if !timeline.sheet.selected.contains(&at) {
+        timeline.sheet.press(at, Modifiers::NONE, false);
+    }
+    timeline.is_deleting |= is_deleted;
+    if handled.steps.x != 0.0 {
+        timeline.steps = Some(f64::from(handled.steps.x) / timeline.fps);
+    }
+}
+
+pub(super) fn explain(timeline: &Timeline, response: Response, time: f64) {
+    let frame = (time * timeline.fps * 100.0).round() / 100.0;
+    let time = values::number_text(time, 3);
+    response.on_hover_text(format!(
+        "{time} s, frame {frame}. Drag it, or arrow keys (a frame); Shift selects more; \
+         double-click brings the playhead here; Delete removes it."
     ));
 }
 
-/// Draws a key: a circle for smooth interpolation, a diamond for linear, a square for stepped.
-fn paint_key(ui: &Ui, at: Pos2, interpolation: Interpolation, is_selected: bool, is_hot: bool) {
+/// Draws a key: a hollow circle for handles, a circle for smooth interpolation, a diamond for
+/// linear, a square for stepped.
+pub(super) fn paint_key(
+    ui: &Ui,
+    at: Pos2,
+    interpolation: TimeInterpolation,
+    is_selected: bool,
+    is_hot: bool,
+) {
     let colors = theme::of(ui);
     let fill = if is_selected { colors.accent } else { colors.text };
     let edge = if is_hot { colors.accent } else { colors.canvas };
     let stroke = Stroke::new(1.5, edge);
     match interpolation {
-        Interpolation::Linear => mark::diamond(ui, at, 6.0, fill, edge),
-        Interpolation::Smooth => drop(ui.painter().circle(at, 5.5, fill, stroke)),
-        Interpolation::Stepped => {
+        TimeInterpolation::Linear => mark::diamond(ui, at, 6.0, fill, edge),
+        TimeInterpolation::Smooth => drop(ui.painter().circle(at, 5.5, fill, stroke)),
+        TimeInterpolation::Bezier => {
+            ui.painter().circle(at, 5.5, fill, stroke);
+            ui.painter().circle_filled(at, 2.5, colors.canvas);
+        }
+        TimeInterpolation::Stepped => {
             let square = Rect::from_center_size(at, Vec2::splat(10.0));
             ui.painter().rect(square, 1.0, fill, stroke, egui::StrokeKind::Middle);
         }
