@@ -132,8 +132,8 @@ pub(super) const OF_TRACKS: &[(&str, &str)] = &[
     (
         "bezier_between",
         "\
-/// A number between two keys: a cubic of four values, whose inner two lie at `first` and `second` of
-/// the way in time.
+/// A number between two keys: a cubic of four values, whose inner two lie at `first` and `second`
+/// of the way in time.
 fn bezier_between(share: f32, first: f32, second: f32, a: f32, b: f32, c: f32, d: f32) -> f32 {
     let cube = 1.0 + 3.0 * (first - second);
     let square = 3.0 * second - 6.0 * first;
