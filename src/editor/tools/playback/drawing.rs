@@ -51,7 +51,7 @@ pub(super) struct FrameDrawer {
 }
 
 impl FrameDrawer {
-    pub(super) fn new(gpu: Gpu) -> Self {
+    pub(super) fn new(gpu: &Gpu) -> Self {
         Self {
             executor: gpu.executor(),
             planner: PicturePlanner::default(),
