@@ -14,6 +14,9 @@ pub const PLAN_NOTE: &str = "Chiaro plan";
 /// Number of bytes that a PNG may unfold to.
 const MAX_PNG_BYTES: usize = 1 << 32;
 
+/// Numbers of red, green and blue, and of alpha where there is some.
+type ColorNumbers<'a> = ([&'a [f32]; 3], Option<&'a [f32]>);
+
 /// A frame as its file has it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StoredFrame {
@@ -157,7 +160,7 @@ impl StoredFrame {
     }
 
     /// Numbers of red, green and blue, and of alpha where the file has it.
-    fn colors(&self) -> Result<([&[f32]; 3], Option<&[f32]>), Diagnostic> {
+    fn colors(&self) -> Result<ColorNumbers<'_>, Diagnostic> {
         let channel = |name: &str| {
             let found = self.channels.iter().find(|(known, _)| known == name);
             found.map(|(_, numbers)| numbers.as_slice()).ok_or_else(|| {

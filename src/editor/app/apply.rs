@@ -128,10 +128,7 @@ impl App {
             Command::ShowReference(None) => {
                 self.dialogs.ask(FilePurpose::Reference, self.session.path());
             }
-            Command::CompareFrames(Some(path)) => self.bench.tools.of_mut::<FlipBook>().open(path),
-            Command::CompareFrames(None) => {
-                self.dialogs.ask(FilePurpose::Frames, self.session.path());
-            }
+            Command::CompareFrames(path) => self.compare_frames(path),
             Command::LeaveProbe => self.bench.tools.of_mut::<Probe>().escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
             Command::KeepLightColumns(columns) => {
@@ -174,6 +171,14 @@ impl App {
             Command::Sketch(command) => self.apply_to_sketch(command),
             Command::Recovery(command) => self.apply_to_recovery(command),
             Command::Tell(text) => self.message = Some(text),
+        }
+    }
+
+    /// Opens rendered frames in the flip book, or asks for them.
+    fn compare_frames(&mut self, path: Option<PathBuf>) {
+        match path {
+            Some(path) => self.bench.tools.of_mut::<FlipBook>().open(path),
+            None => self.dialogs.ask(FilePurpose::Frames, self.session.path()),
         }
     }
 

@@ -17,11 +17,11 @@ use crate::milestones;
 use crate::render::{Gpu, Renderer, set_times};
 use crate::state::crashes::{CrashLog, CrashMark, CrashStep, DocumentOrigin};
 use crate::state::orbit::Orbit;
-use crate::state::picture_plan::PicturePlanner;
 use crate::state::revision::{DocumentNumber, PictureRevision, RequestNumber};
 use crate::state::session::{DrawableLook, Session};
 use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::Worker;
+use crate::tools::picture_plan::PicturePlanner;
 
 /// Subject of a picture: another document or another mesh is another subject.
 #[derive(Clone, PartialEq)]

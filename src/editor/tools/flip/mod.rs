@@ -239,7 +239,7 @@ impl FlipBook {
                         }
                     }
                     Err(problem) => {
-                        version.failed.insert(frame, problem);
+                        version.failed.insert(frame, *problem);
                     }
                 }
                 self.deltas.extend(delta.map(|delta| (frame, delta)));

@@ -113,7 +113,7 @@ pub(super) enum FlipAnswer {
     Frame {
         version: RequestNumber,
         frame: i32,
-        other: Result<KeyedPicture, Diagnostic>,
+        other: Result<KeyedPicture, Box<Diagnostic>>,
         delta: Option<FrameDelta>,
     },
 }
@@ -125,7 +125,7 @@ pub(super) fn run(request: FlipRequest) -> FlipAnswer {
         FlipRequest::Frame { version, frame, ours, other } => {
             let other = match other {
                 OtherPicture::Known(picture) => Ok(picture),
-                OtherPicture::File(path) => read(&path),
+                OtherPicture::File(path) => read(&path).map_err(Box::new),
             };
             let delta = ours.zip(other.as_ref().ok()).map(|((ours, image), (key, theirs))| {
                 let same = DeltaKind::Compared { greatest: 0, pixel: [0; 2], mean: 0.0 };

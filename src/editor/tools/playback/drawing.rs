@@ -10,11 +10,13 @@ use super::cache::PictureKey;
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::film::PlanHasher;
-use crate::render::{Gpu, Renderer};
-use crate::state::picture_plan::PicturePlanner;
+use crate::frame::Executor;
+use crate::progress::Progress;
+use crate::render::Gpu;
 use crate::state::revision::RequestNumber;
 use crate::state::session::DrawableLook;
 use crate::state::snapshot::RenderSnapshot;
+use crate::tools::picture_plan::PicturePlanner;
 
 /// Number of pictures that are remembered before those are forgotten that nobody has any more.
 const MANY: usize = 1024;
@@ -41,7 +43,7 @@ pub(super) struct FrameAnswer {
 
 /// State of the thread that draws frames.
 pub(super) struct FrameDrawer {
-    renderer: Renderer,
+    executor: Box<dyn Executor + Send>,
     planner: PicturePlanner,
     hasher: PlanHasher,
     /// Pictures that were drawn, as long as somebody has them.
@@ -49,9 +51,9 @@ pub(super) struct FrameDrawer {
 }
 
 impl FrameDrawer {
-    pub(super) fn new(gpu: Gpu) -> Self {
+    pub(super) fn new(gpu: &Gpu) -> Self {
         Self {
-            renderer: Renderer::new(gpu),
+            executor: gpu.executor(),
             planner: PicturePlanner::default(),
             hasher: PlanHasher::default(),
             known: HashMap::new(),
@@ -79,7 +81,8 @@ impl FrameDrawer {
         if let Some(known) = self.known.get(&key).and_then(Weak::upgrade) {
             return Ok(((key, known), false));
         }
-        let picture = self.renderer.picture(&plan).await.map_err(|error| vec![error.into()])?;
+        let drawn = self.executor.picture(&plan, &Progress::new()).await;
+        let picture = drawn.map_err(|problem| vec![problem])?;
         let size = picture.size.map(|side| side as usize);
         let image = Arc::new(ColorImage::from_rgba_unmultiplied(size, &picture.to_rgba8()));
         if self.known.len() >= MANY {

@@ -33,7 +33,7 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
     SwitchPlace::Bar,
     |parts| {
         let worker = parts.gpu.clone().map(|gpu| {
-            let mut drawer = FrameDrawer::new(gpu);
+            let mut drawer = FrameDrawer::new(&gpu);
             Worker::waiting("frames", parts.wake(), async move |request| drawer.run(request).await)
         });
         Box::new(Playback::new(worker))
