@@ -650,7 +650,7 @@ fn layers_of_what_is_transparent_and_cut_out_are_the_picture() {
     };
     let scene = json!({
         "chiaro": "scene", "version": 1,
-        "outlines": {"width": 0.01},
+        "outlines": {"width": 20.0},
         "objects": [
             object("behind", "look.json", [0.0, 0.0, -1.0]),
             object("before", "glass.json", [-0.5, 0.0, 0.6]),
