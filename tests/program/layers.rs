@@ -65,7 +65,10 @@ impl RenderFolder {
     fn run(&self, document: &Path, arguments: &[&str]) -> Output {
         let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
         command.env("CHIARO_CACHE_DIR", "").current_dir(self.0.path()).arg("render").arg(document);
-        command.args(["--size", "48x40", "--backdrop", "none"]).args(arguments);
+        let backdrop = ["--backdrop", "none"];
+        let is_backed = arguments.contains(&"--backdrop");
+        command.args(backdrop.iter().filter(|_| !is_backed));
+        command.args(["--size", "48x40"]).args(arguments);
         command.output().unwrap()
     }
 
