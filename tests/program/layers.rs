@@ -65,7 +65,10 @@ impl RenderFolder {
     fn run(&self, document: &Path, arguments: &[&str]) -> Output {
         let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
         command.env("CHIARO_CACHE_DIR", "").current_dir(self.0.path()).arg("render").arg(document);
-        command.args(["--size", "48x40", "--backdrop", "none"]).args(arguments);
+        let backdrop = ["--backdrop", "none"];
+        let is_backed = arguments.contains(&"--backdrop");
+        command.args(backdrop.iter().filter(|_| !is_backed));
+        command.args(["--size", "48x40"]).args(arguments);
         command.output().unwrap()
     }
 
@@ -650,7 +653,7 @@ fn layers_of_what_is_transparent_and_cut_out_are_the_picture() {
     };
     let scene = json!({
         "chiaro": "scene", "version": 1,
-        "outlines": {"width": 0.01},
+        "outlines": {"width": 20.0},
         "objects": [
             object("behind", "look.json", [0.0, 0.0, -1.0]),
             object("before", "glass.json", [-0.5, 0.0, 0.6]),
