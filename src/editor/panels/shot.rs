@@ -28,7 +28,7 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 /// Rates that are offered.
 const RATES: [&str; 6] = ["23.976", "24", "25", "29.97", "30", "60"];
 /// Steps in the words of animators.
-const STEPS: [(u32, &str); 4] = [(1, "ones"), (2, "twos"), (3, "threes"), (4, "fours")];
+const STEPS: [(u32, &str); 3] = [(1, "ones"), (2, "twos"), (3, "threes")];
 
 /// Shows the panel.
 fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {

@@ -13,7 +13,7 @@ use super::place::{default_of, is_identity, item_name, json_of};
 use crate::diag::Diagnostic;
 use crate::document::shape::{FieldKind, ObjectShape};
 use crate::document::{Graph, Look, Node, Scene, Target, TimeKey, TimeKeys, Value};
-use crate::ids::{DefinitionId, NodeId, NodePath};
+use crate::ids::{DefinitionId, LightGroup, NodeId, NodePath};
 
 /// Most uses of a group that are looked for.
 const MOST_USES: usize = 1000;
@@ -69,10 +69,9 @@ impl Scene {
         for [before, after] in changed(&self.lights, &after.lights) {
             walk_documents([before, after].map(|of| part(&none, &of, &no_groups)), &mut found)?;
         }
-        let mut groups: Vec<_> =
-            self.light_groups.keys().chain(after.light_groups.keys()).collect();
-        groups.dedup();
-        for group in groups {
+        let is_gone = |group: &&LightGroup| !after.light_groups.contains_key(*group);
+        let gone = self.light_groups.keys().filter(is_gone);
+        for group in after.light_groups.keys().chain(gone) {
             let of = |scene: &Self| {
                 let master = scene.light_groups.get(group).cloned().unwrap_or_default();
                 part(&none, &no_lights, &IndexMap::from([(group.clone(), master)]))
@@ -95,7 +94,6 @@ impl Scene {
             ..scene.clone()
         };
         walk_documents([rest(self), rest(after)], &mut found)?;
-        found.dedup();
         Ok(found)
     }
 }
@@ -393,7 +391,7 @@ fn walk(
                 Json::String(path) => serde_json::json!({ "*": path }),
                 json => json.clone(),
             };
-            (of(before) != of(after)).then(|| leaf(after, address, found)).unwrap_or(Ok(()))
+            if of(before) == of(after) { Ok(()) } else { leaf(after, address, found) }
         }
         _ => leaf(after, address, found),
     }

@@ -214,10 +214,10 @@ impl Session {
         self.set_preview(None);
         self.sketchbook.put_aside(&self.look);
         self.remember_times();
-        self.look.history = History::new(look.clone());
         self.look.file = TextFile::new(source);
         self.look.path = path;
         self.look_was_opened(&look);
+        self.look.history = History::new(look);
         self.sketchbook.find(&self.look);
         self.selection.nodes.clear();
         self.selection.light = None;
