@@ -147,7 +147,7 @@ const KEPT_TO: &[(&str, &[&str])] = &[
     ("zip", &["scene"]),
     ("faer", &["scene"]),
     ("gltf", &["scene"]),
-    ("rayon", &["scene", "reference", "laboratory"]),
+    ("rayon", &["scene", "reference", "laboratory", "cli"]),
     ("roxmltree", &["scene"]),
 ];
 
