@@ -132,7 +132,10 @@ pub(super) fn found(pattern: &FramePattern) -> Result<Vec<i32>, Diagnostic> {
 ///
 /// # Errors
 /// As [`found`] and [`pattern_of`].
-fn files(arguments: &[PathBuf], frames: Option<&FrameList>) -> Result<Vec<FrameFile>, Diagnostic> {
+pub(super) fn files(
+    arguments: &[PathBuf],
+    frames: Option<&FrameList>,
+) -> Result<Vec<FrameFile>, Diagnostic> {
     let mut files = Vec::new();
     for path in arguments {
         if path.is_file() || arguments.len() > 1 && matches!(FramePattern::of(path), Ok(None)) {

@@ -3,7 +3,7 @@
 
 use std::path::PathBuf;
 
-use chiaro::document::{Edit, GraphId, Interpolation, Target, TimeKey, TimeKeys, Value};
+use chiaro::document::{Edit, GraphId, Target, TimeInterpolation, TimeKey, TimeKeys, Value};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, Pos2, pos2};
 
@@ -21,19 +21,16 @@ fn moving() -> User {
     let layer = hand.look().graph.nodes.iter().find(|(_, node)| node.kind == "light_layer");
     let (id, _) = layer.expect("the example has a layer");
     let target = Target::parse(&format!("{id}.opacity")).unwrap();
-    let key = |frame: f64, value: f64, interpolation| TimeKey {
-        time: frame / 24.0,
-        value: Value::Number(value),
-        interpolation,
-        unknown: Default::default(),
+    let key = |frame: f64, value: f64, interpolation| {
+        TimeKey::new(frame / 24.0, Value::Number(value), interpolation)
     };
     // Held over frames 0 to 3.
     let keys = vec![
-        key(0.0, 1.0, Interpolation::Stepped),
-        key(4.0, 0.8, Interpolation::Linear),
-        key(8.0, 0.2, Interpolation::Linear),
+        key(0.0, 1.0, TimeInterpolation::Stepped),
+        key(4.0, 0.8, TimeInterpolation::Linear),
+        key(8.0, 0.2, TimeInterpolation::Linear),
     ];
-    let keys = TimeKeys { target, keys, unknown: Default::default() };
+    let keys = TimeKeys { keys, ..TimeKeys::new(target) };
     let edit = Edit::AddTimeKeys { keys, index: None };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.settle();

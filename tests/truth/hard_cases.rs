@@ -522,6 +522,7 @@ fn one_part(mut mesh: Mesh) -> Mesh {
         indices: 0..mesh.indices.len() as u32,
         two_sided: true,
         alpha_cutoff: None,
+        maps: None,
     };
     mesh.parts = vec![part];
     mesh

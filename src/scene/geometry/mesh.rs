@@ -303,6 +303,7 @@ mod tests {
         };
         let mesh = Mesh {
             name: "m".to_owned(),
+            file: None,
             positions: vec![[0.0, 1.0, 2.0], [3.0, 4.0, -0.5], [0.1, 0.2, 0.3]],
             normals: vec![[0.0, 0.0, 1.0]; 3],
             tangents: vec![[1.0, 0.0, 0.0, -1.0]; 3],

@@ -12,7 +12,7 @@ use serde_json::Value as Json;
 use super::place::{default_of, is_identity, item_name, json_of};
 use crate::diag::Diagnostic;
 use crate::document::shape::{FieldKind, ObjectShape};
-use crate::document::{Graph, Look, Node, Scene, Target, TimeKey, TimeKeys, Value};
+use crate::document::{Graph, Look, Node, Scene, Target, TimeKeys, Value};
 use crate::ids::{DefinitionId, LightGroup, NodeId, NodePath};
 
 /// Most uses of a group that are looked for.
@@ -35,7 +35,7 @@ pub enum ChangedTo {
     /// Nothing that is set: the default of the node.
     Default,
     /// Keys in time.
-    Keys(Vec<TimeKey>),
+    Keys(TimeKeys),
     /// No keys in time any more.
     Unkeyed,
 }
@@ -226,11 +226,11 @@ fn changed<'m, K: Clone + Eq + Hash, T: Clone + PartialEq>(
 /// Keys in time that differ, by their targets.
 fn differing_keys(before: &[TimeKeys], after: &[TimeKeys], found: &mut Found) {
     let of = |tracks: &[TimeKeys], target: &Target| {
-        tracks.iter().find(|track| track.target == *target).map(|track| track.keys.clone())
+        tracks.iter().find(|track| track.target == *target).cloned()
     };
     for track in after {
-        if of(before, &track.target).as_ref() != Some(&track.keys) {
-            let to = ChangedTo::Keys(track.keys.clone());
+        if of(before, &track.target).as_ref() != Some(track) {
+            let to = ChangedTo::Keys(track.clone());
             found.push(ValueDifference { target: track.target.to_string(), to });
         }
     }

@@ -5,8 +5,9 @@ use serde_json::Value as Json;
 use super::{OpenShot, ShotAddress};
 use crate::diag::Diagnostic;
 use crate::document::{
-    ChangedTo, FrameRate, Interpolation, Override, Scene, ShotEdit, ShotKey, Target, TimeKey,
-    TimeRange, Value, ValueDifference, json_of_value, keyed_target,
+    ChangedTo, Extrapolation, FrameRate, Override, Scene, ShotEdit, ShotKey, Target,
+    TimeInterpolation, TimeKey, TimeKeys, TimeRange, Value, ValueDifference, json_of_value,
+    keyed_target,
 };
 
 /// Greatest distance of a key from a frame that counts as on it, in frames.
@@ -111,23 +112,30 @@ impl<'s> ShotWriter<'s> {
             Some(key) => key.value = value,
             None => {
                 let before = keys.get(place.wrapping_sub(1)).map(|key| key.interpolation);
-                let interpolation = before.unwrap_or(Interpolation::Linear);
-                keys.insert(place, shot_key(self.frame, value, interpolation));
+                let interpolation = before.unwrap_or(TimeInterpolation::Bezier);
+                keys.insert(place, ShotKey::new(self.frame, value, interpolation));
             }
         }
         self.edits.push(ShotEdit::set_override(change));
     }
 
     /// Sets all keys of a value, in seconds.
-    fn key_all(&mut self, target: &str, keys: &[TimeKey]) {
+    fn key_all(&mut self, target: &str, track: &TimeKeys) {
         let rate = self.shot.rate();
         let own = self.shot.own(&self.at(target)).cloned();
         let mut change = own.unwrap_or_else(|| self.new_override(target));
         change.value = None;
-        let key = |key: &TimeKey| {
-            shot_key(on_frame(rate, key.time), key.value.clone(), key.interpolation)
+        let in_frames = |handles: &[[f64; 2]]| {
+            handles.iter().map(|[time, value]| [time * rate.per_second(), *value]).collect()
         };
-        change.keys = keys.iter().map(key).collect();
+        let key = |key: &TimeKey| ShotKey {
+            incoming: in_frames(&key.incoming),
+            outgoing: in_frames(&key.outgoing),
+            handles: key.handles,
+            ..ShotKey::new(on_frame(rate, key.time), key.value.clone(), key.interpolation)
+        };
+        change.keys = track.keys.iter().map(key).collect();
+        (change.before, change.after) = (track.before, track.after);
         self.edits.push(ShotEdit::set_override(change));
     }
 
@@ -186,14 +194,12 @@ impl<'s> ShotWriter<'s> {
             target: target.to_owned(),
             value: None,
             keys: Vec::new(),
+            before: Extrapolation::Hold,
+            after: Extrapolation::Hold,
             step: 1,
             unknown: Default::default(),
         }
     }
-}
-
-fn shot_key(frame: f64, value: Value, interpolation: Interpolation) -> ShotKey {
-    ShotKey { frame, value, interpolation, unknown: Default::default() }
 }
 
 /// The frame at a time in seconds, or the place between two.

@@ -59,6 +59,7 @@ fn snapshot(look: Look, mesh: &str) -> RenderSnapshot {
         library: Arc::new(Library::built_in().clone()),
         orbit,
         time: 0.0,
+        follows_shot: false,
         scene: None,
         painting: None,
         assets: AssetStore::default(),

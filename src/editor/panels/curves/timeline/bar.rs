@@ -1,7 +1,7 @@
 //! Bar above the tracks: play, frame rate, range, values to key.
 
 use eframe::egui;
-use eframe::egui::{Button, ComboBox, DragValue, RichText, Role, Ui, WidgetInfo};
+use eframe::egui::{Button, ComboBox, DragValue, Role, Ui, WidgetInfo};
 
 use super::{Timeline, transport};
 use crate::commands::Command;
