@@ -470,7 +470,7 @@ fn the_greatest_light_has_all_of_what_it_wins() {
 }
 
 /// A look in which a node bends the sum of two lights' tones.
-fn bent_look(kind: &str, values: Json) -> Json {
+fn bent_look(kind: &str, values: &Json) -> Json {
     let light = |id: &str| {
         [
             json!({"id": format!("{id}_lamp"), "kind": "light", "values": {"light": id}}),
@@ -544,7 +544,7 @@ fn what_bends_a_sum_is_refused_and_given_as_a_table() {
         ("smooth_step_value", json!({"low": 0.2, "high": 1.6})),
         ("threshold", json!({"edge": 0.7, "softness": 0.3})),
     ] {
-        fs::write(&path, bent_look(kind, values).to_string()).unwrap();
+        fs::write(&path, bent_look(kind, &values).to_string()).unwrap();
         let told = folder.run(&path, &[&asked[..], &["-o", "out.exr", "--force"]].concat());
         let told = String::from_utf8_lossy(&told.stderr).into_owned();
         assert!(
@@ -569,7 +569,7 @@ fn what_bends_a_sum_is_refused_and_given_as_a_table() {
         assert!(header.windows(name.len()).any(|bytes| bytes == name), "the header names it");
     }
     // A sum of what was cut by each light can be parted, and nothing is told.
-    let mut each = bent_look("clamp_range", json!({}));
+    let mut each = bent_look("clamp_range", &json!({}));
     each["nodes"][3]["kind"] = json!("maximum");
     fs::write(&path, each.to_string()).unwrap();
     let drawn = folder.layers(&path, &asked);

@@ -283,15 +283,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     milestones::reached("first picture");
     output.diagnostics(&of_device);
     warnings.extend(of_device);
-    let blended_in = blended_in(setup.looks.iter().map(|worn| &worn.look));
-    let header = ExrHeader {
-        view: Some(plan.picture().view),
-        layers_in: layers_in(&plan, &blended_in),
-        blended_in,
-        attributes: plan.attributes(),
-        ..ExrHeader::default()
-    };
-    let bytes = format.encode(&drawn, &header).map_err(one)?;
+    let bytes = format.encode(&drawn, &header_of(&plan, setup)).map_err(one)?;
     reads_all(&mut outputs, setup, &planner.assets);
     layers::write_tables(asked, (target, pattern), &mut outputs).map_err(one)?;
     outputs.write(target, format.kind(), &bytes).map_err(one)?;
@@ -316,6 +308,18 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
         }
     }
     Ok(())
+}
+
+/// The header of a single picture.
+fn header_of(plan: &LayeredPlan, setup: &Setup) -> ExrHeader {
+    let blended_in = blended_in(setup.looks.iter().map(|worn| &worn.look));
+    ExrHeader {
+        view: Some(plan.picture().view),
+        layers_in: layers_in(plan, &blended_in),
+        blended_in,
+        attributes: plan.attributes(),
+        ..ExrHeader::default()
+    }
 }
 
 impl Arguments {

@@ -134,10 +134,7 @@ impl App {
             Command::KeepLightColumns(columns) => {
                 self.safety.change_settings(|settings| settings.light_columns = columns);
             }
-            Command::KeepFrameMemory(mib) => {
-                self.safety.change_settings(|settings| settings.frame_memory = mib);
-                self.bench.tools.playback().set_memory(mib);
-            }
+            Command::KeepFrameMemory(mib) => self.keep_frame_memory(mib),
             Command::ChooseLight(id) => self.session.choose_light(id),
             Command::LinkPointed(is_linked) => {
                 for command in self.bench.links.link_pointed(&self.session, is_linked) {
@@ -172,6 +169,12 @@ impl App {
             Command::Recovery(command) => self.apply_to_recovery(command),
             Command::Tell(text) => self.message = Some(text),
         }
+    }
+
+    /// Bounds the memory of kept frames from now on, in MiB.
+    fn keep_frame_memory(&mut self, mib: u32) {
+        self.safety.change_settings(|settings| settings.frame_memory = mib);
+        self.bench.tools.playback().set_memory(mib);
     }
 
     /// Opens rendered frames in the flip book, or asks for them.

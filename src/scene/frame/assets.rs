@@ -263,6 +263,10 @@ fn around(one: &Region, other: &Region) -> Region {
     Region { layer: one.layer, at, size: [0, 1].map(|axis| end(axis) - at[axis]) }
 }
 
+/// Key of a multiplied picture: the hash of the picture, the bits of the factor, and whether it is a
+/// color.
+type MultipliedKey = (u64, [u32; 4], bool);
+
 /// Reader of meshes and images. Each file is read once and kept while pictures use it, shared with
 /// all users of the same [`AssetStore`].
 #[derive(Clone, Debug, Default)]
@@ -279,9 +283,9 @@ pub struct Assets {
     baked: HashMap<LayerOptions, (Overlay, Arc<Image>)>,
     meshes: HashMap<String, UsedAsset<Mesh>>,
     images: HashMap<PathBuf, UsedAsset<Image>>,
-    /// Maps of materials whose pictures are multiplied, by the picture's hash, the factor's bits
-    /// and whether it is a color, with the round in which they were asked for last.
-    multiplied: HashMap<(u64, [u32; 4], bool), (u64, Arc<Image>)>,
+    /// Maps of materials whose pictures are multiplied, with the round in which they were asked for
+    /// last.
+    multiplied: HashMap<MultipliedKey, (u64, Arc<Image>)>,
     hcbtfs: HashMap<HcbtfKey, UsedAsset<Image>>,
 }
 

@@ -171,6 +171,9 @@ impl Material {
     }
 }
 
+/// Key of a material: name, sides, the bits of the cutoff, and the address of maps.
+type MaterialKey = (String, Option<bool>, Option<u32>, Option<usize>);
+
 /// Points, corners and materials of a file. Readers have checked every index and every number.
 #[derive(Clone, Debug, Default)]
 pub(super) struct TriangleSoup {
@@ -187,8 +190,8 @@ pub(super) struct TriangleSoup {
     /// Materials of all triangles, in the triangles' order.
     pub runs: Vec<MaterialRun>,
     pub materials: Vec<Material>,
-    /// Indices into `materials`, by name, sides, the bits of the cutoff, and the address of maps.
-    pub known_materials: HashMap<(String, Option<bool>, Option<u32>, Option<usize>), u32>,
+    /// Indices into `materials`.
+    pub known_materials: HashMap<MaterialKey, u32>,
     /// Motion of the points, whose numbers are those of [`Self::points`].
     pub motion: Option<Motion>,
 }

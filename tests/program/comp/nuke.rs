@@ -391,6 +391,6 @@ impl Expression<'_> {
         let end = self.text.find(|c| !is_digit(c)).unwrap_or(self.text.len());
         let (number, rest) = self.text.split_at(end);
         self.text = rest;
-        number.parse().map_err(|_| format!("no number: {}{rest}", number))
+        number.parse().map_err(|_| format!("no number: {number}{rest}"))
     }
 }

@@ -78,9 +78,9 @@ fn parameter(share: f64, [first, second]: [f64; 2]) -> f64 {
             return s;
         }
         if off < 0.0 {
-            low = s
+            low = s;
         } else {
-            high = s
+            high = s;
         }
         let newton = s - off / ((3.0 * a * s + 2.0 * b) * s + c);
         // A step that is no number fails this comparison, too.

@@ -98,7 +98,7 @@ impl KeySheet {
             self.selected.remove(&key);
             return;
         }
-        if !adds && !(is_drag && self.selected.contains(&key)) {
+        if !(adds || is_drag && self.selected.contains(&key)) {
             self.selected.clear();
         }
         self.selected.insert(key);
