@@ -5,8 +5,8 @@ import chiaro::total;
 ///
 /// A picture laid on the surface by its texture coordinates.
 ///
-/// @param image "Image" widget=path : PNG, JPEG, HDR or EXR; `mesh:base_color` is that of the mesh's
-///   own material, and so are `mesh:normal`, `mesh:occlusion`, `mesh:emissive` and
+/// @param image "Image" widget=path : PNG, JPEG, HDR or EXR; `mesh:base_color` is that of the
+///   mesh's own material, and so are `mesh:normal`, `mesh:occlusion`, `mesh:emissive` and
 ///   `mesh:metallic_roughness`.
 /// @param uv "UV" from=uv : Where in the picture; u to the right, v up.
 /// @param scale "Scale" default=1,1 : How often the picture repeats; negative numbers mirror it.

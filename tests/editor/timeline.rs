@@ -8,7 +8,7 @@ use eframe::egui::{Key, Modifiers, Pos2, Role, pos2, vec2};
 
 use crate::editor_support::{User, close};
 
-/// A window with two tracks of the same look: opacity at 0, 1 and 2 seconds, the cut-off at 0 and 2.
+/// A window with two tracks of one look: opacity at 0, 1 and 2 seconds, the cut-off at 0 and 2.
 fn keyed() -> User {
     let mut hand = User::new();
     let track = |port: &str, keys: &[(f64, f64)]| {

@@ -52,7 +52,7 @@ impl<'s> ChangedValue<'s> {
         })
     }
 
-    /// What the reset of the value brings back, in words.
+    /// Words for the reset of the value: the value that it brings back.
     pub(crate) fn reset_label(self) -> &'static str {
         match (self.is_over_another(), &self.change.look) {
             (true, _) => "Reset to the sequence's",

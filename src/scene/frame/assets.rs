@@ -263,8 +263,8 @@ fn around(one: &Region, other: &Region) -> Region {
     Region { layer: one.layer, at, size: [0, 1].map(|axis| end(axis) - at[axis]) }
 }
 
-/// Key of a multiplied picture: the hash of the picture, the bits of the factor, and whether it is a
-/// color.
+/// Key of a multiplied picture: the hash of the picture, the bits of the factor, and whether it is
+/// a color.
 type MultipliedKey = (u64, [u32; 4], bool);
 
 /// Reader of meshes and images. Each file is read once and kept while pictures use it, shared with

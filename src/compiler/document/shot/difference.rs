@@ -23,11 +23,11 @@ const MOST_USES: usize = 1000;
 pub struct ValueDifference {
     /// Address of the value.
     pub target: String,
-    /// What has become of it.
+    /// Present state.
     pub to: ChangedTo,
 }
 
-/// What has become of a value.
+/// State of a value that differs.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ChangedTo {
     /// Another value.
@@ -41,7 +41,7 @@ pub enum ChangedTo {
 }
 
 /// Differences so far.
-type Found = Vec<ValueDifference>;
+type Differences = Vec<ValueDifference>;
 
 impl Scene {
     /// Values that `after` has otherwise.
@@ -49,7 +49,7 @@ impl Scene {
     /// # Errors
     /// A difference that no address says.
     pub fn differences(&self, after: &Self) -> Result<Vec<ValueDifference>, Diagnostic> {
-        let mut found = Found::new();
+        let mut found = Differences::new();
         let part = |objects: &_, lights: &_, light_groups: &_| Self {
             objects: IndexMap::clone(objects),
             lights: IndexMap::clone(lights),
@@ -104,7 +104,7 @@ impl Look {
     /// # Errors
     /// A difference that no address says.
     pub fn differences(&self, after: &Self) -> Result<Vec<ValueDifference>, Diagnostic> {
-        let mut found = Found::new();
+        let mut found = Differences::new();
         differing_nodes("", &self.graph, &after.graph, &mut found)?;
         self.differing_definitions(after, &mut found)?;
         same_ids("light", &self.lights, &after.lights)?;
@@ -114,6 +114,12 @@ impl Look {
         }
         if self.exposed != after.exposed {
             return Err(beyond("what is exposed"));
+        }
+        if self.aovs != after.aovs {
+            return Err(beyond("the names of outputs"));
+        }
+        if self.markers != after.markers {
+            return Err(beyond("a marker of the look"));
         }
         if self.direction_keys != after.direction_keys {
             return Err(beyond("keys by direction"));
@@ -133,7 +139,11 @@ impl Look {
     }
 
     /// Values within groups: a shot changes those of one use.
-    fn differing_definitions(&self, after: &Self, found: &mut Found) -> Result<(), Diagnostic> {
+    fn differing_definitions(
+        &self,
+        after: &Self,
+        found: &mut Differences,
+    ) -> Result<(), Diagnostic> {
         same_ids("group", &self.definitions, &after.definitions)?;
         for (id, before) in &self.definitions {
             let Some(now) = after.definitions.get(id).filter(|now| *now != before) else {
@@ -152,7 +162,7 @@ impl Look {
                     format!("the group is used {count} times, and this is of all of them");
                 return Err(Diagnostic::error("not-of-a-shot", message));
             };
-            let mut inner = Found::new();
+            let mut inner = Differences::new();
             differing_nodes(&format!("{path}/"), &before.graph, &now.graph, &mut inner)?;
             if inner.iter().any(|difference| difference.target.starts_with("nodes.")) {
                 return Err(beyond("nodes within groups"));
@@ -224,7 +234,7 @@ fn changed<'m, K: Clone + Eq + Hash, T: Clone + PartialEq>(
 }
 
 /// Keys in time that differ, by their targets.
-fn differing_keys(before: &[TimeKeys], after: &[TimeKeys], found: &mut Found) {
+fn differing_keys(before: &[TimeKeys], after: &[TimeKeys], found: &mut Differences) {
     let of = |tracks: &[TimeKeys], target: &Target| {
         tracks.iter().find(|track| track.target == *target).cloned()
     };
@@ -248,7 +258,7 @@ fn differing_nodes(
     around: &str,
     before: &Graph,
     after: &Graph,
-    found: &mut Found,
+    found: &mut Differences,
 ) -> Result<(), Diagnostic> {
     same_ids("node", &before.nodes, &after.nodes)?;
     if before.wires != after.wires {
@@ -271,7 +281,7 @@ fn differing_node(
     around: &str,
     (id, before): (&NodeId, &Node),
     after: &Node,
-    found: &mut Found,
+    found: &mut Differences,
 ) -> Result<(), Diagnostic> {
     if before.kind != after.kind {
         return Err(beyond("kinds of nodes"));
@@ -301,7 +311,7 @@ fn differing_node(
 /// Differences of two documents of one shape.
 fn walk_documents<T: super::place::Document>(
     [before, after]: [T; 2],
-    found: &mut Found,
+    found: &mut Differences,
 ) -> Result<(), Diagnostic> {
     let (before, after) = (json_of(&before), json_of(&after));
     walk_object(T::shape(), [&before, &after], "", found)
@@ -312,7 +322,7 @@ fn walk_object(
     shape: &'static ObjectShape,
     [before, after]: [&Json; 2],
     address: &str,
-    found: &mut Found,
+    found: &mut Differences,
 ) -> Result<(), Diagnostic> {
     if before == after {
         return Ok(());
@@ -345,7 +355,7 @@ fn walk(
     kind: &'static FieldKind,
     [before, after]: [&Json; 2],
     address: &str,
-    found: &mut Found,
+    found: &mut Differences,
 ) -> Result<(), Diagnostic> {
     match kind {
         FieldKind::Object(shape) => walk_object(shape(), [before, after], address, found),
@@ -397,7 +407,7 @@ fn walk(
     }
 }
 
-fn leaf(after: &Json, address: &str, found: &mut Found) -> Result<(), Diagnostic> {
+fn leaf(after: &Json, address: &str, found: &mut Differences) -> Result<(), Diagnostic> {
     let value = serde_json::from_value::<Value>(after.clone());
     let value = value.map_err(|_| beyond(&format!("`{address}` without a value")))?;
     found.push(ValueDifference { target: address.to_owned(), to: ChangedTo::Value(value) });
@@ -425,7 +435,7 @@ mod tests {
                         {"id": "floor", "mesh": "shape:plane", "looks": "a.json"}]}"#;
         let before = Scene::read(text, "").value.unwrap();
         let mut after = before.clone();
-        after.lights["key"].intensity = 2.0;
+        after.lights["key"].intensity = 2;
         after.objects["hero"].transform.translate = [1.0, 0.0, 0.0];
         after.objects["hero"].visible = false;
         after.camera.fov = 0.75;
@@ -434,10 +444,10 @@ mod tests {
         after.light_groups["rim"].exposure = -1.0;
         let found = before.differences(&after).unwrap();
         let expected = [
-            "objects.hero.transform.translate = [1.0,0.0,0.0]",
+            "objects.hero.transform.translate = [1,0,0]",
             "objects.hero.visible = false",
-            "lights.key.intensity = 2.0",
-            "light_groups.rim.exposure = -1.0",
+            "lights.key.intensity = 2",
+            "light_groups.rim.exposure = -1",
             "muted = \"key\"",
             "camera.fov = 0.75",
         ];
@@ -467,7 +477,7 @@ mod tests {
         after.graph.nodes["lit"].muted = true;
         after.lights["key"].intensity = 3.0;
         let found = before.differences(&after).unwrap();
-        let expected = ["lit.offset = 1.0", "nodes.lit.muted = true", "lights.key.intensity = 3.0"];
+        let expected = ["lit.offset = 1", "nodes.lit.muted = true", "lights.key.intensity = 3"];
         assert_eq!(told(&found), expected);
 
         let mut reset = before.clone();

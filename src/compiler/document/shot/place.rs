@@ -469,7 +469,7 @@ fn member<'j>(
     Ok((members.entry(field.name).or_insert(default), &field.kind))
 }
 
-/// What a field that files leave out has, as they would have it; null for nothing.
+/// Value of a field that files leave out, as they would have it; null for nothing.
 pub(super) fn default_of(field: &ShapeField) -> Json {
     match field.default {
         FieldDefault::Json(json) => serde_json::from_str(&json()).unwrap_or(Json::Null),

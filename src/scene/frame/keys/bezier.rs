@@ -174,7 +174,8 @@ mod tests {
 
         #[test]
         fn automatic_handles_stay_between_keys(
-            slopes in prop::array::uniform2(-1e9..1e9f64), spans in prop::array::uniform2(1e-6..1e3f64),
+            slopes in prop::array::uniform2(-1e9..1e9f64),
+            spans in prop::array::uniform2(1e-6..1e3f64),
         ) {
             let slope = automatic_slope(slopes, spans);
             let least = slopes[0].abs().min(slopes[1].abs());

@@ -50,7 +50,7 @@ impl Default for PlayClock {
     }
 }
 
-/// What a moment of playing asks for.
+/// Wants of a moment of playing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct ClockTick {
     /// Time of the playhead, in seconds.

@@ -29,6 +29,20 @@ pub(super) enum ImageEntry {
     Within(IgnoredAny),
 }
 
+/// The pictures that a file names; none where they are no list.
+#[derive(Deserialize)]
+#[serde(untagged)]
+pub(super) enum ImageList {
+    List(Vec<ImageEntry>),
+    Other(IgnoredAny),
+}
+
+impl Default for ImageList {
+    fn default() -> Self {
+        Self::Other(IgnoredAny)
+    }
+}
+
 fn without_data<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<String>, D::Error> {
     String::deserialize(deserializer).map(|uri| (!uri.starts_with("data:")).then_some(uri))
 }
@@ -112,7 +126,8 @@ impl Pictures<'_> {
         let texture = self.file.textures.get(texture["index"].as_u64()? as usize)?;
         let webp = &texture["extensions"]["EXT_texture_webp"]["source"];
         let number = texture["source"].as_u64().or_else(|| webp.as_u64())? as usize;
-        match self.file.images.get(number)? {
+        let ImageList::List(images) = &self.file.images else { return None };
+        match images.get(number)? {
             ImageEntry::Named { uri: Some(uri) } => decoded_path(uri).ok(),
             _ => Some(format!("{WITHIN}{number}")),
         }
