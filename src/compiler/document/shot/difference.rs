@@ -435,7 +435,7 @@ mod tests {
                         {"id": "floor", "mesh": "shape:plane", "looks": "a.json"}]}"#;
         let before = Scene::read(text, "").value.unwrap();
         let mut after = before.clone();
-        after.lights["key"].intensity = 2;
+        after.lights["key"].intensity = 2.0;
         after.objects["hero"].transform.translate = [1.0, 0.0, 0.0];
         after.objects["hero"].visible = false;
         after.camera.fov = 0.75;
