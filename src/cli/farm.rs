@@ -14,6 +14,7 @@ use crate::files::OutputKind;
 use crate::film::FrameList;
 use crate::film::farm::simulation::{FarmFigures, FarmSettings, simulate};
 use crate::film::farm::{FARMS, Farm, FarmJob};
+use crate::frame::ShotStack;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -74,7 +75,8 @@ struct RenderWords {
     words: Vec<String>,
     document: PathBuf,
     output: PathBuf,
-    frames: FrameList,
+    /// Frames that were asked for; of a shot all without them.
+    frames: Option<FrameList>,
     is_forced: bool,
 }
 
@@ -86,7 +88,6 @@ impl clap::Args for RenderWords {
         // The frames' files are written by the tasks, and must not be missing in a job.
         render::Arguments::augment_args(command)
             .mut_arg("output", |output| output.value_parser(clap::value_parser!(PathBuf)))
-            .mut_arg("frames", |frames| frames.required(true))
     }
 
     fn augment_args_for_update(command: clap::Command) -> clap::Command {
@@ -126,13 +127,11 @@ impl FromArgMatches for RenderWords {
             let missing = || super::command().error(ErrorKind::MissingRequiredArgument, id);
             matches.get_one::<PathBuf>(id).cloned().ok_or_else(missing)
         };
-        let frames = matches.get_one::<FrameList>("frames").cloned();
-        let missing = || super::command().error(ErrorKind::MissingRequiredArgument, "--frames");
         Ok(Self {
             words,
             document: get("document")?,
             output: get("output")?,
-            frames: frames.ok_or_else(missing)?,
+            frames: matches.get_one::<FrameList>("frames").cloned(),
             is_forced: matches.get_flag("force"),
         })
     }
@@ -147,6 +146,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let one = |problem: Diagnostic| vec![problem];
     let RenderWords { words, document, output: target, frames, is_forced } = &arguments.render;
     let pattern = super::frame_files::pattern_of(target).map_err(one)?;
+    let frames = &frames_of(frames.as_ref(), document, arguments.chunk, output)?;
     if let Some(workers) = arguments.simulate {
         tell(arguments, workers, frames, output);
         return Ok(());
@@ -193,6 +193,42 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         job.chunks().len()
     ));
     Ok(())
+}
+
+/// The frames that were asked for, or else those of the shot; warns of chunks and frames that do not
+/// fit the shot.
+fn frames_of(
+    asked: Option<&FrameList>,
+    document: &Path,
+    chunk: u32,
+    output: &Output,
+) -> Result<FrameList, Vec<Diagnostic>> {
+    let bad = |message: String| vec![Diagnostic::error("bad-argument", message)];
+    let is_there = document.is_file();
+    let shot = is_there.then(|| ShotStack::load(&crate::files::Disk, document)).flatten();
+    let Some(shot) = shot.transpose()?.map(|shot| shot.value) else {
+        let missing = || bad("name the frames, as --frames 1-240".to_owned());
+        return asked.cloned().ok_or_else(missing);
+    };
+    let [first, last] = shot.frames();
+    let frames = match asked {
+        Some(frames) => frames.clone(),
+        None => FrameList::of_range([first, last]).map_err(bad)?,
+    };
+    let warning = |message: String, hint: String| {
+        output.diagnostics(&[Diagnostic::warning("farm", message).hint(hint)]);
+    };
+    if frames.frames().iter().any(|frame| !(first..=last).contains(frame)) {
+        let message = format!("some of the frames are not the shot's, which are {first} to {last}");
+        warning(message, format!("leave --frames out, or write --frames {first}-{last}"));
+    }
+    let step = shot.step();
+    if !chunk.is_multiple_of(step) {
+        let message =
+            format!("chunks of {chunk} frames part frames that the shot holds for {step}");
+        warning(message, format!("--chunk {} draws none twice", chunk.next_multiple_of(step)));
+    }
+    Ok(frames)
 }
 
 /// A name of letters, digits, `_` and `.`, which every farm takes.

@@ -1,5 +1,6 @@
 //! Ctrl-C: unfinished files are removed, and the program ends.
 
+use std::io::Write as _;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::files::remove_unfinished;
@@ -28,6 +29,8 @@ pub(super) fn clean_up_on_interrupt() {
     let handler = || {
         IS_INTERRUPTED.store(true, Ordering::SeqCst);
         remove_unfinished();
+        // The reason is the last line, for whoever reads a farm's logs.
+        let _ = writeln!(std::io::stderr(), "asked to end: what is whole stays, no file is half");
         std::process::exit(INTERRUPTED.into());
     };
     // Setting the handler fails if the process has one already, as a program that embeds us may

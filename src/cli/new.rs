@@ -7,14 +7,16 @@ use clap::ValueEnum;
 use super::output::Output;
 use super::target::OutputPath;
 use crate::diag::Diagnostic;
-use crate::files::{OutputKind, Outputs};
+use crate::document::Document;
+use crate::files::{Disk, OutputKind, Outputs, relative};
 
 const EXAMPLES: &str = "\
 Examples:
   chiaro new rim                      rim.json: five light layers over a base
   chiaro new flat --template minimal  light and shadow, two colors
   chiaro new stage --template scene   stage.json, a scene, and stage-look.json, which it wears
-  chiaro new sh010 --template shot    sh010.json, a shot over a new scene, which wears a look";
+  chiaro new sh010 --template shot    sh010.json, a shot over a new scene, which wears a look
+  chiaro new sh020 --over scene.json  sh020.json, a shot over a scene, or a shot, that is there";
 
 /// Arguments of `chiaro new`.
 #[derive(Debug, clap::Args)]
@@ -25,6 +27,9 @@ pub(super) struct Arguments {
     /// Beginning of the look
     #[arg(long, value_enum, default_value_t = Template::Layers)]
     template: Template,
+    /// Makes a shot over this scene or shot, in which nothing is changed yet
+    #[arg(long, conflicts_with = "template")]
+    over: Option<PathBuf>,
     /// Replace files that are there
     #[arg(long)]
     force: bool,
@@ -49,8 +54,11 @@ const SCENE: &str = include_str!("templates/scene.json");
 const SHOT: &str = include_str!("templates/shot.json");
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let files =
-        files(arguments.name.as_ref(), arguments.template).map_err(|problem| vec![problem])?;
+    let files = match &arguments.over {
+        Some(over) => shot_over(arguments.name.as_ref(), over),
+        None => files(arguments.name.as_ref(), arguments.template),
+    };
+    let files = files.map_err(|problem| vec![problem])?;
     // All files are written, or none: a scene without its look would be no start.
     let mut outputs = Outputs::new(arguments.force);
     let check = |(path, _): &(PathBuf, String)| outputs.check(path, OutputKind::DOCUMENT).err();
@@ -76,17 +84,54 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-/// Paths and texts of the files, the one to open first.
-fn files(name: &Path, template: Template) -> Result<Vec<(PathBuf, String)>, Diagnostic> {
+/// Path and text of a shot over a document that is there.
+fn shot_over(name: &Path, over: &Path) -> Result<Vec<(PathBuf, String)>, Diagnostic> {
+    let (path, title) = path_and_title(name)?;
+    let in_frames = match Document::load(&Disk, over) {
+        Document::Shot(_) => "",
+        Document::Scene(_) => "\n  \"frames\": [1, 24],\n  \"rate\": 24,",
+        Document::Look(_) => {
+            let problem = Diagnostic::error("bad-argument", "a shot is over a scene or a shot");
+            return Err(problem
+                .in_file(over.display().to_string())
+                .hint("put the look on objects of a scene: chiaro new NAME --template scene"));
+        }
+    };
+    let absolute = |path: &Path| {
+        std::path::absolute(path).map_err(|error| {
+            Diagnostic::error("cannot-read", format!("this folder is not known: {error}"))
+        })
+    };
+    let (shot, over) = (absolute(&path)?, absolute(over)?);
+    let folder = shot.parent().unwrap_or(&shot);
+    let scene = in_json(&relative(folder, &over).replace('\\', "/"));
+    let text = format!(
+        "{{\n  \"chiaro\": \"shot\",\n  \"version\": 1,\n  \"name\": \"{title}\",\n  \"scene\": \
+         \"{scene}\",{in_frames}\n  \"overrides\": []\n}}\n"
+    );
+    Ok(vec![(path, text)])
+}
+
+/// Path of a document by its name, and its title, escaped for JSON.
+fn path_and_title(name: &Path) -> Result<(PathBuf, String), Diagnostic> {
+    let stem = stem_of(name)?;
+    Ok((name.with_file_name(format!("{stem}.json")), in_json(&title(stem))))
+}
+
+/// The name of a document, without its ending.
+fn stem_of(name: &Path) -> Result<&str, Diagnostic> {
     let is_json = name.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
     let stem = if is_json { name.file_stem() } else { name.file_name() };
-    let Some(stem) = stem.and_then(|stem| stem.to_str()).filter(|stem| !stem.is_empty()) else {
+    stem.and_then(|stem| stem.to_str()).filter(|stem| !stem.is_empty()).ok_or_else(|| {
         let message = format!("the name cannot be `{}`", name.display());
-        return Err(Diagnostic::error("bad-argument", message)
-            .hint("write a name such as rim, or a path such as looks/rim"));
-    };
-    let path = name.with_file_name(format!("{stem}.json"));
-    let title = in_json(&title(stem));
+        Diagnostic::error("bad-argument", message)
+            .hint("write a name such as rim, or a path such as looks/rim")
+    })
+}
+
+/// Paths and texts of the files, the one to open first.
+fn files(name: &Path, template: Template) -> Result<Vec<(PathBuf, String)>, Diagnostic> {
+    let (stem, (path, title)) = (stem_of(name)?, path_and_title(name)?);
     let look = |text: &str| text.replace("{{name}}", &title);
     let beside = |file: &str| name.with_file_name(file);
     Ok(match template {
@@ -131,7 +176,6 @@ fn quoted(path: &Path) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::Document;
 
     #[test]
     fn templates_are_sound_whatever_the_name() {

@@ -77,7 +77,8 @@ impl FromStr for FrameList {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let form = || {
-            "write frames as 1-240, every second one as 1-240x2, and several as 1-48,60,96-120"
+            "write frames as 1-240, every second one as 1-240x2 (a step is 1 or more), and several \
+             as 1-48,60,96-120"
                 .to_owned()
         };
         let mut frames = Vec::new();

@@ -6,6 +6,7 @@
 use std::collections::{HashMap, HashSet};
 
 use crate::compile::{AovSource, Live, ShadowOutput, check};
+use crate::contributions::Contributions;
 use crate::cryptomatte::{Cryptomatte, MatteCoverage};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::NamedAov;
@@ -413,7 +414,9 @@ pub fn wire_request(setup: &Setup, text: &str) -> Result<AovRequest, Diagnostic>
     };
     let Some((name, wire)) = text.split_once('=') else {
         let named = named_outputs(setup);
-        let names: Vec<String> = named.iter().map(|request| request.name.clone()).collect();
+        let slices = Contributions::all().map(|(name, _)| name.to_owned());
+        let names: Vec<String> =
+            named.iter().map(|request| request.name.clone()).chain(slices).collect();
         let found = named.into_iter().find(|request| request.name == text);
         return found.ok_or_else(|| form().suggest(text, names.iter().map(String::as_str)));
     };

@@ -569,9 +569,11 @@ fn what_bends_a_sum_is_refused_and_given_as_a_table() {
         let name = b"out.before_cut.cube";
         assert!(header.windows(name.len()).any(|bytes| bytes == name), "the header names it");
     }
-    // A sum of what was cut by each light can be parted, and nothing is told.
+    // The greater of two lights can be parted, also behind a clamp: the winner has all.
     let mut each = bent_look("clamp_range", &json!({}));
-    each["nodes"][3]["kind"] = json!("maximum");
+    let nodes = each["nodes"].as_array_mut().unwrap();
+    let both = nodes.iter_mut().find(|node| node["id"] == "both").unwrap();
+    both["kind"] = json!("maximum");
     fs::write(&path, each.to_string()).unwrap();
     let drawn = folder.layers(&path, &asked);
     assert!(!drawn.names().iter().any(|name| name.contains("mixed")), "{:?}", drawn.names());

@@ -518,3 +518,47 @@ fn a_shot_stands_over_the_camera_of_a_file() {
     let cut = camera(json!({"frames": [0, 24], "rate": 24}), cut);
     assert_eq!(cut.eye, of_file.eye, "a cut from a camera to another one is keyed");
 }
+
+/// What is known of a shot needs no words: its scene where it is begun, its frames on a farm, the
+/// time of one frame, the size of what is explained.
+#[test]
+fn a_shot_says_what_commands_need() {
+    let folder = Folder::new();
+    fs::create_dir(folder.0.path().join("shots")).unwrap();
+    folder.done(&["new", "shots/sh010", "--over", "scene.json"]);
+    folder.done(&["new", "shots/sh020", "--over", "shots/sh010.json"]);
+    let begun: Json = serde_json::from_str(&folder.read("shots/sh010.json")).unwrap();
+    assert_eq!((&begun["scene"], &begun["frames"]), (&json!("../scene.json"), &json!([1, 24])));
+    let nested: Json = serde_json::from_str(&folder.read("shots/sh020.json")).unwrap();
+    assert_eq!((&nested["scene"], nested.get("frames")), (&json!("sh010.json"), None));
+    folder.done(&["check", "--strict", "shots/sh010.json", "shots/sh020.json"]);
+    let refused = folder.run(&["new", "x", "--over", "look.json"]);
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("over a scene or a shot"));
+
+    let fields = json!({"frames": [1, 24], "rate": 24, "size": [24, 16], "step": 2});
+    let overrides = json!([{"target": "lights.key.intensity", "keys": [key(1, 0), key(24, 3)]}]);
+    folder.write("shot.json", &shot("scene.json", fields, overrides));
+    let farm = |more: &[&str]| {
+        let words = ["farm", "shot.json", "-o", "####.exr", "--to", "slurm"];
+        let output = folder.run(&[&words[..], more].concat());
+        assert!(output.status.success(), "{output:?}");
+        let [out, err] = [output.stdout, output.stderr].map(|it| String::from_utf8(it).unwrap());
+        (out, err)
+    };
+    let (job, warned) = farm(&["--chunk", "4"]);
+    assert!(job.contains("1-4") && job.contains("21-24") && warned.is_empty(), "{job}\n{warned}");
+    let (_, warned) = farm(&["--chunk", "3", "--frames", "1-48"]);
+    assert!(warned.contains("1 to 24") && warned.contains("--chunk 4"), "{warned}");
+
+    let time = |words: &[&str]| -> Json {
+        let words = ["render", "shot.json", "-o", "a.png", "--json", "--samples", "1", "--force"]
+            .into_iter()
+            .chain(words.iter().copied());
+        let told = folder.done(&words.collect::<Vec<_>>());
+        serde_json::from_str::<Json>(&told).unwrap()["time"].clone()
+    };
+    assert_eq!(time(&["--frames", "12"]), json!(0.5));
+    let explained = |words: &[&str]| folder.done(&[&["explain", "shot.json"], words].concat());
+    assert!(explained(&[]).contains("24x16"), "{}", explained(&[]));
+    assert!(explained(&["--size", "48x32"]).contains("48x32"));
+}

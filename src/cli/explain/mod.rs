@@ -10,6 +10,7 @@ use serde_json::json;
 
 use super::open::{check_nodes_folder, library_for};
 use super::output::Output;
+use super::render::{self, Size};
 use super::scene::check_values;
 use super::tier::{self, TierChoice};
 use crate::compile::Live;
@@ -44,6 +45,10 @@ pub(super) struct Arguments {
     /// The time in seconds [default: 0; of a shot its first frame's]
     #[arg(long, allow_negative_numbers = true)]
     time: Option<f64>,
+    /// Width and height of the picture, in pixels [default: of a shot its own, else as `chiaro
+    /// render` draws it]
+    #[arg(long, value_name = "WIDTHxHEIGHT")]
+    size: Option<Size>,
     /// A folder of a project's own nodes; `nodes/` beside the document is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
@@ -83,7 +88,8 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let live = if arguments.live { Live::All } else { Live::Keyed };
     // Options of `chiaro render` without arguments.
     let time = arguments.time.unwrap_or_else(|| setup.first_time());
-    let options = PlanOptions { size: [800, 800], samples: 4, time };
+    let size = render::size_of(arguments.size.as_ref(), &setup);
+    let options = PlanOptions { size, samples: 4, time };
     let mut planner = Planner::new(assets);
     let (plan, warnings) = planner.plan(&setup, &library, &live, &options)?.into_parts();
     output.diagnostics(&warnings);

@@ -30,6 +30,8 @@ pub(super) struct ExplainReport {
     /// Values that the shot changes; empty without a shot.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) changes: Vec<ValueChange>,
+    /// Width and height of the picture, in pixels.
+    pub(super) size: [u32; 2],
     pub(super) passes: Vec<Pass>,
     pub(super) dropped: Vec<DroppedEffect>,
     /// All effects that the picture may cost time for.
@@ -194,6 +196,7 @@ impl ExplainReport {
         }
         looks.sort_by_key(|(index, _)| *index);
         Ok(Self {
+            size: plan.size,
             passes: plan.passes.clone(),
             changes: standing,
             dropped: plan.dropped.clone(),

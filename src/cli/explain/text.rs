@@ -11,7 +11,8 @@ use crate::ids::LightId;
 use crate::library::Rate;
 
 pub(super) fn tell(report: &ExplainReport, document: &str) -> String {
-    let mut text = format!("{document}\n");
+    let [width, height] = report.size;
+    let mut text = format!("{document}, {width}x{height} pixels\n");
     if !report.changes.is_empty() {
         let _ = writeln!(text, "\nChanged by shots\n{}", changes_text(&report.changes, true));
     }

@@ -335,6 +335,9 @@ impl Arguments {
             bad(&message, "write one place for the number in the name of the file: out/####.exr")
         })?;
         let Some(pattern) = pattern else {
+            if self.one_frame().is_some() {
+                return Ok(None);
+            }
             if self.frames.is_some() {
                 let ending = target.extension().unwrap_or_default().to_string_lossy();
                 let path = target.with_extension(format!("####.{ending}"));
@@ -367,7 +370,16 @@ impl Arguments {
 
     /// The time that is drawn, in seconds, where it is one picture.
     fn time_of(&self, setup: &Setup) -> f64 {
-        self.time.unwrap_or_else(|| setup.first_time())
+        let of_frame = self.one_frame().map(|frame| self.rate_of(setup).time(frame));
+        self.time.or(of_frame).unwrap_or_else(|| setup.first_time())
+    }
+
+    /// The frame, where one alone was asked for.
+    fn one_frame(&self) -> Option<i32> {
+        match self.frames.as_ref()?.frames() {
+            [frame] => Some(*frame),
+            _ => None,
+        }
     }
 
     /// Frames per second: those asked for, or else those of the shot.
@@ -527,7 +539,11 @@ fn check_target(path: &Path, encoding: ExrEncoding) -> Result<PictureFormat, Dia
     let folder =
         path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if !folder.is_dir() {
-        return Err(problem(format!("there is no folder `{}`", folder.display())));
+        let message = format!("there is no folder `{}`", folder.display());
+        let problem = Diagnostic::error("cannot-write", message);
+        return Err(problem
+            .in_file(path.display().to_string())
+            .hint(format!("make it: mkdir -p {}", folder.display())));
     }
     // The file has no name, and is gone as soon as it is closed.
     let tried = tempfile::tempfile_in(folder);

@@ -251,7 +251,7 @@ fn gain(script: &mut Script, label: &str, name: &str, place: [i32; 2]) {
     script.node("Multiply", 1, &knobs, name, place);
 }
 
-/// What is in no layer: the picture in the space of the layers, less their sum.
+/// Rest that is in no layer: the picture in the space of the layers, less their sum.
 fn rest(script: &mut Script, comp: &Comp, rows: &Rows) {
     script.push(PICTURE);
     let whole = &comp.parts.whole;

@@ -13,9 +13,9 @@ const MORE_STEPS: f64 = 1.0;
 /// Space in which layers add up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LayerSpace {
-    /// As shown, by the curve of sRGB.
+    /// Values as shown, by the curve of sRGB.
     Display,
-    /// As light.
+    /// Linear light.
     Linear,
 }
 

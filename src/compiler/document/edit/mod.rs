@@ -1,7 +1,7 @@
 //! Edits, the one way in which documents change; each edit has an inverse.
 //!
-//! [`Look::apply`] checks an [`Edit`], applies it and returns the edit that undoes it; scenes, shots
-//! and HCBTFs have edits of their own ([`SceneEdit`], [`ShotEdit`], [`HcbtfEdit`]). [`History`]
+//! [`Look::apply`] checks an [`Edit`], applies it and returns the edit that undoes it; scenes,
+//! shots and HCBTFs have edits of their own ([`SceneEdit`], [`ShotEdit`], [`HcbtfEdit`]). [`History`]
 //! owns a document and keeps the inverses, so that every edit can be undone; a journal holds
 //! serialized edits.
 //!

@@ -239,7 +239,7 @@ impl OpenScene {
         placed.map_or_else(fitted, |placed| (placed.center, placed.radius))
     }
 
-    /// What was found out of an object with the picture.
+    /// Findings on an object, from the picture.
     pub(crate) fn place(&self, id: &ObjectId) -> Option<&ObjectPlace> {
         self.placed.iter().find(|placed| placed.id == *id)
     }

@@ -26,7 +26,7 @@ pub(crate) struct SceneSnapshot {
     pub(super) open: HashSet<String>,
     /// The other looks by their names; `None` where a file is broken.
     pub(super) others: HashMap<String, Option<Arc<SetupLook>>>,
-    /// What the shot over the scene changes, if one is open.
+    /// Changes by the shot over the scene, if one is open.
     pub(super) shot: Option<Arc<ResolvedShot>>,
     /// True if only objects that wear the open look are there.
     pub(super) is_alone: bool,

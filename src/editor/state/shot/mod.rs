@@ -49,7 +49,7 @@ pub struct OpenShot {
     view: Option<FollowedView>,
 }
 
-/// What of a view the shot's camera and lights decide: a hand that turns the view changes it.
+/// Part of a view that the shot's camera and lights decide: a hand that turns the view changes it.
 #[derive(Clone, PartialEq)]
 struct FollowedView {
     turn: [f64; 3],
@@ -168,7 +168,7 @@ impl OpenShot {
         &self.stack
     }
 
-    /// What the shots change.
+    /// Changes by the shots.
     pub fn resolved(&self) -> &Arc<ResolvedShot> {
         &self.resolved
     }

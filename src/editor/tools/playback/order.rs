@@ -1,6 +1,6 @@
 //! Order in which the frames of a range are played.
 
-/// What happens at the end of the range.
+/// Behavior at the end of the range.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum LoopMode {
     /// Begins again at the first frame.
