@@ -79,7 +79,7 @@ impl Transfer {
     /// The table, up to where nothing changes any more.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// A channel that cannot be computed, or one that goes by the others.
     pub fn table(&self) -> Result<TransferTable, String> {
         let mut last = 1.0;
         while last < MAX_DOMAIN && self.changes_after(last)? {
