@@ -195,8 +195,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-/// The frames that were asked for, or else those of the shot; warns of chunks and frames that do not
-/// fit the shot.
+/// The frames that were asked for, or else those of the shot; warns of chunks and frames that do
+/// not fit the shot.
 fn frames_of(
     asked: Option<&FrameList>,
     document: &Path,

@@ -220,7 +220,7 @@ fn a_wedge_draws_every_combination() {
     assert!(refused(2, &["--vary", "strength"]).contains("0.5..2/4"));
 }
 
-/// What varies stands over what a shot sets and keys, wherever the shot says it.
+/// A varied value stands over what a shot sets and keys, wherever the shot says it.
 #[test]
 fn a_wedge_stands_over_what_a_shot_changes() {
     let stage = Stage::new();

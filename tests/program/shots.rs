@@ -519,7 +519,7 @@ fn a_shot_stands_over_the_camera_of_a_file() {
     assert_eq!(cut.eye, of_file.eye, "a cut from a camera to another one is keyed");
 }
 
-/// What is known of a shot needs no words: its scene where it is begun, its frames on a farm, the
+/// A shot needs no words for what it says: its scene where it is begun, its frames on a farm, the
 /// time of one frame, the size of what is explained.
 #[test]
 fn a_shot_says_what_commands_need() {

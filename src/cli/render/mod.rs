@@ -543,7 +543,7 @@ fn check_target(path: &Path, encoding: ExrEncoding) -> Result<PictureFormat, Dia
         let problem = Diagnostic::error("cannot-write", message);
         return Err(problem
             .in_file(path.display().to_string())
-            .hint(format!("make it: mkdir -p {}", folder.display())));
+            .hint(format!("make it: mkdir -p {}; or choose another -o", folder.display())));
     }
     // The file has no name, and is gone as soon as it is closed.
     let tried = tempfile::tempfile_in(folder);

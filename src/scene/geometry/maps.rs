@@ -65,7 +65,7 @@ pub struct MapSource {
     pub factor: [f32; 4],
 }
 
-/// What stands between a mesh's file and the number of a picture within it.
+/// Text between a mesh's file and the number of a picture within it.
 pub const WITHIN: &str = "#images/";
 
 /// Maps that a material has, at least one.

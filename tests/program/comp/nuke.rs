@@ -164,7 +164,7 @@ impl NukeScript {
         assert!(node.knobs.insert(knob.to_owned(), value.to_owned()).is_some(), "{name}.{knob}");
     }
 
-    /// What the script writes, of a file: red, green, blue and alpha.
+    /// Result of the script, of a file: red, green, blue and alpha.
     pub(super) fn result(&self, content: &ExrContent) -> Result<[Vec<f64>; 4], String> {
         let mut made: Vec<Channels> = Vec::new();
         for node in &self.nodes {

@@ -1,9 +1,9 @@
 //! Edits, the one way in which documents change; each edit has an inverse.
 //!
 //! [`Look::apply`] checks an [`Edit`], applies it and returns the edit that undoes it; scenes,
-//! shots and HCBTFs have edits of their own ([`SceneEdit`], [`ShotEdit`], [`HcbtfEdit`]). [`History`]
-//! owns a document and keeps the inverses, so that every edit can be undone; a journal holds
-//! serialized edits.
+//! shots and HCBTFs have edits of their own ([`SceneEdit`], [`ShotEdit`], [`HcbtfEdit`]).
+//! [`History`] owns a document and keeps the inverses, so that every edit can be undone; a journal
+//! holds serialized edits.
 //!
 //! An edit that removes a part which other parts name (a node with its wires, a light with its
 //! keys) is first spelled out as a group of single edits, so that its inverse restores all of them
