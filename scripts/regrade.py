@@ -7,12 +7,18 @@
 The frames have a layer for each light (`chiaro render ... --aov lights`), and for `--on` mattes of
 objects (`--matte objects`). What the lights add is multiplied and summed, and the sum decoded as
 the header says; nothing is drawn. `--against` names frames that were rendered with that grade, and
-tells how far they are away; `--within` (of 1, where white is) makes that a test.
+tells how far they are away; `--within` (of 1, where white is) makes that a test. `--frames` is
+written as for `chiaro render`; without it all frames that are there are graded.
+
+Lights are graded alone: a picture of which they are not the whole, such as one with a backdrop or
+outlines over it, is refused (`chiaro comp` writes compositions that keep the rest). Graded files
+have the picture, and no layers, mattes, camera or time code.
 
 An object's own grade goes by its matte. Where two objects share a pixel the file holds what both
 add together, so that the matte's edge is a mean of both: it is told apart from the rest.
 """
 import argparse
+import glob
 import json
 import os
 import re
@@ -21,6 +27,9 @@ import sys
 
 import numpy as np
 import OpenImageIO as oiio
+
+# Greatest difference of the lights' sum from the picture, where white is 1: a step of a screen.
+WHOLE = 1.0 / 255.0
 
 
 def channels(path):
@@ -77,27 +86,42 @@ def regrade(layers, header, lights, own):
     for name in list(lights) + [light for _, light in own]:
         if f"light_{name}" not in names:
             raise SystemExit(f"no layer of `{name}`: there are {', '.join(sorted(names))}")
-    total, edges = 0.0, np.zeros(layers["A"].shape, bool)
+    alpha = layers["A"].astype(np.float64)[..., None]
+
+    def light_of(total):
+        if not display:
+            return total
+        straight = np.divide(total, alpha, out=np.zeros_like(total), where=alpha > 0)
+        return decode(straight) * alpha
+
+    total, whole, edges = 0.0, 0.0, np.zeros(layers["A"].shape, bool)
     for name in sorted(names):
-        added = color(layers, name).astype(np.float64) * lights.get(name[6:], np.ones(3))
+        own_light = color(layers, name).astype(np.float64)
+        whole = whole + own_light
+        added = own_light * lights.get(name[6:], np.ones(3))
         for (thing, light), gain in own.items():
             if light == name[6:]:
                 cover = matte(layers, header, thing)
                 added = added * (1.0 + (gain - 1.0) * cover[..., None])
                 edges |= (cover > 0.0) & (cover < 1.0)
         total = total + added
-    alpha = layers["A"].astype(np.float64)[..., None]
-    if display:
-        straight = np.divide(total, alpha, out=np.zeros_like(total), where=alpha > 0)
-        total = decode(straight) * alpha
-    return np.concatenate([total, alpha], axis=-1), edges
+    picture = np.stack([layers[channel] for channel in "RGB"], axis=-1).astype(np.float64)
+    rest = np.abs(encode(light_of(whole)) - encode(picture)).max()
+    if not rest <= WHOLE:
+        raise SystemExit(
+            f"the lights are not the whole picture: {rest:.4f} of it is a backdrop, an outline or "
+            "another rest, which this script would lose; chiaro comp keeps it")
+    return np.concatenate([light_of(total), alpha], axis=-1), edges
 
 
 def gains(text):
     name, _, value = text.partition("=")
-    values = [float(part) for part in value.split(",")]
+    try:
+        values = [float(part) for part in value.split(",")]
+    except ValueError:
+        values = []
     if len(values) not in (1, 3):
-        raise SystemExit(f"{text}: a light takes one number or three")
+        raise SystemExit(f"{text}: a light takes one number or three, as key=0.5 or key=1,0.9,0.8")
     return name, np.array(values * (1 if len(values) == 3 else 3))
 
 
@@ -105,37 +129,76 @@ def named(pattern, frame):
     return re.sub("#+", lambda digits: str(frame).zfill(len(digits.group())), pattern)
 
 
+def listed(text):
+    """Frames of a list such as `1-96`, `1-96x2` or `1-48,60`."""
+    frames = []
+    for part in text.split(","):
+        found = re.fullmatch(r"(-?\d+)(?:-(-?\d+))?(?:x(\d+))?", part.strip())
+        first, last, step = (int(number or 0) for number in found.groups()) if found else (0, 0, 0)
+        if found and found[2] is None:
+            last = first
+        if found and found[3] is None:
+            step = 1
+        if not found or last < first or step < 1:
+            raise SystemExit(f"--frames {text}: write 1-96, every second one as 1-96x2, or 1-48,60")
+        frames += range(first, last + 1, step)
+    return frames
+
+
+def there(pattern):
+    """Frames that are there, by the numbers in their names."""
+    if "#" not in pattern:
+        return [0]
+    before, after = re.split("#+", pattern, maxsplit=1)
+    found = glob.glob(f"{glob.escape(before)}*{glob.escape(after)}")
+    numbers = (name[len(before):len(name) - len(after)] for name in found)
+    return sorted(int(number) for number in numbers if re.fullmatch(r"-?\d+", number))
+
+
+def write(path, picture):
+    """Writes a picture, or ends with the reason."""
+    height, width, _ = picture.shape
+    out = oiio.ImageOutput.create(path)
+    spec = oiio.ImageSpec(width, height, 4, "half")
+    spec.attribute("oiio:ColorSpace", "lin_rec709")
+    is_written = out and out.open(path, spec) and out.write_image(picture.astype(np.float32))
+    if not (is_written and out.close()):
+        why = (out.geterror() if out else oiio.geterror()) or "the reason is not known"
+        raise SystemExit(f"{path} cannot be written: {why}")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("frames_of", metavar="FILE")
     parser.add_argument("-o", "--output", metavar="FILE")
-    parser.add_argument("--frames", default="0-0", metavar="A-B")
+    parser.add_argument("--frames", metavar="A-B")
     parser.add_argument("--light", action="append", default=[], metavar="NAME=GAIN")
     parser.add_argument("--on", action="append", default=[], nargs=2, metavar=("OBJECT", "NAME=GAIN"))
     parser.add_argument("--against", metavar="FILE")
     parser.add_argument("--within", type=float)
     options = parser.parse_args()
+    if not (options.output or options.against):
+        parser.error("say what to do: -o FILE writes, --against FILE compares")
+    if options.within is not None and not options.against:
+        parser.error("--within goes with --against")
+    frames = listed(options.frames) if options.frames else there(options.frames_of)
+    if not frames:
+        parser.error(f"there are no frames {options.frames_of}")
     lights = dict(gains(text) for text in options.light)
     own = {(thing, gains(text)[0]): gains(text)[1] for thing, text in options.on}
-    first, _, last = options.frames.partition("-")
     worst, worst_edge, count = (0.0, None), 0.0, 0
-    for frame in range(int(first), int(last or first) + 1):
+    for frame in frames:
         layers, header = channels(named(options.frames_of, frame))
         graded, edges = regrade(layers, header, lights, own)
         count += 1
         if options.output:
-            height, width, _ = graded.shape
-            out = oiio.ImageOutput.create(named(options.output, frame))
-            spec = oiio.ImageSpec(width, height, 4, "half")
-            spec.attribute("oiio:ColorSpace", "lin_rec709")
-            out.open(named(options.output, frame), spec)
-            out.write_image(graded.astype(np.float32))
-            out.close()
+            write(named(options.output, frame), graded)
         if options.against:
             other, _ = channels(named(options.against, frame))
             other = np.stack([other[channel] for channel in "RGBA"], axis=-1).astype(np.float64)
             apart = np.abs(encode(graded) - encode(other)).max(axis=-1)
-            worst = max(worst, (float(apart[~edges].max()), frame), key=lambda pair: pair[0])
+            inside = float(apart[~edges].max()) if not edges.all() else 0.0
+            worst = max(worst, (inside, frame), key=lambda pair: pair[0])
             worst_edge = max(worst_edge, float(apart[edges].max()) if edges.any() else 0.0)
     if options.against:
         said = {"frames": count, "greatest": worst[0], "in_frame": worst[1],
