@@ -14,10 +14,11 @@ use eframe::egui::{
 };
 
 use super::playback::cache::PictureKey;
-use super::playback::paint::{fit, whole};
+use super::playback::paint::fit;
 use super::playback::{Playback, frame_at};
 use super::{PictureContext, SwitchPlace, ToolRow};
 use crate::state::session::Session;
+use crate::widgets::rows::whole;
 use crate::widgets::theme;
 
 pub(super) const TOOL: ToolRow = ToolRow::new(

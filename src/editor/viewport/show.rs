@@ -2,7 +2,7 @@
 
 use eframe::egui::{Color32, Rect, TextureHandle, Ui, Vec2, vec2};
 
-use crate::tools::playback::paint::whole;
+use crate::widgets::rows::whole;
 use crate::widgets::theme;
 
 /// Largest exposure up and down, in stops.

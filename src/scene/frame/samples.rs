@@ -154,7 +154,7 @@ impl<'a> Evaluable<'a> {
         shader: Arc<CompiledShader>,
         assets: &mut Assets,
     ) -> Result<Self, Vec<Diagnostic>> {
-        let images = images(assets, &shader, setup, None)?;
+        let images = images(assets, &shader, setup)?;
         let rig = Rig::new(look).value;
         let table = ParamTable::new(&shader.params);
         Ok(Self { setup, shader, images, rig, table })

@@ -173,14 +173,14 @@ impl Session {
         let refused = |problem: Diagnostic| Box::new(refusal(problem, &file));
         let mut differences = before.differences(&after).map_err(refused)?;
         let mut writer = ShotWriter::new(shot, None, self.view.time);
-        let is_under = |target: &str, first: &str| target.starts_with(first);
-        if differences.iter().any(|it| is_under(&it.target, "time.")) {
+        if differences.iter().any(|it| it.target.starts_with("time.")) {
             writer.set_time(before.time, after.time);
-            differences.retain(|it| !is_under(&it.target, "time."));
+            differences.retain(|it| !it.target.starts_with("time."));
         }
-        if differences.iter().any(|it| is_under(&it.target, "camera.")) && writer.set_camera(&after)
+        if differences.iter().any(|it| it.target.starts_with("camera."))
+            && writer.set_camera(&after)
         {
-            differences.retain(|it| !is_under(&it.target, "camera."));
+            differences.retain(|it| !it.target.starts_with("camera."));
         }
         let value_of = |target: &str| {
             let place = after.value_at(target).ok()?;

@@ -19,6 +19,7 @@ use crate::commands::{Command, FitCommand};
 use crate::document::Tile;
 use crate::fit::picture_of;
 use crate::state::session::Session;
+use crate::widgets::rows::whole;
 use crate::widgets::theme;
 
 /// Key of a texture of strokes.
@@ -193,10 +194,6 @@ impl FitTool {
         self.textures.misses = Some((of, handle));
         Some(id)
     }
-}
-
-fn whole() -> Rect {
-    Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0))
 }
 
 /// Shows a label on the present display, above a corner of the picture; returns the height that the

@@ -7,9 +7,10 @@ use eframe::egui::{
 use super::{FlipBook, FlipPicture, FlipView, KeyedPicture, difference};
 use crate::commands::keyboard;
 use crate::state::session::Session;
-use crate::tools::playback::paint::{fit, paint_exposed, whole};
+use crate::tools::playback::paint::{fit, paint_exposed};
 use crate::tools::playback::{Playback, frame_at};
 use crate::tools::wipe::divider::{self, Corner};
+use crate::widgets::rows::whole;
 use crate::widgets::theme;
 
 /// Greatest brightness of a difference, in stops: a step of 1/255 is white then.

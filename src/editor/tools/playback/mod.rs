@@ -19,6 +19,7 @@ use eframe::egui::{ColorImage, TextureHandle, TextureOptions, Ui};
 
 use super::{PictureTools, SwitchPlace, ToolRow};
 use crate::diag::Diagnostic;
+use crate::state::keying::retime::tidy;
 use crate::state::orbit::Orbit;
 use crate::state::revision::{DocumentNumber, PictureRevision, RequestNumber};
 use crate::state::session::Session;
@@ -100,7 +101,7 @@ pub(crate) struct Demands {
 
 /// Time of a frame, in seconds, rounded to microseconds as times in files are.
 pub(crate) fn time_of(frame: i32, fps: f64) -> f64 {
-    (f64::from(frame) / fps * 1e6).round() / 1e6
+    tidy(f64::from(frame) / fps)
 }
 
 /// Frame that begins at a time; `None` for a time between two.

@@ -1,6 +1,8 @@
 //! Painting of pictures within a rectangle, as bright as the display is set.
 
-use eframe::egui::{self, Color32, Painter, Rect, TextureId, Vec2, pos2};
+use eframe::egui::{self, Color32, Painter, Rect, TextureId, Vec2};
+
+use crate::widgets::rows::whole;
 
 /// Exponent of a display's transfer function, approximately.
 const DISPLAY_GAMMA: f32 = 2.2;
@@ -12,11 +14,6 @@ pub(crate) fn fit(rect: Rect, size: Vec2) -> Rect {
     let place = Rect::from_center_size(rect.center(), size * scale);
     let rest = rect.size() - place.size();
     if rest.max_elem() <= 1.0 { rect } else { place }
-}
-
-/// Part of a texture that is all of it.
-pub(crate) fn whole() -> Rect {
-    Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0))
 }
 
 /// Shows a picture brighter or darker by `stops`. The texture stays as it is: it is drawn in part,

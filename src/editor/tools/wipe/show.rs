@@ -12,7 +12,7 @@ use crate::state::worker::BackgroundJobs;
 use crate::tools::PictureTools;
 use crate::tools::flip::FlipBook;
 use crate::tools::playback::Playback;
-use crate::tools::playback::paint::whole;
+use crate::widgets::rows::whole;
 use crate::widgets::theme;
 
 /// Shows the choice of what the picture is compared with: the same in another tier, or frames of

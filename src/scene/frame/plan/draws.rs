@@ -14,7 +14,7 @@ use indexmap::IndexMap;
 
 use super::Draw;
 use super::casters::PlannedCasters;
-use super::images::{images, reads_maps};
+use super::images::{images, put_maps, reads_maps};
 use super::order::{DrawPlace, in_lists};
 use super::placement::{PlacedScene, VisibleObject, values_key};
 use super::planner::Planner;
@@ -178,7 +178,7 @@ impl<'a> WornLook<'a> {
         let reads_maps =
             reads_maps(&shaders.draw) || before.values().any(|shader| reads_maps(shader));
         let setup = &scene.setup.looks[index];
-        let images = DrawImages::read((&shaders.draw, &before), setup, assets, None)?;
+        let images = DrawImages::read((&shaders.draw, &before), setup, assets)?;
         let reads_object = shaders.draw.host.reads_object()
             || before.values().any(|shader| shader.host.reads_object());
         let lights = scene.lights(index);
@@ -209,10 +209,17 @@ impl<'a> WornLook<'a> {
         part: (&Mesh, &MeshPart),
         assets: &mut Assets,
     ) -> Result<DrawImages, Vec<Diagnostic>> {
-        if !self.reads_maps {
-            return Ok(self.images.clone());
+        let mut images = self.images.clone();
+        if self.reads_maps {
+            let draw = &self.shaders.draw;
+            put_maps(&mut images.of_look, assets, draw, setup, part)?;
+            for (stage, of_pass) in &mut images.before {
+                let Some(shader) = self.before.get(stage) else { continue };
+                put_maps(of_pass, assets, shader, setup, part)?;
+            }
+            images.depth_first = draws_depth_first(draw, &images.of_look);
         }
-        DrawImages::read((&self.shaders.draw, &self.before), setup, assets, Some(part))
+        Ok(images)
     }
 
     /// The values for an object, whose surroundings are `inputs`; lights that are not linked to it
@@ -290,14 +297,13 @@ impl DrawImages {
         (draw, before): (&CompiledShader, &BTreeMap<Stage, Arc<CompiledShader>>),
         setup: &SetupLook,
         assets: &mut Assets,
-        part: Option<(&Mesh, &MeshPart)>,
     ) -> Result<Self, Vec<Diagnostic>> {
-        let of_look = images(assets, draw, setup, part)?;
+        let of_look = images(assets, draw, setup)?;
         let read = |(stage, shader): (&Stage, &Arc<CompiledShader>)| {
-            Ok((*stage, images(assets, shader, setup, part)?))
+            Ok((*stage, images(assets, shader, setup)?))
         };
         let before = before.iter().map(read).collect::<Result<_, Vec<Diagnostic>>>()?;
-        let depth_first = reads_hcbtf(draw) && is_opaque(draw, &of_look);
+        let depth_first = draws_depth_first(draw, &of_look);
         Ok(Self { of_look, before, depth_first })
     }
 }
@@ -351,6 +357,11 @@ impl PartDraw<'_> {
 /// True if triangles run the other way around after the transform.
 fn is_mirrored(world_from_object: DMat4) -> bool {
     world_from_object.determinant() < 0.0
+}
+
+/// True if depths are drawn before colors.
+fn draws_depth_first(shader: &CompiledShader, images: &[Arc<Image>]) -> bool {
+    reads_hcbtf(shader) && is_opaque(shader, images)
 }
 
 /// True if a module reads an HCBTF: a lookup takes tens of reads.

@@ -21,21 +21,44 @@ pub(super) fn reads_maps(shader: &CompiledShader) -> bool {
 pub fn named_map(path: &str) -> Result<Option<MaterialMap>, Diagnostic> {
     let Some(name) = path.strip_prefix(MESH_PREFIX) else { return Ok(None) };
     MaterialMap::named(name).map(Some).ok_or_else(|| {
-        let names = MaterialMap::NAMES.map(|(_, name)| format!("`{MESH_PREFIX}{name}`"));
+        let names = MaterialMap::NAMES.map(|(_, name)| format!("{MESH_PREFIX}{name}"));
         let problem = Diagnostic::error("missing-asset", format!("`{path}` is no map of a mesh"));
         problem
-            .suggest(path, names.iter().map(|name| name.trim_matches('`')))
-            .hint(format!("the maps are {}", names.join(", ")))
+            .suggest(path, names.iter().map(String::as_str))
+            .hint(format!("the maps are `{}`", names.join("`, `")))
     })
 }
 
+/// Puts the maps of a part's material in place of those of a mesh that has none, among the images
+/// that [`images`] read for a module.
+///
+/// # Errors
+/// Pictures of the material that cannot be read.
+pub(super) fn put_maps(
+    images: &mut [Arc<Image>],
+    assets: &mut Assets,
+    shader: &CompiledShader,
+    setup: &SetupLook,
+    (mesh, part): (&Mesh, &MeshPart),
+) -> Result<(), Vec<Diagnostic>> {
+    let mut problems = Vec::new();
+    for (image, used) in images.iter_mut().zip(&shader.needs.images) {
+        let Ok(Some(map)) = named_map(&used.path) else { continue };
+        match assets.material_map(mesh, part, map) {
+            Ok(found) => *image = found,
+            Err(problem) => problems.push(problem.node(used.node.clone())),
+        }
+    }
+    setup.source.locate_all(&mut problems);
+    if problems.is_empty() { Ok(()) } else { Err(problems) }
+}
+
 /// The images that a module reads, in the order of its needs; maps of a mesh's materials are those
-/// of `part`, without one those of a mesh that has none.
+/// of a mesh that has none.
 pub(in crate::frame) fn images(
     assets: &mut Assets,
     shader: &CompiledShader,
     setup: &SetupLook,
-    part: Option<(&Mesh, &MeshPart)>,
 ) -> Result<Vec<Arc<Image>>, Vec<Diagnostic>> {
     let mut problems = Vec::new();
     let images = shader
@@ -52,11 +75,10 @@ pub(in crate::frame) fn images(
                 return plain([255; 4]);
             }
             let read = match image.shape {
-                ImageShape::Flat => match (named_map(&image.path), part) {
-                    (Ok(None), _) => assets.image(&setup.folder, &image.path),
-                    (Ok(Some(map)), Some((mesh, part))) => assets.material_map(mesh, part, map),
-                    (Ok(Some(map)), None) => Ok(Arc::new(Image::single(map.absent()))),
-                    (Err(problem), _) => Err(problem),
+                ImageShape::Flat => match named_map(&image.path) {
+                    Ok(None) => assets.image(&setup.folder, &image.path),
+                    Ok(Some(map)) => Ok(Arc::new(Image::single(map.absent()))),
+                    Err(problem) => Err(problem),
                 }
                 .map_err(|problem| vec![problem]),
                 ImageShape::Hcbtf { has_levels, storage } => {
