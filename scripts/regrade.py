@@ -12,7 +12,8 @@ written as for `chiaro render`; without it all frames that are there are graded.
 
 Lights are graded alone: a picture of which they are not the whole, such as one with a backdrop or
 outlines over it, is refused (`chiaro comp` writes compositions that keep the rest). Graded files
-have the picture, and no layers, mattes, camera or time code.
+have the picture, with the time code, the camera and the mattes of the file that they come from, and
+no layers of lights.
 
 An object's own grade goes by its matte. Where two objects share a pixel the file holds what both
 add together, so that the matte's edge is a mean of both: it is told apart from the rest.
@@ -37,11 +38,11 @@ def channels(path):
     file = oiio.ImageInput.open(path)
     if file is None:
         raise SystemExit(f"{path}: {oiio.geterror()}")
-    spec = file.spec()
+    spec = oiio.ImageSpec(file.spec())
     pixels = np.asarray(file.read_image("float")).reshape(spec.height, spec.width, -1)
     header = {entry.name: entry.value for entry in spec.extra_attribs}
     file.close()
-    return {name: pixels[..., at] for at, name in enumerate(spec.channelnames)}, header
+    return {name: pixels[..., at] for at, name in enumerate(spec.channelnames)}, header, spec
 
 
 def color(layers, name):
@@ -155,13 +156,31 @@ def there(pattern):
     return sorted(int(number) for number in numbers if re.fullmatch(r"-?\d+", number))
 
 
-def write(path, picture):
-    """Writes a picture, or ends with the reason."""
+# What a graded file does not say: the numbers under the first name's seal are no longer there, and
+# tables belong to layers that are left out.
+OUT_OF_DATE = re.compile(r"chiaro($|/)|openexr:chunkCount$")
+
+
+def write(path, picture, layers, come_from):
+    """Writes a picture with what its file says of time, camera and mattes, or ends with the
+    reason."""
     height, width, _ = picture.shape
     out = oiio.ImageOutput.create(path)
-    spec = oiio.ImageSpec(width, height, 4, "half")
+    mattes = [name for name in come_from.channelnames if re.match(r"Crypto\w+\d\d\.[RGBA]$", name)]
+    # Names are 32 bits that no half holds, and stand as they are.
+    formats = ["half"] * 4 + ["float"] * len(mattes)
+    spec = oiio.ImageSpec(width, height, len(formats), "float")
+    spec.channelnames = ["R", "G", "B", "A", *mattes]
+    spec.channelformats = tuple(oiio.TypeDesc(name) for name in formats)
+    for side in ("x", "y", "full_x", "full_y", "full_width", "full_height"):
+        setattr(spec, side, getattr(come_from, side))
+    for entry in come_from.extra_attribs:
+        if not OUT_OF_DATE.match(entry.name):
+            spec.attribute(entry.name, entry.type, entry.value)
     spec.attribute("oiio:ColorSpace", "lin_rec709")
-    is_written = out and out.open(path, spec) and out.write_image(picture.astype(np.float32))
+    pixels = [picture.astype(np.float32)] + [layers[name][..., None] for name in mattes]
+    pixels = np.ascontiguousarray(np.concatenate(pixels, axis=-1, dtype=np.float32))
+    is_written = out and out.open(path, spec) and out.write_image(pixels)
     if not (is_written and out.close()):
         why = (out.geterror() if out else oiio.geterror()) or "the reason is not known"
         raise SystemExit(f"{path} cannot be written: {why}")
@@ -188,13 +207,13 @@ def main():
     own = {(thing, gains(text)[0]): gains(text)[1] for thing, text in options.on}
     worst, worst_edge, count = (0.0, None), 0.0, 0
     for frame in frames:
-        layers, header = channels(named(options.frames_of, frame))
+        layers, header, spec = channels(named(options.frames_of, frame))
         graded, edges = regrade(layers, header, lights, own)
         count += 1
         if options.output:
-            write(named(options.output, frame), graded)
+            write(named(options.output, frame), graded, layers, spec)
         if options.against:
-            other, _ = channels(named(options.against, frame))
+            other, _, _ = channels(named(options.against, frame))
             other = np.stack([other[channel] for channel in "RGBA"], axis=-1).astype(np.float64)
             apart = np.abs(encode(graded) - encode(other)).max(axis=-1)
             inside = float(apart[~edges].max()) if not edges.all() else 0.0

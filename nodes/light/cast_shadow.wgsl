@@ -37,7 +37,7 @@ fn cast_shadow(
     object: f32,
     casters: Casters,
 ) -> f32 {
-    return shadow_of_pixel(casters, Receiver(position, across, down, source, radius_of(size),
+    return shadow_of_pixel(casters, receiver_at(position, across, down, source, size,
         caster_set, object, NO_FACET), false);
 }
 

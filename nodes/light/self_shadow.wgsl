@@ -46,8 +46,7 @@ fn self_shadow(
     object: f32,
     casters: Casters,
 ) -> f32 {
-    let receiver = Receiver(position, across, down, source, radius_of(size), caster_set, object,
-        facet);
+    let receiver = receiver_at(position, across, down, source, size, caster_set, object, facet);
     let away = turned_away(receiver, normal, normal_across, normal_down);
     return own_shadow(casters, receiver, away);
 }

@@ -34,8 +34,8 @@ fn shadow_blocker(
     object: f32,
     casters: Casters,
 ) -> ShadowBlocker {
-    let receiver = seen_by(Receiver(position, across, down, source, 0.0, caster_set, object, facet),
-        normal);
+    let receiver = seen_by(receiver_at(position, across, down, source, 0.0, caster_set, object,
+        facet), normal);
     return found_blocker(blocker_of_pixel(casters, receiver));
 }
 

@@ -26,6 +26,28 @@ struct Receiver {
     facet: Facet,
 }
 
+/// The receiver at a place. `caster_set` is the light's `casters`, and `size` its radius.
+fn receiver_at(
+    position: vec3f,
+    across: vec3f,
+    down: vec3f,
+    source: vec4f,
+    size: f32,
+    caster_set: f32,
+    object: f32,
+    facet: Facet,
+) -> Receiver {
+    return Receiver(position, across, down, source, told_at(radius_of(size), position),
+        told_at(caster_set, position), object, facet);
+}
+
+/// A number that is -2 or more, as it is. Branches on what is the same for a whole draw are for
+/// software Vulkan (lavapipe) a reason to compile the shader anew, for every draw, with that value
+/// in it, and to keep what it compiled; so branches here seem to depend on the place, too.
+fn told_at(number: f32, position: vec3f) -> f32 {
+    return max(number, -3.0 - abs(position.x));
+}
+
 /// The way to the light from a place: to all of it, or for a directional one of length 1.
 fn way_to_light(source: vec4f, place: vec3f) -> vec3f {
     let toward = source.xyz - source.w * place;

@@ -10,10 +10,12 @@ use super::output::{Output, once, raise};
 use super::scene;
 use crate::compile::{CompileOptions, Live, TypedSource, check as check_look, compile_typed};
 use crate::diag::{Diagnostic, Severity, WithWarnings, has_errors};
-use crate::document::{Document, LoadedDocument, Look, Scene, Value};
+use crate::document::{Document, LoadedDocument, Look, Scene, Shot, Value};
 use crate::figures::count;
 use crate::files::{self, WalkBounds};
-use crate::frame::{Assets, Rig, SHORTEN, missing_uvs, named_map, open, scene_setup, too_deep};
+use crate::frame::{
+    Assets, Rig, SHORTEN, missing_uvs, named_map, open_shot, scene_setup, too_deep,
+};
 use crate::library::{Library, Type};
 use chiaro_scene::hcbtf::LayerOptions;
 
@@ -153,15 +155,20 @@ impl Checker<'_> {
         match Document::load(&crate::files::Disk, path) {
             Document::Look(loaded) => self.look(path, &loaded, &library),
             Document::Scene(loaded) => self.scene(path, &loaded, &library),
-            Document::Shot(_) => self.shot(path, &library),
+            Document::Shot(loaded) => self.shot(path, loaded, &library),
         }
     }
 
     /// Checks a shot, the scene under it, and the looks as it changes them.
-    fn shot(&mut self, path: &Path, library: &Library) {
-        let setup = match open(path, None, &mut self.assets) {
+    fn shot(&mut self, path: &Path, loaded: LoadedDocument<Shot>, library: &Library) {
+        let more = as_if_sound(&loaded);
+        let setup = match open_shot(path, loaded, None, &mut self.assets) {
             Ok(opened) => opened.tell(&mut self.problems),
-            Err(problems) => return self.problems.extend(problems),
+            Err(problems) => {
+                self.problems.extend(problems);
+                let more = more.map(|sound| open_shot(path, sound, None, &mut self.assets));
+                return self.problems.extend(more.and_then(Result::err).unwrap_or_default());
+            }
         };
         let Some(shot) = &setup.shot else { return };
         let values = scene::check_values(&setup, library);
@@ -250,6 +257,23 @@ impl Checker<'_> {
         loaded.source.locate_all(&mut found);
         self.problems.extend(found);
     }
+}
+
+/// A shot whose only errors are keys out of order, without these errors: of each value that has such
+/// keys the first is left, so that the rest of the shot can be checked.
+fn as_if_sound(loaded: &LoadedDocument<Shot>) -> Option<LoadedDocument<Shot>> {
+    let mut sound = loaded.clone();
+    sound.diagnostics.retain(|problem| !problem.is_error() || problem.code != "not-increasing");
+    if !loaded.has_errors() || sound.has_errors() {
+        return None;
+    }
+    sound.diagnostics.clear();
+    for changed in &mut sound.value.as_mut()?.overrides {
+        if !changed.keys.is_sorted_by(|before, after| before.frame < after.frame) {
+            changed.keys.truncate(1);
+        }
+    }
+    Some(sound)
 }
 
 /// Codes of problems that follow from a file that could not be read.

@@ -9,6 +9,7 @@ use clap::{ArgAction, ArgMatches, Args as _, FromArgMatches};
 use super::output::Output;
 use super::render;
 use super::target::{OutputPath, outputs};
+use super::used_files;
 use crate::diag::Diagnostic;
 use crate::files::OutputKind;
 use crate::film::FrameList;
@@ -167,6 +168,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let here = std::env::current_dir().map_err(|error| {
         one(Diagnostic::error("cannot-read", format!("this folder is not known: {error}")))
     })?;
+    let outside = used_files::outside(&here, document);
+    output.diagnostics(outside_warning(&here, &outside).as_slice());
     let sheet = arguments.sheet.clone().unwrap_or_else(|| folder.join("sheet.png"));
     let job = FarmJob {
         name: name_of(document),
@@ -177,6 +180,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         chunk: arguments.chunk as usize,
         folder: here.display().to_string(),
         sheet: sheet.display().to_string(),
+        outside: outside.iter().map(|path| path.display().to_string()).collect(),
     };
     let text = arguments.to.job(&job).map_err(one)?;
     let Some(file) = &arguments.job else {
@@ -229,6 +233,32 @@ fn frames_of(
         warning(message, format!("--chunk {} draws none twice", chunk.next_multiple_of(step)));
     }
     Ok(frames)
+}
+
+/// Greatest number of files that a message names.
+const NAMED: usize = 6;
+
+/// A warning of files outside the folder of a job, which its machines must find at the same paths.
+fn outside_warning(folder: &Path, outside: &[PathBuf]) -> Option<Diagnostic> {
+    if outside.is_empty() {
+        return None;
+    }
+    let named = outside.iter().take(NAMED).map(|path| path.display().to_string());
+    let named = named.collect::<Vec<_>>().join(", ");
+    let left = outside.len().saturating_sub(NAMED);
+    let more = if left > 0 { format!(" and {left} more") } else { String::new() };
+    let message = format!(
+        "the document reads files outside this folder, which every machine must have at the same \
+         path: {named}{more}"
+    );
+    let all: Vec<&Path> = std::iter::once(folder).chain(outside.iter().map(|p| &**p)).collect();
+    let problem = Diagnostic::warning("farm", message);
+    Some(match used_files::common_folder(&all) {
+        Some(common) => {
+            problem.hint(format!("write the job in {}, which has all", common.display()))
+        }
+        None => problem.hint("copy them beside the document"),
+    })
 }
 
 /// A name of letters, digits, `_` and `.`, which every farm takes.

@@ -1,12 +1,14 @@
 //! Files of frames, as commands read them: by a pattern, or one by one.
 
+use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
 use crate::document::parse_hex;
-use crate::files::{OutputKind, Outputs};
+use crate::figures;
+use crate::files::{self, OutputKind, Outputs, WalkBounds};
 use crate::film::sheet::scaled;
 use crate::film::{FrameList, FramePattern, StoredFrame};
 use crate::frame::Picture;
@@ -92,11 +94,83 @@ impl FrameFile {
     }
 }
 
+/// Most entries of a folder that are looked at for frames, and patterns that a message names.
+const BOUNDS: WalkBounds = WalkBounds { depth: 2, entries: 20_000 };
+const NAMED: usize = 3;
+
+/// The problem of a folder or a document that is named in place of its frames, with the patterns of
+/// frames that are there.
+fn not_frames(path: &Path) -> Option<Diagnostic> {
+    let is_document = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
+    if !path.is_dir() && !(is_document && path.is_file()) {
+        return None;
+    }
+    let what = if is_document { "a document" } else { "a folder" };
+    let message = format!("`{}` is {what}, and not its frames", path.display());
+    let folder = if is_document { path.parent().unwrap_or(Path::new("")) } else { path };
+    let patterns = patterns_in(folder);
+    let problem = Diagnostic::error("bad-argument", message);
+    if patterns.is_empty() {
+        let document = if is_document { path.display().to_string() } else { "SHOT".to_owned() };
+        return Some(problem.hint(format!(
+            "name the files that its frames were rendered to: chiaro render {document} -o \
+             'out/####.exr' writes 'out/####.exr'"
+        )));
+    }
+    let named = patterns.iter().take(NAMED);
+    let named: Vec<String> = named
+        .map(|(pattern, count)| format!("'{pattern}' ({})", figures::count(*count as u64, "frame")))
+        .collect();
+    Some(problem.hint(format!("name the frames by their pattern: {}", named.join(", "))))
+}
+
+/// Patterns of the frames in a folder and in those right below it, each with the number of its
+/// frames, the most first.
+fn patterns_in(folder: &Path) -> Vec<(String, usize)> {
+    let here = if folder == Path::new("") { Path::new(".") } else { folder };
+    let paths = files::walk(here, BOUNDS, &|_| true).files;
+    let frames = ["exr", "png"];
+    let is_frame = |path: &Path| {
+        let ending = path.extension().and_then(OsStr::to_str).unwrap_or_default();
+        frames.iter().any(|frame| ending.eq_ignore_ascii_case(frame))
+    };
+    // Files by what stands before and after the last number of their names.
+    let mut named: BTreeMap<(String, String), Vec<String>> = BTreeMap::new();
+    for path in paths.iter().filter(|path| is_frame(path)) {
+        let path = path.strip_prefix("./").unwrap_or(path);
+        let (Some(name), Some(folder)) = (path.file_name().and_then(OsStr::to_str), path.parent())
+        else {
+            continue;
+        };
+        let Some(end) = name.rfind(|c: char| c.is_ascii_digit()).map(|last| last + 1) else {
+            continue;
+        };
+        let start = name[..end].rfind(|c: char| !c.is_ascii_digit()).map_or(0, |other| other + 1);
+        let before = folder.join(&name[..start]).display().to_string();
+        named
+            .entry((before, name[end..].to_owned()))
+            .or_default()
+            .push(name[start..end].to_owned());
+    }
+    let pattern = |((before, after), numbers): ((String, String), Vec<String>)| {
+        // Numbers are as long as the shortest that begins with 0, or as they are.
+        let padded = numbers.iter().filter(|number| number.starts_with('0') && number.len() > 1);
+        let width = padded.map(String::len).min().unwrap_or(1);
+        (format!("{before}{}{after}", "#".repeat(width)), numbers.len())
+    };
+    let mut patterns: Vec<(String, usize)> = named.into_iter().map(pattern).collect();
+    patterns.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    patterns
+}
+
 /// The pattern that a path is.
 ///
 /// # Errors
 /// `bad-argument` for a path without a place for a number, or with two.
 pub(super) fn pattern_of(path: &Path) -> Result<FramePattern, Diagnostic> {
+    if let Some(problem) = not_frames(path) {
+        return Err(problem);
+    }
     let bad = |message: String| {
         Diagnostic::error("bad-argument", message).hint("name the frames as 'out/####.exr'")
     };
@@ -138,6 +212,9 @@ pub(super) fn files(
 ) -> Result<Vec<FrameFile>, Diagnostic> {
     let mut files = Vec::new();
     for path in arguments {
+        if let Some(problem) = not_frames(path) {
+            return Err(problem);
+        }
         if path.is_file() || arguments.len() > 1 && matches!(FramePattern::of(path), Ok(None)) {
             files.push(FrameFile { frame: None, path: path.clone() });
             continue;
@@ -157,4 +234,38 @@ pub(super) fn files(
 fn parse_backdrop(text: &str) -> Result<[f64; 3], String> {
     let color = parse_hex(text).map(|[red, green, blue, _]| [red, green, blue]);
     color.ok_or_else(|| "write a color such as #202428".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folders_and_documents_are_told_the_patterns_of_frames_beside_them() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        std::fs::create_dir(path("out")).unwrap();
+        for name in ["out/a.0998.exr", "out/a.1000.exr", "out/a.1001.exr", "v2-9.png", "v2-10.png"]
+        {
+            std::fs::write(path(name), "").unwrap();
+        }
+        for name in ["shot.json", "sheet.png"] {
+            std::fs::write(path(name), "{}").unwrap();
+        }
+        let told = |path: &Path| not_frames(path).unwrap().hints.remove(0);
+        let at = |name: &str| path(name).display().to_string();
+        assert_eq!(
+            told(&path("shot.json")),
+            format!(
+                "name the frames by their pattern: '{}' (3 frames), '{}' (2 frames)",
+                at("out/a.####.exr"),
+                at("v2-#.png")
+            )
+        );
+        assert!(told(&path("out")).ends_with(&format!("'{}' (3 frames)", at("out/a.####.exr"))));
+        std::fs::create_dir(path("empty")).unwrap();
+        assert!(told(&path("empty")).contains("chiaro render"));
+        assert!(not_frames(&path("out/a.0998.exr")).is_none());
+        assert!(pattern_of(&path("out")).is_err() && files(&[path("shot.json")], None).is_err());
+    }
 }

@@ -48,6 +48,7 @@ mod target;
 mod tier;
 #[cfg(feature = "gpu")]
 mod tune;
+mod used_files;
 mod verify;
 
 use std::path::{Path, PathBuf};

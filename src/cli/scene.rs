@@ -6,6 +6,7 @@ use std::path::Path;
 use crate::compile::check as check_look;
 use crate::diag::{Diagnostic, WithWarnings, has_errors};
 use crate::document::{LoadedDocument, Look, Object, Scene};
+use crate::files::Files as _;
 use crate::frame::{Setup, check_exposed_value};
 use crate::library::Library;
 
@@ -15,7 +16,7 @@ pub(super) fn looks(scene: &Scene, folder: &Path) -> BTreeMap<String, LoadedDocu
     let mut looks = BTreeMap::new();
     for name in names {
         let path = folder.join(name);
-        if path.is_file() {
+        if crate::files::Disk.has_file(&path) {
             looks.entry(name.clone()).or_insert_with(|| Look::load(&crate::files::Disk, &path));
         }
     }

@@ -9,7 +9,7 @@ use super::open::beside;
 use super::output::Output;
 use super::target::outputs;
 use crate::diag::{Diagnostic, has_errors};
-use crate::document::{Document, Override, Shot, value_address};
+use crate::document::{Document, LoadedDocument, Override, Shot, value_address};
 use crate::files::{Disk, OutputKind};
 use crate::frame::{Assets, ResolvedShot, Setup, ValueChange, open};
 
@@ -181,22 +181,30 @@ fn number_text(value: &Json) -> String {
     }
 }
 
-/// Takes changes out of a shot, and writes it back.
+/// Takes changes out of a shot's file; what else the file says stays as it is written.
 fn reset(path: &Path, addresses: &[String], output: &Output) -> Result<(), Vec<Diagnostic>> {
     let mut outputs = outputs(false, std::iter::empty::<&Path>());
     outputs.changes(path);
     let Document::Shot(loaded) = Document::load(&Disk, path) else {
         return Err(vec![not_a_shot(path)]);
     };
-    let Some(mut shot) = loaded.value.filter(|_| !has_errors(&loaded.diagnostics)) else {
-        return Err(loaded.diagnostics);
+    let LoadedDocument { value, mut source, diagnostics } = loaded;
+    let Some(mut shot) = value.filter(|_| !has_errors(&diagnostics)) else {
+        return Err(diagnostics);
     };
-    output.diagnostics(&loaded.diagnostics);
+    output.diagnostics(&diagnostics);
+    let mut text = source.text().to_string();
     for address in addresses {
-        take_back(path, &mut shot, address)
+        let places = places_of(path, &shot, address)
             .map_err(|problem| vec![problem.in_file(path.display().to_string())])?;
+        // The last one first, which leaves the others where they are.
+        for place in places.iter().rev() {
+            let shorter = source.text_without(place).ok_or_else(|| vec![not_found(path, place)])?;
+            let read = Shot::read(&shorter, source.file());
+            shot = read.value.ok_or_else(|| vec![not_found(path, place)])?;
+            (text, source) = (shorter, read.source);
+        }
     }
-    let text = shot.to_text();
     outputs.write(path, OutputKind::DOCUMENT, text.as_bytes()).map_err(|problem| vec![problem])?;
     for address in addresses {
         output.message(&format!("{}: `{address}` is as before", path.display()));
@@ -204,10 +212,15 @@ fn reset(path: &Path, addresses: &[String], output: &Output) -> Result<(), Vec<D
     Ok(())
 }
 
-/// Takes the change of a value out of a shot.
-fn take_back(path: &Path, shot: &mut Shot, address: &str) -> Result<(), Diagnostic> {
-    if address == "camera" && shot.camera.take().is_some() {
-        return Ok(());
+fn not_found(path: &Path, place: &str) -> Diagnostic {
+    Diagnostic::error("unknown-target", format!("the file has no `{place}` that could be taken out"))
+        .in_file(path.display().to_string())
+}
+
+/// JSON paths of a shot's changes of a value, in the order of the file.
+fn places_of(path: &Path, shot: &Shot, address: &str) -> Result<Vec<String>, Diagnostic> {
+    if address == "camera" && shot.camera.is_some() {
+        return Ok(vec!["camera".to_owned()]);
     }
     let folder = path.parent().unwrap_or(Path::new(""));
     // Looks are named as the shot names them, or as --diff does.
@@ -215,10 +228,10 @@ fn take_back(path: &Path, shot: &mut Shot, address: &str) -> Result<(), Diagnost
         let told = changed.look.as_deref().map(|look| beside(folder, look));
         changed.address() == address || value_address(told.as_deref(), &changed.target) == address
     };
-    let before = shot.overrides.len();
-    shot.overrides.retain(|changed| !is_it(changed));
-    if shot.overrides.len() < before {
-        return Ok(());
+    let own = shot.overrides.iter().enumerate().filter(|(_, changed)| is_it(changed));
+    let found: Vec<String> = own.map(|(index, _)| format!("overrides[{index}]")).collect();
+    if !found.is_empty() {
+        return Ok(found);
     }
     let mut known: Vec<String> = shot.overrides.iter().map(|own| own.address()).collect();
     known.extend(shot.camera.map(|_| "camera".to_owned()));

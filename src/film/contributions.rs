@@ -75,7 +75,7 @@ impl Contributions {
             Self::Layers => naming.of_layer(layer),
             Self::Lights => naming.of_light(light),
             Self::LightsByLayer => naming.of_light(&format!("{light}_{layer}")),
-            Self::Groups => naming.of_light(groups.of(lights)),
+            Self::Groups => naming.of_group(groups.of(lights)),
         }
     }
 }
@@ -116,15 +116,19 @@ pub struct ContributionLayers {
     pub tables: Vec<LayerTable>,
 }
 
+/// Number of a slice among those that are asked for, and a name of it: two slices may have one name
+/// for two things, such as a light and a layer, which stay apart.
+type SliceName = (usize, String);
+
 /// Steps that contributions are the sums of, by the layers' names in their order and by look.
 #[derive(Debug, Default)]
 struct SlicedSteps {
-    order: Vec<String>,
-    steps: HashMap<String, BTreeMap<usize, BTreeSet<StepId>>>,
+    order: Vec<SliceName>,
+    steps: HashMap<SliceName, BTreeMap<usize, BTreeSet<StepId>>>,
 }
 
 impl SlicedSteps {
-    fn add(&mut self, name: String, look: usize, step: StepId) {
+    fn add(&mut self, name: SliceName, look: usize, step: StepId) {
         if !self.steps.contains_key(&name) {
             self.order.push(name.clone());
         }
@@ -132,9 +136,11 @@ impl SlicedSteps {
     }
 
     fn requests(mut self) -> Vec<AovRequest> {
-        let request = |name: String| {
+        let mut taken = HashSet::new();
+        let request = |name: SliceName| {
             let of_looks = self.steps.remove(&name).unwrap_or_default();
             let source = |(look, steps)| (Some(look), AovSource::Steps(steps));
+            let name = free_name(&name.1, &mut taken);
             AovRequest { name, sources: of_looks.into_iter().map(source).collect() }
         };
         std::mem::take(&mut self.order).into_iter().map(request).collect()
@@ -181,9 +187,10 @@ pub fn contributions(
         for part in parts.iter().rev() {
             let name = names.entry(&part.id.path);
             let layer = name.or_insert_with(|| free_name(&part.name, &mut taken));
-            for slice in slices {
+            for (number, slice) in slices.iter().enumerate() {
                 for (step, lights) in slice.steps(part) {
-                    sliced.add(slice.name(lights, layer, &groups, naming), index, step);
+                    let name = slice.name(lights, layer, &groups, naming);
+                    sliced.add((number, name), index, step);
                 }
             }
         }

@@ -28,7 +28,7 @@ struct Scheme {
     naming: LayerNaming,
     /// Name for people.
     name: &'static str,
-    /// Beginning of the name of what lights add, alone, in groups, and to one layer.
+    /// Beginning of the name of what lights add, alone and to one layer.
     light: &'static str,
     /// Beginning of the name of what a layer adds.
     layer: &'static str,
@@ -73,13 +73,21 @@ impl LayerNaming {
         SCHEMES.iter().find(|scheme| scheme.naming == self).unwrap_or(&SCHEMES[0])
     }
 
-    /// The name of what a light or a group of lights adds.
+    /// The name of what a light adds.
     pub fn of_light(self, light: &str) -> String {
         // Names in mattes are the things' own.
         if self == Self::Bare {
             return light.to_owned();
         }
         legal_name(&format!("{}{light}", self.scheme().light))
+    }
+
+    /// The name of what a group of lights adds, which is no light's.
+    pub fn of_group(self, group: &str) -> String {
+        match self {
+            Self::Nuke | Self::Bare => legal_name(&format!("group_{group}")),
+            _ => self.of_light(&format!("group_{group}")),
+        }
     }
 
     /// The name of what a layer adds.
@@ -130,6 +138,8 @@ mod tests {
     fn names_are_those_that_compositors_take() {
         let names: Vec<_> = LayerNaming::all().map(|(_, naming)| naming.of_light("key")).collect();
         assert_eq!(names, ["light_key", "C_key", "Combined_key", "RGBA_key"]);
+        let names: Vec<_> = LayerNaming::all().map(|(_, naming)| naming.of_group("set")).collect();
+        assert_eq!(names, ["group_set", "C_group_set", "Combined_group_set", "RGBA_group_set"]);
         assert_eq!(LayerNaming::Nuke.of_layer("rim.2 (soft)"), "layer_rim_2__soft_");
         for name in ["12", "a.b", "", "ä", "é 1", "-x"] {
             assert!(!is_legal(name) && is_legal(&legal_name(name)), "{name}");

@@ -6,9 +6,7 @@
 //! programs, and [`drawing`] draws graphs themselves. [`import`] makes looks of other programs'
 //! graphs.
 
-#[cfg(test)]
-use chiaro_compiler::examples;
-use chiaro_compiler::{catalog, compile, document, library};
+use chiaro_compiler::{catalog, compile, document, examples, library};
 use chiaro_files as files;
 use chiaro_language::{clock, diag, figures, ids, interp, progress, wgsl};
 

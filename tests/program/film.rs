@@ -297,6 +297,19 @@ fn jobs_of_farms_hand_every_option_on() {
     assert!(job("slurm").contains("chunks=(-2-2 3-7 8-12 13-17 18-21)"), "{}", job("slurm"));
     let template: Json = serde_json::from_str(&job("openjd")).unwrap();
     assert_eq!(template["specificationVersion"], "jobtemplate-2023-09");
+    // A look elsewhere is told, with the folder that holds both.
+    fs::create_dir(stage.path("far")).unwrap();
+    let mut far = Command::new(env!("CARGO_BIN_EXE_chiaro"));
+    far.current_dir(stage.path("far")).env("CHIARO_CACHE_DIR", "");
+    far.args(["farm", "../look.json", "-o", "#.exr", "--frames", "1-2", "--to", "openjd"]);
+    let far = far.output().unwrap();
+    let said = String::from_utf8_lossy(&far.stderr);
+    let folder = stage.path("").canonicalize().unwrap();
+    let hint = format!("write the job in {}", folder.display());
+    assert!(said.contains("outside this folder") && said.contains(&hint), "{said}");
+    let template: Json = serde_json::from_slice(&far.stdout).unwrap();
+    let look = folder.join("look.json").display().to_string();
+    assert!(template["description"].as_str().unwrap().contains(&look), "{template}");
     let cue = job("opencue");
     assert!(cue.contains("<range>-2-21</range>") && cue.contains("<chunk>5</chunk>"), "{cue}");
     // A job that somebody may have changed stays.

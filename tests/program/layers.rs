@@ -255,7 +255,11 @@ fn wrong_layers_are_told_before_anything_is_drawn() {
     refused(&["-o", "a.exr", "--matte", "lamps"], "objects, looks, materials, lights");
     let listed = folder.run(Path::new("scene.json"), &["--list-aovs"]);
     let listed = String::from_utf8(listed.stdout).unwrap();
-    assert!(listed.lines().any(|line| line.starts_with("Two:key.tone  ")), "{listed}");
+    assert!(listed.lines().any(|line| line.starts_with("  Two:key.tone  ")), "{listed}");
+    let lights = listed.lines().find(|line| line.starts_with("  --aov lights  ")).unwrap();
+    assert!(lights.contains("beauty, ") && lights.contains("light_"), "{lights}");
+    let headings = listed.lines().filter(|line| !line.starts_with("  ") && !line.is_empty());
+    assert_eq!(headings.count(), 2, "contributions and wires: {listed}");
 }
 
 #[test]
@@ -595,7 +599,9 @@ fn names_of_a_look_and_shadows_are_layers() {
     let one = folder.layers(&scene, &["--aov", "rim_mask", "--samples", "1"]);
     assert_eq!(one.channel("rim_mask.V"), drawn.channel("rim_mask.V"));
     let listed = folder.run(&scene, &["--list-aovs"]);
-    assert!(String::from_utf8_lossy(&listed.stdout).contains("rim_mask  --aov named"));
+    let listed = String::from_utf8(listed.stdout).unwrap();
+    let named = listed.lines().find(|line| line.starts_with("  --aov named  "));
+    assert!(named.is_some_and(|line| line.contains("rim_mask")), "{listed}");
     let wrong = folder.run(&scene, &["-o", "a.exr", "--aov", "rim_masc"]);
     assert!(String::from_utf8_lossy(&wrong.stderr).contains("did you mean `rim_mask`"));
 

@@ -5,6 +5,28 @@ use std::process::{Command, Stdio};
 use crate::support::root;
 use crate::support::validators::say;
 
+/// Checks that a graded file has the mattes, the time code and the camera of its own file.
+const KEPT: &str = r#"
+import OpenImageIO as oiio
+import numpy as np
+
+def read(path):
+    file = oiio.ImageInput.open(path)
+    spec = oiio.ImageSpec(file.spec())
+    pixels = np.asarray(file.read_image("float")).reshape(spec.height, spec.width, -1)
+    return pixels.view(np.uint32), list(spec.channelnames), spec
+
+(was, names, said), (now, kept, says) = read("shot.49.exr"), read("again.49.exr")
+mattes = [name for name in names if name.startswith("Crypto")]
+assert mattes and kept == ["R", "G", "B", "A"] + mattes, kept
+for name in mattes:
+    assert (was[..., names.index(name)] == now[..., kept.index(name)]).all(), name
+told = [entry.name for entry in said.extra_attribs if entry.name.startswith("cryptomatte/")]
+for name in told + ["smpte:TimeCode", "worldToCamera", "framesPerSecond"]:
+    assert said[name] is not None and str(said[name]) == str(says[name]), name
+assert "chiaro" not in [entry.name for entry in says.extra_attribs]
+"#;
+
 /// A frame whose lights are graded by `scripts/regrade.py` is the frame that is rendered with the
 /// grade, everywhere but where two objects share a pixel of a matte. Some ten seconds on software
 /// Vulkan: the twelve looks of the shot are compiled with their layers, twice.
@@ -38,13 +60,16 @@ fn a_frame_is_graded_from_its_file_alone() {
         command.arg(root().join("scripts/regrade.py")).current_dir(folder.path());
         command.args(["shot.#.exr", "--frames", "49-49", "--light", "sun=0.2"]);
         command.args(["--light", "moon=1.25", "--light", lantern, "--on", "hob", "moon=1.5"]);
-        command.args(["--against", "graded.#.exr", "--within", "0.002"]);
+        command.args(["--against", "graded.#.exr", "--within", "0.002", "-o", "again.#.exr"]);
         let ran = command.output().unwrap();
         let said = [ran.stdout, ran.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
         (ran.status.success(), said.concat())
     };
     let (is_equal, said) = graded("lantern=0.7,1.0,0.8");
     assert!(is_equal, "{said}");
+    let mut kept = Command::new(&python);
+    let kept = kept.args(["-c", KEPT]).current_dir(folder.path()).output().unwrap();
+    assert!(kept.status.success(), "{}", String::from_utf8_lossy(&kept.stderr));
     let (is_equal, said) = graded("lantern=0.7,1.0,0.9");
     assert!(!is_equal && said.contains("frame 49 is"), "another grade is another frame: {said}");
 }

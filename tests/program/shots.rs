@@ -448,14 +448,50 @@ fn changes_are_told_taken_back_and_checked() {
     let found = found.unwrap_or_else(|| panic!("{problems:#}"));
     assert_eq!(found["file"], "shot.json");
 
+    // Keys that are out of order hide nothing else, and looks are suggested as the shot names them.
+    let mut wrong = near.clone();
+    wrong["overrides"] = json!([
+        {"target": "camera.fov", "keys": [{"frame": 9, "value": 0.5}, {"frame": 2, "value": 1}]},
+        {"look": "../loook.json", "target": "warm.offset", "value": 0.5},
+    ]);
+    wrong["scene"] = json!("../scene.json");
+    std::fs::create_dir(folder.0.path().join("shots")).unwrap();
+    folder.write("shots/wrong.json", &wrong);
+    let said = folder.run(&["check", "shots/wrong.json"]);
+    let said = String::from_utf8_lossy(&said.stderr).into_owned();
+    assert!(said.contains("not-increasing") && said.contains("missing-asset"), "{said}");
+    assert!(said.contains("did you mean `../look.json`?"), "{said}");
+
     folder.done(&["shot", "shot.json", "--reset", "look.json#warm.offset"]);
     let read = Shot::read(&folder.read("shot.json"), "shot.json").value.unwrap();
     assert_eq!(read.overrides.len(), 1);
     assert!(read.unknown.contains_key("later"), "what this version does not know survives");
+    // Whoever wrote the file by hand finds it as it was, but for the line.
+    let by_hand = "{ \"chiaro\":\"shot\", \"version\":1,\n\t\"overrides\": [\n\
+        \t\t{\"target\":\"lights.key.color\",  \"value\":\"#ff0000\"},\n\
+        \t\t{\"target\":\"lights.key.intensity\", \"value\":0.50} ],\n\
+        \t\"camera\": {\"eye\": [0, 0, 9]},\n  \"scene\": \"scene.json\"}";
+    let hand = folder.0.path().join("hand.json");
+    std::fs::write(&hand, by_hand).unwrap();
+    folder.done(&["shot", "hand.json", "--reset", "lights.key.intensity", "--reset", "camera"]);
+    assert_eq!(
+        folder.read("hand.json"),
+        by_hand
+            .replace(",\n\t\t{\"target\":\"lights.key.intensity\", \"value\":0.50}", "")
+            .replace("\"camera\": {\"eye\": [0, 0, 9]},\n  ", "")
+    );
     let missing = folder.run(&["shot", "shot.json", "--reset", "lights.key.colour"]);
     assert!(String::from_utf8_lossy(&missing.stderr).contains("`lights.key.color`"));
     let after = [folder.read("scene.json"), folder.read("look.json"), folder.read("sequence.json")];
     assert_eq!(before, after, "nothing but the shot is written");
+}
+
+/// Values of objects are known to the looks of examples, from wherever these are named.
+#[test]
+fn scenes_of_examples_are_checked_with_their_looks() {
+    let output = Folder::new().run(&["check", "--strict", "example:scenes/lit-room-day.json"]);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && said.contains("nothing is wrong"), "{said}");
 }
 
 /// The example shots are sound, and so is a new one.

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use serde_json::json;
+use serde_json::{Value as Json, json};
 
-use super::Arguments;
 use super::format::PictureFormat;
+use super::{Arguments, Stage};
 use crate::compile::wire_outputs;
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::files::Outputs;
@@ -14,7 +14,7 @@ use crate::film::{
     AskedLayers, CUBE, ContributionLayers, Contributions, FramePattern, LayerNaming, LayerTable,
     MatteKind, contributions, light_shares, named_outputs, shadow_outputs, wire_request,
 };
-use crate::frame::Setup;
+use crate::frame::{AovRequest, Setup};
 use crate::library::Library;
 use crate::output::Output;
 
@@ -131,46 +131,118 @@ fn table_path(target: &Path, pattern: Option<&FramePattern>, layer: &str) -> Pat
     }
 }
 
-/// Lists the outputs of nodes that `--aov` can name.
+/// Layer that can be asked for, in a list of them.
+struct ListedLayer {
+    /// Words after `--aov` that ask for the layer.
+    asked: String,
+    /// Type of the value; of contributions and shadows empty.
+    ty: String,
+    /// The layer's name, or the artist's name of the node.
+    name: String,
+    json: Json,
+}
+
+/// Heading of layers of one kind, and the layers.
+type ListedGroup = (&'static str, Vec<ListedLayer>);
+
+/// Lists what `--aov` can name: slices of the picture, shadows, named outputs, and the outputs of
+/// nodes.
 pub(super) fn list(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let mut warnings = Vec::new();
     let stage = arguments.open(&mut warnings)?;
     output.diagnostics(&warnings);
-    let mut told = Vec::new();
     let time = stage.options.time;
-    let words = [
-        (NAMED, named_outputs(&stage.setup)),
-        (SHADOWS, shadow_outputs(&stage.setup.at(time), &stage.library, time)?),
+    let shadows = shadow_outputs(&stage.setup.at(time), &stage.library, time)?;
+    let groups = [
+        ("What layers and lights add", listed_contributions(arguments, &stage)?),
+        ("Shadows", listed_requests(SHADOWS, &shadows)),
+        ("Outputs that looks name", listed_requests(NAMED, &named_outputs(&stage.setup))),
+        ("Outputs of nodes, as --aov NAME=LOOK:NODE.OUTPUT", listed_wires(&stage)?),
     ];
-    for (word, request) in words.iter().flat_map(|(word, of)| of.iter().map(move |it| (word, it))) {
-        let name = &request.name;
-        if arguments.json {
-            told.push(json!({"layer": name, "by": word}));
-        } else {
-            output.result(&format!("{name}  --aov {word}"));
-        }
+    if arguments.json {
+        let all = groups.iter().flat_map(|(_, layers)| layers.iter().map(|layer| &layer.json));
+        output.json(&json!(all.collect::<Vec<_>>()));
+    } else {
+        output.result(&list_text(&groups));
     }
+    Ok(())
+}
+
+/// Layers that each slice of the picture has.
+fn listed_contributions(
+    arguments: &Arguments,
+    stage: &Stage,
+) -> Result<Vec<ListedLayer>, Vec<Diagnostic>> {
+    let mut listed = Vec::new();
+    let time = stage.options.time;
+    let moved = stage.setup.at(time);
+    for (word, slice) in Contributions::all() {
+        let naming = arguments.naming;
+        let made = contributions(&moved, &stage.library, time, &[slice], naming)?.value;
+        listed.extend(listed_requests(word, &made.layers));
+    }
+    Ok(listed)
+}
+
+/// Layers that one word asks for.
+fn listed_requests(word: &str, requests: &[AovRequest]) -> Vec<ListedLayer> {
+    let listed = |request: &AovRequest| ListedLayer {
+        asked: word.to_owned(),
+        ty: String::new(),
+        name: request.name.clone(),
+        json: json!({"layer": request.name, "by": word}),
+    };
+    requests.iter().map(listed).collect()
+}
+
+/// Outputs of the nodes of all looks.
+fn listed_wires(stage: &Stage) -> Result<Vec<ListedLayer>, Vec<Diagnostic>> {
+    let mut listed = Vec::new();
     for (index, _) in stage.setup.looks.iter().enumerate() {
         let objects = &stage.setup.objects;
         let wearer = objects.iter().find(|object| object.looks.contains(&Some(index)));
         let Some(wearer) = wearer else { continue };
         let look = stage.setup.worn(index, wearer, stage.options.time);
-        for found in wire_outputs(&look, &stage.library)? {
+        listed.extend(wire_outputs(&look, &stage.library)?.into_iter().map(|found| {
             let (path, port, ty) =
                 (found.path.to_string(), found.port.to_string(), found.ty.to_string());
-            if arguments.json {
-                told.push(json!({
+            ListedLayer {
+                asked: format!("{}:{path}.{port}", look.name),
+                json: json!({
                     "look": look.name, "node": path, "output": port, "type": ty,
                     "name": found.name,
-                }));
-            } else {
-                let name = &found.name;
-                output.result(&format!("{}:{path}.{port}  {ty}  {name}", look.name));
+                }),
+                ty,
+                name: found.name,
+            }
+        }));
+    }
+    Ok(listed)
+}
+
+/// Layers by kind, in columns: of one word's layers all names on a line, of outputs one a line.
+fn list_text(groups: &[ListedGroup]) -> String {
+    let mut blocks = Vec::new();
+    for (heading, layers) in groups.iter().filter(|(_, layers)| !layers.is_empty()) {
+        let mut rows: Vec<[String; 3]> = Vec::new();
+        for ListedLayer { asked, ty, name, .. } in layers {
+            let is_word = ty.is_empty();
+            match rows.last_mut().filter(|row| is_word && row[0] == format!("--aov {asked}")) {
+                Some(row) => row[2] = format!("{}, {name}", row[2]),
+                None if is_word => rows.push([format!("--aov {asked}"), String::new(), name.clone()]),
+                None => rows.push([asked.clone(), ty.clone(), name.clone()]),
             }
         }
+        let width = |column: usize| {
+            rows.iter().map(|row| row[column].chars().count()).max().unwrap_or_default()
+        };
+        let (first, second) = (width(0), width(1));
+        let lines = rows.iter().map(|[asked, ty, name]| {
+            let gap = if second > 0 { "  " } else { "" };
+            let line = format!("  {asked:first$}{gap}{ty:second$}  {name}");
+            line.trim_end().to_owned()
+        });
+        blocks.push(format!("{heading}\n{}", lines.collect::<Vec<_>>().join("\n")));
     }
-    if arguments.json {
-        output.json(&json!(told));
-    }
-    Ok(())
+    blocks.join("\n\n")
 }

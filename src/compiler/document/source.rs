@@ -74,6 +74,15 @@ impl SourceMap {
         at.map(|at| self.line_column(at))
     }
 
+    /// The text without the item of a list, or the member of an object, at a JSON path; all else is
+    /// as it was. `None` where the text has no such part.
+    pub fn text_without(&self, json_path: &str) -> Option<String> {
+        let mut finder = Finder::new(self);
+        let (_, path) = finder.find_translated(json_path);
+        let (at, is_whole) = finder.find(&path);
+        at.filter(|_| is_whole && !path.is_empty()).map(|at| self.tree.without(at))
+    }
+
     fn line_column(&self, at: ValueIndex) -> LineColumn {
         self.lines.at(self.text(), self.tree.start(at))
     }

@@ -35,6 +35,8 @@ pub struct FarmJob {
     pub folder: String,
     /// Path of the contact sheet.
     pub sheet: String,
+    /// Paths of files outside the folder that frames are made of.
+    pub outside: Vec<String>,
 }
 
 impl FarmJob {
@@ -169,6 +171,7 @@ mod tests {
             chunk: 10,
             folder: "/projects/a b".to_owned(),
             sheet: "out/sheet.png".to_owned(),
+            outside: Vec::new(),
         }
     }
 

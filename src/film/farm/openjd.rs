@@ -11,6 +11,9 @@ const MAX_TASKS: usize = 1024;
 /// Greatest length of a job's name.
 const MAX_NAME: usize = 128;
 
+/// Greatest length of a job's description.
+const MAX_DESCRIPTION: usize = 2048;
+
 /// Seconds from the request to end to the end by force: a frame is finished or dropped meanwhile.
 const NOTICE: u32 = 10;
 
@@ -28,7 +31,7 @@ pub(super) fn write(job: &FarmJob) -> Result<String, Diagnostic> {
     let template = json!({
         "specificationVersion": "jobtemplate-2023-09",
         "name": name,
-        "description": format!("{}.", job.about()),
+        "description": description(job),
         "parameterDefinitions": [{
             "name": "Folder", "type": "PATH", "objectType": "DIRECTORY", "dataFlow": "INOUT",
             "description": format!("Folder that all paths are relative to, here {}.", job.folder),
@@ -49,6 +52,25 @@ pub(super) fn write(job: &FarmJob) -> Result<String, Diagnostic> {
         ],
     });
     Ok(format!("{template:#}\n"))
+}
+
+/// A sentence on the job, and the files outside its folder: a template's path of a file may not lead
+/// out of the template's folder, so that these are the site's to bring.
+fn description(job: &FarmJob) -> String {
+    let mut text = format!("{}.", job.about());
+    if job.outside.is_empty() {
+        return text;
+    }
+    text += " Files outside the folder, needed at these paths:";
+    let mut left = job.outside.iter();
+    for path in left.by_ref() {
+        if text.chars().count() + path.chars().count() + 32 > MAX_DESCRIPTION {
+            text += &format!(" and {} more", left.count() + 1);
+            break;
+        }
+        text += &format!("\n{path}");
+    }
+    text
 }
 
 /// A script that runs commands in the job's folder. The shell takes the name of a frame's process,
@@ -83,6 +105,12 @@ mod tests {
         let data = render["script"]["embeddedFiles"][0]["data"].as_str().unwrap();
         assert!(data.contains("cd '{{Param.Folder}}'") && data.contains("--progress openjd"));
         assert_eq!(template["steps"][1]["dependencies"], json!([{"dependsOn": "Render"}]));
+        let outside: Vec<String> = (0..900).map(|n| format!("/looks/{n}.json")).collect();
+        let far = write(&FarmJob { outside, ..job() }).unwrap();
+        let far: Json = serde_json::from_str(&far).unwrap();
+        let described = far["description"].as_str().unwrap();
+        assert!(described.contains("\n/looks/0.json\n/looks/1.json"), "{described}");
+        assert!(described.ends_with(" more") && described.len() <= MAX_DESCRIPTION);
         let odd = FarmJob { output: "{{a}}/#.exr".to_owned(), ..job() };
         assert_eq!(write(&odd).unwrap_err().code, "no-job");
     }

@@ -23,10 +23,11 @@ pub(super) fn write(job: &FarmJob) -> Result<String, Diagnostic> {
     Ok(format!(
         r#"#!/bin/sh
 # {about}.
-# Submits both jobs and prints their numbers; more options of sbatch go into SBATCH_OPTIONS.
+# Submits both jobs and prints their numbers. More options of sbatch for both go into SBATCH_OPTIONS,
+# and those of drawing alone, such as --gpus=1, into RENDER_OPTIONS: the check needs no GPU.
 set -eu
 render=$(sbatch --parsable --job-name={name} --array=0-{last} --requeue --open-mode=append \
-    --chdir={folder} --output={name}-%A_%a.log ${{SBATCH_OPTIONS:-}} <<'TASK'
+    --chdir={folder} --output={name}-%A_%a.log ${{SBATCH_OPTIONS:-}} ${{RENDER_OPTIONS:-}} <<'TASK'
 #!/bin/bash
 chunks=({chunks})
 frames=${{chunks[$SLURM_ARRAY_TASK_ID]:?}}
@@ -67,6 +68,8 @@ mod tests {
             "--chdir='/projects/a b'",
             "--frames \"$frames\" && exit 0",
             "--dependency=afterany:$render",
+            "%A_%a.log ${SBATCH_OPTIONS:-} ${RENDER_OPTIONS:-} <<",
+            "-check-%j.log ${SBATCH_OPTIONS:-} <<",
             "chiaro verify 'out/####.exr' --frames 1-25 &&\n",
         ] {
             assert!(text.contains(needed), "no `{needed}` in {text}");

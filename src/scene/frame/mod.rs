@@ -82,7 +82,7 @@ pub use setup::{
     object_matrix, open, place_objects, scene_setup,
 };
 pub use shadow_maps::{LightLayer, LightModule, MapCaster, ShadowMaps};
-pub use shot::{ResolvedShot, ShotFile, ShotResolver, ShotStack, ValueChange, scene_of};
+pub use shot::{ResolvedShot, ShotFile, ShotResolver, ShotStack, ValueChange, open_shot, scene_of};
 pub use store::AssetStore;
 pub use tiles::{MAX_TILE_SAMPLES, TileView, moving_light, tile_assets};
 pub use uvs::missing_uvs;

@@ -10,10 +10,14 @@ use super::setup::{Setup, SetupObject};
 use crate::document::{Camera, MeshAnimation, Projection};
 use crate::geometry::{CameraLens, Mesh, Pose};
 
-/// Greatest memory of the deformed meshes that are kept, in bytes, and their greatest number; the
-/// last is always kept.
+/// Greatest memory of the deformed meshes that are kept, with what a device holds of them, in bytes,
+/// and their greatest number; the last is always kept.
 const MOST_BYTES: usize = 128 << 20;
 const MOST_MESHES: usize = 256;
+
+/// Sizes of a mesh that it takes while it is kept: its own, and on the device, as long as somebody
+/// holds the mesh, that of its buffers, and of textures of them where a look is deferred.
+const SIZES_OF_MESH: usize = 3;
 
 /// Animation of a mesh that an object plays.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,16 +100,21 @@ impl KnownPoses {
             mesh: Arc::new(rest.posed_with_tree(pose)),
         });
         let mesh = known.mesh.clone();
-        self.0.push_front(known);
+        self.keep(known);
+        mesh
+    }
+
+    /// Keeps a mesh as the last one, and as many of those before as there is room for.
+    fn keep(&mut self, last: PosedMesh) {
+        self.0.push_front(last);
         let mut bytes = 0;
         let mut fits = |known: &PosedMesh| {
-            bytes += known.mesh.bytes();
+            bytes += SIZES_OF_MESH * known.mesh.bytes();
             bytes <= MOST_BYTES && known.rest.strong_count() > 0
         };
         let kept =
             1 + self.0.iter().skip(1).take(MOST_MESHES).take_while(|known| fits(known)).count();
         self.0.truncate(kept);
-        mesh
     }
 }
 
@@ -186,5 +195,36 @@ fn camera_at(world: DMat4, lens: CameraLens, own: &Camera) -> Camera {
                 ..placed
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kept_meshes_are_bounded_by_all_that_they_take() {
+        let mut known = KnownPoses::default();
+        let rest = Arc::new(Mesh::default());
+        let of = |hash, vertices| PosedMesh {
+            rest: Arc::downgrade(&rest),
+            hash,
+            mesh: Arc::new(Mesh { positions: vec![[0.0; 3]; vertices], ..Mesh::default() }),
+        };
+        // A quarter of the bound, with what the device holds.
+        let quarter = MOST_BYTES / SIZES_OF_MESH / 12 / 4;
+        for hash in 0..8 {
+            known.keep(of(hash, quarter));
+        }
+        let hashes = |known: &KnownPoses| known.0.iter().map(|kept| kept.hash).collect::<Vec<_>>();
+        assert_eq!(hashes(&known), [7, 6, 5, 4, 3], "the last one, and four quarters");
+        known.keep(of(8, 5 * quarter));
+        assert_eq!(hashes(&known), [8, 7, 6, 5, 4], "the last one, however large");
+        known.keep(of(9, 1));
+        assert_eq!(hashes(&known), [9]);
+        for hash in 10..1000 {
+            known.keep(of(hash, 1));
+        }
+        assert_eq!(known.0.len(), MOST_MESHES + 1);
     }
 }

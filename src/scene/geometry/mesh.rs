@@ -184,11 +184,18 @@ impl Mesh {
         if self.is_deformed() { &self.rest } else { &self.positions }
     }
 
-    /// Size of the attributes and indices in memory, in bytes.
+    /// Size of the attributes, the indices and the tree, if that is made, in memory, in bytes.
     pub fn bytes(&self) -> usize {
-        let vertices = 4 * (12 + self.colors.len() / self.positions.len().max(1) * 4);
-        let rest = 12 * self.rest.len();
-        self.positions.len() * vertices + rest + 4 * self.indices.len()
+        let attributes = [
+            size_of_val(&*self.positions),
+            size_of_val(&*self.rest),
+            size_of_val(&*self.normals),
+            size_of_val(&*self.tangents),
+            size_of_val(&*self.uvs),
+            size_of_val(&*self.colors),
+        ];
+        let tree = self.tree.made.get().map_or(0, |tree| tree.bytes());
+        attributes.iter().sum::<usize>() + size_of_val(&*self.indices) + tree
     }
 
     /// The tree over all triangles, for rays; made once.
@@ -327,6 +334,22 @@ mod tests {
         assert_eq!(again(&Mesh { uvs: Vec::new(), ..mesh.clone() }), None);
         assert_eq!(again(&Mesh { indices: vec![0, 1, 3, 2, 1, 0], ..mesh.clone() }), None);
         assert_eq!(again(&Mesh { indices: vec![0, 1, 2], ..mesh }), None);
+    }
+
+    #[test]
+    fn the_size_of_a_mesh_counts_its_tree() {
+        let mesh = Mesh {
+            positions: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+            normals: vec![[0.0, 0.0, 1.0]; 3],
+            indices: vec![0, 1, 2],
+            ..Mesh::default()
+        };
+        let before = mesh.bytes();
+        assert_eq!(before, 3 * (12 + 12 + 4));
+        let tree = mesh.tree();
+        // A node of two texels, three corners and three normals.
+        assert_eq!((tree.nodes, tree.bytes()), (1, 16 * (2 + 3 + 3)));
+        assert_eq!(mesh.bytes(), before + tree.bytes());
     }
 
     #[test]

@@ -3,6 +3,8 @@
 //! A [`MeshTree`] is a list of texels, as `shaders/lib/casters.wgsl` reads them: shaders walk it
 //! without a stack, because each node names the one that follows where its box is missed.
 
+use std::sync::Arc;
+
 use glam::{DMat4, DVec3, Vec3, Vec3A};
 use obvhs::Boundable;
 use obvhs::aabb::Aabb;
@@ -37,8 +39,8 @@ pub struct MeshTree {
     center: DVec3,
     /// Factor of sizes from object space to the tree's: a power of 2, so that nothing is rounded.
     scale: f64,
-    /// Numbers of the mesh's triangles in the tree's order.
-    order: Vec<u32>,
+    /// Numbers of the mesh's triangles in the tree's order, shared with the tree's refittings.
+    order: Arc<[u32]>,
 }
 
 /// Share of the nodes that are put elsewhere where that makes the tree better.
@@ -186,7 +188,7 @@ impl MeshTree {
             triangles: corners.len() as u32,
             center,
             scale,
-            order: Vec::new(),
+            order: Arc::default(),
         };
         // Triangles in the order in which the walk comes to them, and whether more follow.
         let mut order: Vec<(u32, bool)> = Vec::with_capacity(corners.len());
@@ -210,6 +212,11 @@ impl MeshTree {
         made.order = order.into_iter().map(|(triangle, _)| triangle).collect();
         made.push_normals(mesh);
         made
+    }
+
+    /// Size of the texels in memory, in bytes: all but a small part of the tree.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.texels)
     }
 
     /// The tree of this one's mesh deformed: the same nodes around the same triangles, which takes
@@ -271,7 +278,7 @@ impl MeshTree {
 
     /// Appends the normals at the triangles' corners.
     fn push_normals(&mut self, mesh: &Mesh) {
-        for triangle in &self.order {
+        for triangle in self.order.iter() {
             let start = 3 * *triangle as usize;
             self.texels.extend(mesh.indices[start..start + 3].iter().map(|corner| {
                 let [x, y, z] = mesh.normals[*corner as usize];

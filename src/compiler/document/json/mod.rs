@@ -108,6 +108,25 @@ impl Tree {
         if item.key_start == item.key_end { item.start as usize } else { item.key_start as usize }
     }
 
+    /// The text without the item of a list, or the member of an object, and its comma: what follows
+    /// stands in its place, and all else is as it was.
+    pub(super) fn without(&self, at: ValueIndex) -> String {
+        let text = &*self.text;
+        let (mut start, mut end) = (self.key_start(at), self.item(at).end as usize);
+        let after = text[end..].trim_start();
+        let before = text[..start].trim_end();
+        if let Some(rest) = after.strip_prefix(',') {
+            end = text.len() - rest.trim_start().len();
+        } else {
+            // The last one goes with the comma before it, if there is one.
+            start = before.strip_suffix(',').map_or(before.len(), str::len);
+            if !before.ends_with(',') {
+                end = text.len() - after.len();
+            }
+        }
+        [&text[..start], &text[end..]].concat()
+    }
+
     /// True if the end of this list or object is missing.
     pub(super) fn is_cut(&self, at: ValueIndex) -> bool {
         self.item(at).cut

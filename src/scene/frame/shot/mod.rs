@@ -22,7 +22,7 @@ use crate::document::{FrameRate, Scene, Value, value_address};
 use moving::MovingValue;
 
 pub use resolve::ShotResolver;
-pub(super) use resolve::open_shot;
+pub use resolve::open_shot;
 pub use stack::{ShotFile, ShotStack, scene_of};
 
 /// A shot, put into a setup.

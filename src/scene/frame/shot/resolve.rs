@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 
 use super::keys::{json_of_keys, timed_keys};
 use super::moving::{MovingValue, object_of};
-use super::stack::{is_same_file, located, short};
+use super::stack::{is_same_file, located, named_from, short};
 use super::{FrameClock, ResolvedShot, ShotFile, ShotStack, ValueChange};
 use crate::diag::{Diagnostic, WithWarnings, has_errors};
 use crate::document::{
@@ -19,11 +19,11 @@ use crate::frame::assets::Assets;
 use crate::frame::setup::{Setup, SetupLook, SetupObject, scene_setup};
 use crate::ids::ObjectId;
 
-/// Opens a shot: what it changes, with the changes.
+/// Opens a shot that was read from a file: what it changes, with the changes.
 ///
 /// # Errors
 /// All errors of the shots, of the scene, and of the files that it names.
-pub(in crate::frame) fn open_shot(
+pub fn open_shot(
     path: &Path,
     loaded: LoadedDocument<Shot>,
     mesh: Option<&str>,
@@ -247,9 +247,15 @@ impl<'s> ShotResolver<'s> {
             Diagnostic::error("missing-asset", format!("there is no look `{name}`"))
                 .hint("paths of looks are relative to the shot's own file")
         };
-        let worn: Vec<String> =
-            setup.looks.iter().map(|worn| display(worn.source.file())).collect();
-        let problem = problem.suggest(&display(path), worn.iter().map(String::as_str));
+        // As the shot would name them, so that what is suggested can be written there.
+        let own = super::stack::folder(&at.file.path);
+        let worn: Vec<String> = setup
+            .looks
+            .iter()
+            .map(|worn| named_from(own, Path::new(worn.source.file())))
+            .collect();
+        let wrong = named_from(own, path);
+        let problem = problem.suggest(&wrong, worn.iter().map(String::as_str));
         at.problem(problem, "look")
     }
 

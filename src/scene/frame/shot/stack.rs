@@ -1,6 +1,6 @@
 //! The documents of a shot: itself, the shots that it changes, and the scene under them.
 
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diag::{Diagnostic, WithWarnings, has_errors};
@@ -192,7 +192,6 @@ pub(super) fn is_same_file(files: &dyn Files, one: &Path, two: &Path) -> bool {
 
 /// A path without the folders that it leaves again.
 pub(super) fn short(path: &Path) -> PathBuf {
-    use std::path::Component;
     let mut short = PathBuf::new();
     for part in path.components() {
         match (part, short.components().next_back()) {
@@ -202,4 +201,39 @@ pub(super) fn short(path: &Path) -> PathBuf {
         }
     }
     short
+}
+
+/// The name of a file in a document of a folder. Examples have one name wherever they are named.
+pub(super) fn named_from(folder: &Path, file: &Path) -> String {
+    let text = file.display().to_string();
+    if let Some(example) = text.find(crate::examples::PREFIX) {
+        return text[example..].to_owned();
+    }
+    let (folder, file) = (short(folder), short(file));
+    let (from, to): (Vec<_>, Vec<_>) = (folder.components().collect(), file.components().collect());
+    let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
+    // From one drive to another, and out of a folder above the working folder, no way is known.
+    let is_apart = folder.is_absolute() != file.is_absolute() || folder.is_absolute() && shared == 0;
+    if is_apart || from[shared..].contains(&Component::ParentDir) {
+        return file.display().to_string();
+    }
+    let up = from[shared..].iter().map(|_| Component::ParentDir);
+    up.chain(to[shared..].iter().copied()).collect::<PathBuf>().display().to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_are_named_from_the_folder_of_a_document() {
+        let named = |folder: &str, file: &str| named_from(Path::new(folder), Path::new(file));
+        assert_eq!(named("shots", "shots/../looks/a.json"), "../looks/a.json");
+        assert_eq!(named("", "looks/a.json"), "looks/a.json");
+        assert_eq!(named("/p/shots", "/p/looks/a.json"), "../looks/a.json");
+        assert_eq!(named("p/shots", "q/looks/a.json"), "../../q/looks/a.json");
+        assert_eq!(named("shots", "/p/looks/a.json"), "/p/looks/a.json");
+        assert_eq!(named("../shots", "looks/a.json"), "looks/a.json");
+        assert_eq!(named("p/shots", "p/example:looks/toon.json"), "example:looks/toon.json");
+    }
 }
