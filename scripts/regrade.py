@@ -166,12 +166,13 @@ def write(path, picture, layers, come_from):
     reason."""
     height, width, _ = picture.shape
     out = oiio.ImageOutput.create(path)
-    mattes = [name for name in come_from.channelnames if re.match(r"Crypto\w+\d\d\.[RGBA]$", name)]
-    # Names are 32 bits that no half holds, and stand as they are.
-    formats = ["half"] * 4 + ["float"] * len(mattes)
-    spec = oiio.ImageSpec(width, height, len(formats), "float")
+    mattes = [name for name in come_from.channelnames if re.match(r"Crypto\w+\.[RGBA]$", name)]
+    # Names in mattes are 32 bits that no half holds: each channel stays of the type that it has.
+    half = oiio.TypeDesc("half")
+    formats = [come_from.channelformat(come_from.channelnames.index(name)) for name in mattes]
+    spec = oiio.ImageSpec(width, height, 4 + len(mattes), "float")
     spec.channelnames = ["R", "G", "B", "A", *mattes]
-    spec.channelformats = tuple(oiio.TypeDesc(name) for name in formats)
+    spec.channelformats = (half, half, half, half, *formats)
     for side in ("x", "y", "full_x", "full_y", "full_width", "full_height"):
         setattr(spec, side, getattr(come_from, side))
     for entry in come_from.extra_attribs:

@@ -113,8 +113,8 @@ fn not_frames(path: &Path) -> Option<Diagnostic> {
     if patterns.is_empty() {
         let document = if is_document { path.display().to_string() } else { "SHOT".to_owned() };
         return Some(problem.hint(format!(
-            "name the files that its frames were rendered to: chiaro render {document} -o \
-             'out/####.exr' writes 'out/####.exr'"
+            "name the files of its frames, which chiaro render {document} -o 'out/####.exr' \
+             writes"
         )));
     }
     let named = patterns.iter().take(NAMED);
