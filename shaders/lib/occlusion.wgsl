@@ -62,7 +62,8 @@ fn occlusion_of_pixel(
     count: i32,
 ) -> f32 {
     let has_others = caster_root(receiver.casters) >= 0;
-    if !(told_at(range.far, receiver.position) > 0.0) || !(has_others || casts_on_itself(receiver.casters)) {
+    let far = told_at(range.far, receiver.position);
+    if !(far > 0.0) || !(has_others || casts_on_itself(receiver.casters)) {
         return 0.0;
     }
     var sum = 0.0;

@@ -259,8 +259,8 @@ impl Checker<'_> {
     }
 }
 
-/// A shot whose only errors are keys out of order, without these errors: of each value that has such
-/// keys the first is left, so that the rest of the shot can be checked.
+/// A shot whose only errors are keys out of order, without these errors: of each value that has
+/// such keys the first is left, so that the rest of the shot can be checked.
 fn as_if_sound(loaded: &LoadedDocument<Shot>) -> Option<LoadedDocument<Shot>> {
     let mut sound = loaded.clone();
     sound.diagnostics.retain(|problem| !problem.is_error() || problem.code != "not-increasing");

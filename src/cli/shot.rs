@@ -213,8 +213,8 @@ fn reset(path: &Path, addresses: &[String], output: &Output) -> Result<(), Vec<D
 }
 
 fn not_found(path: &Path, place: &str) -> Diagnostic {
-    Diagnostic::error("unknown-target", format!("the file has no `{place}` that could be taken out"))
-        .in_file(path.display().to_string())
+    let message = format!("the file has no `{place}` that could be taken out");
+    Diagnostic::error("unknown-target", message).in_file(path.display().to_string())
 }
 
 /// JSON paths of a shot's changes of a value, in the order of the file.

@@ -54,8 +54,8 @@ pub(super) fn write(job: &FarmJob) -> Result<String, Diagnostic> {
     Ok(format!("{template:#}\n"))
 }
 
-/// A sentence on the job, and the files outside its folder: a template's path of a file may not lead
-/// out of the template's folder, so that these are the site's to bring.
+/// A sentence on the job, and the files outside its folder: a template's path of a file may not
+/// lead out of the template's folder, so that these are the site's to bring.
 fn description(job: &FarmJob) -> String {
     let mut text = format!("{}.", job.about());
     if job.outside.is_empty() {

@@ -23,8 +23,9 @@ pub(super) fn write(job: &FarmJob) -> Result<String, Diagnostic> {
     Ok(format!(
         r#"#!/bin/sh
 # {about}.
-# Submits both jobs and prints their numbers. More options of sbatch for both go into SBATCH_OPTIONS,
-# and those of drawing alone, such as --gpus=1, into RENDER_OPTIONS: the check needs no GPU.
+# Submits both jobs and prints their numbers. More options of sbatch for both go into
+# SBATCH_OPTIONS, and those of drawing alone, such as --gpus=1, into RENDER_OPTIONS: the check needs
+# no GPU.
 set -eu
 render=$(sbatch --parsable --job-name={name} --array=0-{last} --requeue --open-mode=append \
     --chdir={folder} --output={name}-%A_%a.log ${{SBATCH_OPTIONS:-}} ${{RENDER_OPTIONS:-}} <<'TASK'

@@ -10,8 +10,8 @@ use super::setup::{Setup, SetupObject};
 use crate::document::{Camera, MeshAnimation, Projection};
 use crate::geometry::{CameraLens, Mesh, Pose};
 
-/// Greatest memory of the deformed meshes that are kept, with what a device holds of them, in bytes,
-/// and their greatest number; the last is always kept.
+/// Greatest memory of the deformed meshes that are kept, with what a device holds of them, in
+/// bytes, and their greatest number; the last is always kept.
 const MOST_BYTES: usize = 128 << 20;
 const MOST_MESHES: usize = 256;
 

@@ -249,11 +249,8 @@ impl<'s> ShotResolver<'s> {
         };
         // As the shot would name them, so that what is suggested can be written there.
         let own = super::stack::folder(&at.file.path);
-        let worn: Vec<String> = setup
-            .looks
-            .iter()
-            .map(|worn| named_from(own, Path::new(worn.source.file())))
-            .collect();
+        let worn: Vec<String> =
+            setup.looks.iter().map(|worn| named_from(own, Path::new(worn.source.file()))).collect();
         let wrong = named_from(own, path);
         let problem = problem.suggest(&wrong, worn.iter().map(String::as_str));
         at.problem(problem, "look")

@@ -213,7 +213,8 @@ pub(super) fn named_from(folder: &Path, file: &Path) -> String {
     let (from, to): (Vec<_>, Vec<_>) = (folder.components().collect(), file.components().collect());
     let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
     // From one drive to another, and out of a folder above the working folder, no way is known.
-    let is_apart = folder.is_absolute() != file.is_absolute() || folder.is_absolute() && shared == 0;
+    let is_apart =
+        folder.is_absolute() != file.is_absolute() || folder.is_absolute() && shared == 0;
     if is_apart || from[shared..].contains(&Component::ParentDir) {
         return file.display().to_string();
     }
