@@ -49,6 +49,7 @@ mod tier;
 #[cfg(feature = "gpu")]
 mod tune;
 mod verify;
+mod view;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

@@ -133,6 +133,9 @@ fn table_path(target: &Path, pattern: Option<&FramePattern>, layer: &str) -> Pat
 
 /// Lists the outputs of nodes that `--aov` can name.
 pub(super) fn list(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    if arguments.list_views {
+        return arguments.view.list(output, arguments.json).map_err(|problem| vec![problem]);
+    }
     let mut warnings = Vec::new();
     let stage = arguments.open(&mut warnings)?;
     output.diagnostics(&warnings);
