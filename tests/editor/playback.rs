@@ -4,6 +4,8 @@
 use std::path::PathBuf;
 
 use chiaro::document::{Edit, GraphId, Target, TimeInterpolation, TimeKey, TimeKeys, Value};
+use chiaro::film::{BUILT_IN, ColorConfig};
+use chiaro::frame::Picture;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, Pos2, pos2};
 
@@ -211,5 +213,55 @@ fn an_onion_skin_costs_nothing_while_it_is_off() {
     hand.press_a(Role::CheckBox, "Show ghosts");
     hand.key(Key::Escape);
     hand.settle();
+    assert!(seen(&mut hand) == plain);
+}
+
+fn press_like(hand: &mut User, text: &str) {
+    let at = hand.place_like(text).center();
+    hand.click(at);
+    hand.settle();
+}
+
+/// By *View transform* the picture at rest, kept frames and files of frames are shown alike, as the
+/// view shows them.
+#[test]
+fn picture_and_kept_frames_are_shown_by_a_view() {
+    const VIEW: &str = "ACES 2.0 - SDR 100 nits (Rec.709)";
+    let mut hand = moving();
+    let plain = seen(&mut hand);
+    hand.press("Options");
+    hand.press("View transform: sRGB");
+    press_like(&mut hand, "sRGB - Display");
+    hand.press(VIEW);
+    hand.key(Key::Escape);
+    hand.key(Key::Escape);
+    hand.settle();
+    let chosen = hand.app().settings().display.clone().expect("the window remembers it");
+    assert_eq!((&*chosen.config, &*chosen.view), (BUILT_IN, VIEW));
+    assert_eq!(hand.app().session().steps().done(), 1, "the look stays as it is");
+    let shown = seen(&mut hand);
+    let view = ColorConfig::open(BUILT_IN).unwrap().view(Some(&chosen.display), VIEW).unwrap();
+    let pixels = plain.chunks_exact(4);
+    let rgba = pixels.map(|of| std::array::from_fn(|at| f32::from(of[at]) / 255.0)).collect();
+    let picture = Picture { size: [plain.len() as u32 / 4, 1], rgba };
+    let wanted = view.show(&picture).to_rgba8();
+    let apart = |a: &[u8], b: &[u8]| a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max();
+    // What goes in was rounded to 8 bits here, and the view is steep at the edge of what it shows.
+    let sum: f64 = shown.iter().zip(&wanted).map(|(a, b)| f64::from(a.abs_diff(*b))).sum();
+    let mean = sum / shown.len() as f64;
+    assert!(apart(&shown, &wanted) <= Some(6) && mean < 0.5, "{:?} {mean}", apart(&shown, &wanted));
+    assert!(apart(&shown, &plain) > Some(20), "{:?}", apart(&shown, &plain));
+    hand.press("Cache range");
+    hand.press("Keep version");
+    scrub_to(&mut hand, 0.0);
+    assert!(apart(&seen(&mut hand), &shown) <= Some(1), "a kept frame is shown alike");
+    hand.press("Close flip book");
+    hand.press("Options");
+    press_like(&mut hand, "View transform: ACES");
+    hand.press("sRGB");
+    hand.key(Key::Escape);
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(hand.app().settings().display.is_none());
     assert!(seen(&mut hand) == plain);
 }
