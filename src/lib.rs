@@ -74,6 +74,8 @@
 //!   `compiler/compile/parting.rs`; tables of what bends them: `compiler/compile/transfer.rs`.
 //! - Layers beside the picture: `film/layers.rs` (`LayeredPlan`), drawn by looks' modules as
 //!   `compiler/compile/aov.rs` (`AovSource`) says; mattes: `scene/frame/mattes.rs` (`MattePart`).
+//! - Views of OpenColorIO: `film/view/mod.rs` (`DisplayView`); on the GPU `render/display.rs`; in
+//!   the window `editor/state/display.rs` and `editor/viewport/colors.rs`.
 //!
 //! Window:
 //! - Panels: `editor/panels/mod.rs` (`PANELS`) lists their rows, which are in the panels' files.

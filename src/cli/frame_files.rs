@@ -5,12 +5,13 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use super::target::{OutputPath, outputs};
+use super::view::{ViewArguments, shown};
 use crate::diag::Diagnostic;
 use crate::document::parse_hex;
 use crate::figures;
 use crate::files::{self, OutputKind, Outputs, WalkBounds};
 use crate::film::sheet::scaled;
-use crate::film::{FrameList, FramePattern, StoredFrame};
+use crate::film::{DisplayView, FrameList, FramePattern, StoredFrame};
 use crate::frame::Picture;
 
 /// Arguments of commands that show frames as one file.
@@ -29,6 +30,8 @@ pub(super) struct ShownFrames {
     /// The color behind transparent pictures
     #[arg(long, default_value = "#292a2e", value_parser = parse_backdrop)]
     backdrop: [f64; 3],
+    #[command(flatten)]
+    view: ViewArguments,
     /// Replace a file that Chiaro did not make
     #[arg(long)]
     force: bool,
@@ -55,12 +58,25 @@ impl ShownFrames {
         Ok((found, outputs))
     }
 
-    /// The picture of a frame over the backdrop, at most so wide.
+    /// The view by which light is shown; `None` for the curve of sRGB.
     ///
     /// # Errors
-    /// As [`FrameFile::read`] and [`StoredFrame::over`], with the file.
-    pub(super) fn picture(&self, file: &FrameFile, width: u32) -> Result<Picture, Diagnostic> {
-        let picture = file.read()?.over(self.backdrop);
+    /// As [`ViewArguments::open`].
+    pub(super) fn view(&self) -> Result<Option<DisplayView>, Diagnostic> {
+        self.view.open()
+    }
+
+    /// The picture of a frame over the backdrop, by this view, at most so wide.
+    ///
+    /// # Errors
+    /// As [`FrameFile::read`] and [`shown`], with the file.
+    pub(super) fn picture(
+        &self,
+        file: &FrameFile,
+        width: u32,
+        view: Option<&DisplayView>,
+    ) -> Result<Picture, Diagnostic> {
+        let picture = shown(&file.read()?, self.backdrop, view);
         let in_file = |problem: Diagnostic| problem.in_file(file.path.display().to_string());
         Ok(scaled(&picture.map_err(in_file)?, width))
     }

@@ -50,6 +50,7 @@ mod tier;
 mod tune;
 mod used_files;
 mod verify;
+mod view;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

@@ -8,7 +8,7 @@ use super::frame_files::{FrameFile, ShownFrames};
 use super::output::Output;
 use crate::diag::Diagnostic;
 use crate::files::OutputKind;
-use crate::film::{FrameRate, animated, rgb8};
+use crate::film::{DisplayView, FrameRate, animated, rgb8};
 use crate::frame::Picture;
 use crate::progress::Progress;
 
@@ -50,12 +50,14 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     };
     let kind = if is_png { OutputKind::PICTURE } else { MOVIE };
     let (found, mut outputs) = arguments.shown.found(kind).map_err(one)?;
+    let view = arguments.shown.view().map_err(one)?;
+    let view = view.as_ref();
     let bytes = output.watch("writing", |progress| {
         if is_png {
             let count = u32::try_from(found.len()).unwrap_or(u32::MAX);
-            animated(count, arguments.rate, pictures(arguments, &found, progress))
+            animated(count, arguments.rate, pictures(arguments, &found, view, progress))
         } else {
-            mp4(arguments, &found, progress)
+            mp4(arguments, &found, view, progress)
         }
     });
     let bytes = bytes.map_err(|problem| match problem.place.file {
@@ -85,12 +87,13 @@ fn other_ending(path: &Path) -> Diagnostic {
 fn pictures<'a>(
     arguments: &'a Arguments,
     files: &'a [FrameFile],
+    view: Option<&'a DisplayView>,
     progress: &'a Progress,
 ) -> impl Iterator<Item = Result<Picture, Diagnostic>> + use<'a> {
     progress.begin(files.len() as u64);
     files.iter().enumerate().map(move |(at, file)| {
         progress.add(u64::from(at > 0));
-        arguments.shown.picture(file, arguments.width)
+        arguments.shown.picture(file, arguments.width, view)
     })
 }
 
@@ -98,10 +101,11 @@ fn pictures<'a>(
 fn mp4(
     arguments: &Arguments,
     files: &[FrameFile],
+    view: Option<&DisplayView>,
     progress: &Progress,
 ) -> Result<Vec<u8>, Diagnostic> {
     let failed = |message: String| Diagnostic::error("ffmpeg", message);
-    let mut pictures = pictures(arguments, files, progress);
+    let mut pictures = pictures(arguments, files, view, progress);
     let first = pictures.next().ok_or_else(|| failed("there are no frames".to_owned()))??;
     let size = first.size;
     // The index of an MP4 is written last and moved to the front: that takes a file.

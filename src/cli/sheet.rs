@@ -38,13 +38,14 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let target = arguments.shown.target();
     check_png(target).map_err(one)?;
     let (found, mut outputs) = arguments.shown.found(OutputKind::PICTURE).map_err(one)?;
+    let view = arguments.shown.view().map_err(one)?;
     let shown = evenly(found.len(), arguments.cells as usize);
     let cells = output.watch("reading", |progress| {
         progress.begin(shown.len() as u64);
         let cell = |(at, index): (usize, &usize)| {
             progress.add(u64::from(at > 0));
             let file = &found[*index];
-            let picture = arguments.shown.picture(file, arguments.width)?;
+            let picture = arguments.shown.picture(file, arguments.width, view.as_ref())?;
             Ok(SheetCell { picture, labels: vec![file.label()] })
         };
         shown.iter().enumerate().map(cell).collect::<Result<Vec<_>, Diagnostic>>()

@@ -37,6 +37,7 @@ use std::sync::Arc;
 
 pub use crate::painter::Painting;
 pub use crate::panels::cost::Cost;
+pub use crate::state::display::DisplayChoice;
 pub use crate::state::orbit::Orbit;
 pub use crate::state::revision::{GestureId, LookRevision};
 pub use crate::state::safety::places::Places;

@@ -7,7 +7,7 @@
 //! A [`StoredFrame`] is a file read back: whole or not, compared with another, shown over a
 //! backdrop. [`sheet`] lays pictures side by side with labels, [`animated`] makes them move, and
 //! [`farm`] writes the jobs of render farms. [`comp`] writes what puts a picture together from its
-//! layers, in a compositor.
+//! layers, in a compositor. A [`DisplayView`] shows a picture as OpenColorIO has it.
 
 use chiaro_compiler::{compile, document, library};
 use chiaro_files as files;
@@ -28,6 +28,7 @@ mod plan_hash;
 pub mod sheet;
 mod stored;
 mod tables;
+mod view;
 
 pub use animation::{animated, rgb8};
 pub use contributions::{ContributionLayers, Contributions, contributions, light_shares};
@@ -41,3 +42,4 @@ pub use naming::{LayerNaming, free_name, is_legal, legal_name};
 pub use plan_hash::PlanHasher;
 pub use stored::{FrameDifference, PLAN_NOTE, StoredFrame};
 pub use tables::{CUBE, LayerTable};
+pub use view::{BUILT_IN, ColorConfig, DisplayView, VIEW_VARIABLE};

@@ -59,6 +59,11 @@ impl StoredFrame {
         Ok(Self { size, channels, plan, is_sealed, is_light: true })
     }
 
+    /// True if the numbers are light, and not what is shown.
+    pub fn is_light(&self) -> bool {
+        self.is_light
+    }
+
     /// The names of the channels.
     pub fn names(&self) -> Vec<&str> {
         self.channels.iter().map(|(name, _)| name.as_str()).collect()

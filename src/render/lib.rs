@@ -11,6 +11,7 @@ use chiaro_scene::{frame, geometry, hcbtf};
 
 mod casters;
 mod deferred;
+mod display;
 mod error;
 mod eval;
 mod executor;
@@ -26,8 +27,9 @@ mod target;
 mod timer;
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
-use crate::frame::{FramePlan, LayeredPicture, PassId};
+use crate::frame::{DisplayModule, FramePlan, LayeredPicture, PassId};
 
 pub use crate::frame::Picture;
 
@@ -48,6 +50,8 @@ pub struct Renderer {
     /// depth.
     screens: HashMap<(PassId, bool), passes::ScreenPipeline>,
     targets: target::Targets,
+    /// The step from light to what is shown; `None` for the curve of sRGB, by which looks end.
+    display: Option<display::Display>,
     /// Triangles that cast shadows, while looks read them.
     casters: Option<casters::CastersTexture>,
     /// The scene as lights see it, while looks read it.
@@ -68,6 +72,7 @@ impl Renderer {
             gpu,
             screens: HashMap::new(),
             targets: target::Targets::default(),
+            display: None,
             casters: None,
             lights: shadow_maps::LightTargets::default(),
             done: HashMap::new(),
@@ -86,7 +91,30 @@ impl Renderer {
         &self.done
     }
 
-    /// Runs `plan`; the picture is then in [`picture_view`](Self::picture_view), premultiplied and
+    /// Shows pictures by a module from now on, or without one by the curve of sRGB. Layers stay as
+    /// they are.
+    ///
+    /// # Errors
+    /// A module that the device does not take; pictures are then shown by the curve of sRGB.
+    pub async fn show_by(
+        &mut self,
+        module: Option<&Arc<DisplayModule>>,
+    ) -> Result<(), RenderError> {
+        let Some(module) = module else {
+            self.display = None;
+            return Ok(());
+        };
+        if self.display.as_ref().is_some_and(|display| display.is_of(module)) {
+            return Ok(());
+        }
+        let guard = self.gpu.guard();
+        let display = display::Display::new(&self.gpu, module.clone());
+        let made = guard.finish().await;
+        self.display = made.is_ok().then_some(display);
+        made
+    }
+
+    /// Runs `plan`; the picture is then in [`shown_view`](Self::shown_view), premultiplied and
     /// display-referred. Passes with the same inputs as last time are not run again. Returns the
     /// passes that ran.
     ///
@@ -138,6 +166,9 @@ impl Renderer {
                 }
             }
         }
+        if let (Some(display), Some(picture)) = (&mut self.display, self.targets.picture()) {
+            display.draw(&self.gpu, picture, &mut encoder);
+        }
         self.gpu.queue.submit([encoder.finish()]);
         // After an error the content of the targets is unknown, so no pass counts as done.
         if let Err(error) = guard.finish().await {
@@ -160,8 +191,7 @@ impl Renderer {
     pub async fn picture(&mut self, plan: &FramePlan) -> Result<Picture, RenderError> {
         self.draw(plan).await?;
         let texture = self
-            .targets
-            .picture()
+            .shown()
             .ok_or(RenderError::Lost { message: "the picture has no target".to_owned() })?;
         readback::read_picture(&self.gpu, texture).await
     }
@@ -183,8 +213,17 @@ impl Renderer {
         Ok(LayeredPicture { picture, layers })
     }
 
-    /// The picture that [`draw`](Self::draw) drew: `rgba16float`, premultiplied.
-    pub fn picture_view(&self) -> Option<wgpu::TextureView> {
+    /// The picture that [`draw`](Self::draw) drew, as it is shown: `rgba16float`, premultiplied.
+    pub fn shown_view(&self) -> Option<wgpu::TextureView> {
+        self.shown().map(|texture| texture.create_view(&wgpu::TextureViewDescriptor::default()))
+    }
+
+    fn shown(&self) -> Option<&wgpu::Texture> {
+        self.display.as_ref().map_or(self.targets.picture(), display::Display::picture)
+    }
+
+    /// The picture that passes draw into.
+    pub(crate) fn picture_view(&self) -> Option<wgpu::TextureView> {
         self.targets
             .picture()
             .map(|texture| texture.create_view(&wgpu::TextureViewDescriptor::default()))

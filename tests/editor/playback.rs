@@ -4,6 +4,8 @@
 use std::path::PathBuf;
 
 use chiaro::document::{Edit, GraphId, Target, TimeInterpolation, TimeKey, TimeKeys, Value};
+use chiaro::film::{BUILT_IN, ColorConfig};
+use chiaro::frame::Picture;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, Pos2, pos2};
 
@@ -212,4 +214,59 @@ fn an_onion_skin_costs_nothing_while_it_is_off() {
     hand.key(Key::Escape);
     hand.settle();
     assert!(seen(&mut hand) == plain);
+}
+
+fn press_like(hand: &mut User, text: &str) {
+    let at = hand.place_like(text).center();
+    hand.click(at);
+    hand.settle();
+}
+
+/// By *View transform* the picture at rest, kept frames and files of frames are shown alike, as the
+/// view shows them.
+#[test]
+fn picture_and_kept_frames_are_shown_by_a_view() {
+    const VIEW: &str = "ACES 2.0 - SDR 100 nits (Rec.709)";
+    let mut hand = moving();
+    let plain = seen(&mut hand);
+    hand.press("Options");
+    hand.press("View transform: sRGB");
+    press_like(&mut hand, "sRGB - Display");
+    hand.press(VIEW);
+    hand.key(Key::Escape);
+    hand.key(Key::Escape);
+    hand.settle();
+    let chosen = hand.app().settings().display.clone().expect("the window remembers it");
+    assert_eq!((&*chosen.config, &*chosen.view), (BUILT_IN, VIEW));
+    assert_eq!(hand.app().session().steps().done(), 1, "the look stays as it is");
+    let shown = seen(&mut hand);
+    let view = ColorConfig::open(BUILT_IN).unwrap().view(Some(&chosen.display), VIEW).unwrap();
+    let near = |shown: &[u8], plain: &[u8]| {
+        let pixels = plain.chunks_exact(4);
+        let rgba = pixels.map(|of| std::array::from_fn(|at| f32::from(of[at]) / 255.0)).collect();
+        let picture = Picture { size: [plain.len() as u32 / 4, 1], rgba };
+        let wanted = view.show(&picture).to_rgba8();
+        assert_eq!(shown.len(), wanted.len());
+        // What goes in was rounded to 8 bits here, and a view is steep at the edge of what it shows;
+        // at outlines pixels of a kept frame are mixed after the view.
+        let apart = || shown.iter().zip(&wanted).map(|(a, b)| a.abs_diff(*b));
+        let mean = apart().map(f64::from).sum::<f64>() / shown.len() as f64;
+        let beyond = apart().filter(|apart| *apart > 6).count();
+        assert!(beyond < shown.len() / 20 && mean < 0.5, "{beyond} of {}, {mean}", shown.len());
+        assert!(shown.iter().zip(plain).any(|(a, b)| a.abs_diff(*b) > 20), "it shows a difference");
+    };
+    near(&shown, &plain);
+    // The flip book shows kept frames in place of the picture, in less room.
+    hand.press("Cache range");
+    hand.press("Keep version");
+    scrub_to(&mut hand, 0.0);
+    let kept = seen(&mut hand);
+    hand.press("Options");
+    press_like(&mut hand, "View transform: ACES");
+    hand.press("sRGB");
+    hand.key(Key::Escape);
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(hand.app().settings().display.is_none());
+    near(&kept, &seen(&mut hand));
 }

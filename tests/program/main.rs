@@ -19,3 +19,4 @@ mod outputs;
 mod shots;
 #[cfg(target_os = "linux")]
 mod slurm;
+mod views;

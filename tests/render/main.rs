@@ -8,6 +8,7 @@ mod batches;
 mod casters;
 mod deferred;
 mod depth_first;
+mod displays;
 mod effects;
 mod grouping;
 mod layered_lights;

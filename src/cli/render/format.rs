@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::diag::Diagnostic;
 use crate::files::{OutputKind, png};
 use crate::film::exr::{self, ExrEncoding, ExrHeader, LosslessCompression, SampleType};
-use crate::film::{DrawnLayers, PLAN_NOTE};
+use crate::film::{DisplayView, DrawnLayers, PLAN_NOTE};
 
 /// Format of a picture's file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,15 +34,22 @@ impl PictureFormat {
         }
     }
 
-    /// The bytes of a file. A PNG holds of the header the plan alone.
+    /// The bytes of a file. A PNG holds of the header the plan alone, and what a view shows.
     pub(super) fn encode(
         self,
         drawn: &DrawnLayers,
         header: &ExrHeader,
+        view: Option<&DisplayView>,
     ) -> Result<Vec<u8>, Diagnostic> {
         match self {
-            Self::Png if header.plan.is_empty() => drawn.picture.to_png(),
-            Self::Png => Ok(png::with_note(&drawn.picture.to_png()?, PLAN_NOTE, &header.plan)),
+            Self::Png => {
+                let bytes = match view {
+                    Some(view) => view.show(&drawn.picture).to_png()?,
+                    None => drawn.picture.to_png()?,
+                };
+                let plan = &header.plan;
+                Ok(if plan.is_empty() { bytes } else { png::with_note(&bytes, PLAN_NOTE, plan) })
+            }
             Self::Exr(encoding) => {
                 exr::encode(drawn.picture.size, &drawn.exr_layers(), header, encoding)
             }

@@ -18,7 +18,9 @@ use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::files::{self, Outputs};
 use crate::film::exr::{ExrHeader, FrameStamp};
-use crate::film::{DrawnLayers, FrameList, FramePattern, FrameRate, LayeredPlan, PlanHasher};
+use crate::film::{
+    DisplayView, DrawnLayers, FrameList, FramePattern, FrameRate, LayeredPlan, PlanHasher,
+};
 use crate::frame::{Executor, PlanOptions};
 use crate::output::{Output, refuse_warnings};
 use crate::threads;
@@ -32,6 +34,8 @@ pub(super) struct Sequence<'a> {
     pub(super) format: PictureFormat,
     /// Files of a run before.
     pub(super) earlier: &'a EarlierFrames,
+    /// The view by which light is shown; `None` for the curve of sRGB.
+    pub(super) view: Option<&'a DisplayView>,
     pub(super) is_strict: bool,
     /// True if each frame is told as a line of JSON.
     pub(super) has_json: bool,
@@ -232,7 +236,10 @@ fn plan_all(
 fn key(content: &str, sequence: Sequence<'_>) -> String {
     let FrameRate { frames, seconds } = sequence.rate;
     match sequence.format {
-        PictureFormat::Png => content.to_owned(),
+        PictureFormat::Png => match sequence.view {
+            Some(view) => format!("{content} {}", view.key()),
+            None => content.to_owned(),
+        },
         PictureFormat::Exr(encoding) => format!(
             "{content} {:?} {:?} {frames}/{seconds}",
             encoding.samples, encoding.compression
@@ -281,7 +288,7 @@ fn write_all(
     let mut summary = Summary::default();
     for mut frame in drawn {
         let clock = Clock::start();
-        write(sequence.format, &mut outputs, &frame).map_err(|problem| vec![problem])?;
+        write(sequence, &mut outputs, &frame).map_err(|problem| vec![problem])?;
         frame.seconds.writing = clock.seconds();
         summary.add(&frame);
         if sequence.has_json {
@@ -298,15 +305,16 @@ fn write_all(
 
 /// Writes the file of a frame, whole or not at all, and reads it back.
 fn write(
-    format: PictureFormat,
+    sequence: Sequence<'_>,
     outputs: &mut Outputs,
     frame: &DrawnFrame,
 ) -> Result<(), Diagnostic> {
+    let Sequence { format, view, .. } = sequence;
     let Frame { file, header, .. } = frame;
     match &frame.state {
         FrameState::Kept => return Ok(()),
         FrameState::New(picture) => {
-            outputs.write(file, format.kind(), &format.encode(picture, header)?)?;
+            outputs.write(file, format.kind(), &format.encode(picture, header, view)?)?;
         }
         FrameState::Equal { file: first, .. } => {
             match format {

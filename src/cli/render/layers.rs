@@ -148,6 +148,9 @@ type ListedGroup = (&'static str, Vec<ListedLayer>);
 /// Lists what `--aov` can name: slices of the picture, shadows, named outputs, and the outputs of
 /// nodes.
 pub(super) fn list(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
+    if arguments.list_views {
+        return arguments.view.list(output, arguments.json).map_err(|problem| vec![problem]);
+    }
     let mut warnings = Vec::new();
     let stage = arguments.open(&mut warnings)?;
     output.diagnostics(&warnings);

@@ -20,13 +20,15 @@ use super::output::{Output, once, refuse_warnings};
 use super::scene::check_values;
 use super::target::{OutputPath, outputs, reads_all};
 use super::tier::{self, TierChoice};
+use super::view::ViewArguments;
 use crate::clock::Clock;
 use crate::compile::Live;
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Camera, ColorSpace, Look, Scene, Tier, parse_hex};
 use crate::film::exr::{ExrEncoding, ExrHeader, LosslessCompression, SampleType};
 use crate::film::{
-    AskedLayers, FrameList, FramePattern, FrameRate, LayerNaming, LayeredPlan, MatteKind,
+    AskedLayers, DisplayView, FrameList, FramePattern, FrameRate, LayerNaming, LayeredPlan,
+    MatteKind,
 };
 use crate::frame::{
     self, Assets, Executor, PassId, PlanOptions, PlanStyle, Planner, Setup, ShotStack, open,
@@ -48,6 +50,7 @@ Examples:
   chiaro render shot.json -o 'out/####.exr'        all frames of the shot, at its rate
   chiaro render look.json -o layers.exr --aov layers --aov depth_key=key.tone --matte objects
   chiaro render look.json --list-aovs
+  chiaro render shot.json -o aces.png --view 'ACES 2.0 - SDR 100 nits (Rec.709)'
   chiaro render look.json -o truth.png --on reference";
 
 /// Arguments of `chiaro render`.
@@ -58,7 +61,7 @@ pub(super) struct Arguments {
     document: PathBuf,
     /// The PNG or EXR to write; `####` stands for the number of each of the --frames, or of the
     /// shot's own
-    #[arg(short, long, required_unless_present = "list_aovs")]
+    #[arg(short, long, required_unless_present_any = ["list_aovs", "list_views"])]
     output: Option<OutputPath>,
     /// A mesh (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:creature) in place of the
     /// document's; one that lies on its back wants --z-up
@@ -121,6 +124,11 @@ pub(super) struct Arguments {
     /// (Combined_key) or arnold (RGBA_key)
     #[arg(long, default_value = "nuke", value_parser = layers::parse_naming)]
     naming: LayerNaming,
+    #[command(flatten)]
+    view: ViewArguments,
+    /// Lists the views of OpenColorIO's configuration, and ends
+    #[arg(long)]
+    list_views: bool,
     /// The implementation to run in every node: exact, balanced, fast, or automatic, the cheapest
     /// that nobody can see; the document's without it
     #[arg(long, value_parser = tier::parse)]
@@ -214,11 +222,14 @@ pub(super) fn parse_samples(text: &str) -> Result<u32, String> {
 pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let one = |problem: Diagnostic| vec![problem];
     check_nodes_folder(arguments.nodes.as_deref())?;
-    let Some(target) = &arguments.output else { return layers::list(arguments, output) };
+    let Some(target) = arguments.output.as_ref().filter(|_| !arguments.list_views) else {
+        return layers::list(arguments, output);
+    };
     let target = target.as_ref();
     let sequence = arguments.sequence(target)?;
     let format = check_target(target, arguments.encoding()).map_err(one)?;
     layers::check(arguments, format, target).map_err(one)?;
+    let view = arguments.view_of(format).map_err(one)?;
     let read = [
         Some(arguments.document.as_path()),
         arguments.mesh.as_deref().map(Path::new),
@@ -235,6 +246,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let clock = Clock::start();
     let mut warnings = Vec::new();
     let mut stage = arguments.open(&mut warnings)?;
+    warnings.extend(warning_of_view(&stage.setup, view.as_ref()));
     let pattern = sequence.as_ref().map(|sequence| &sequence.pattern);
     layers::check_tables(&mut stage.asked, (target, pattern), &outputs).map_err(one)?;
     // How many layers one draw can write is the executor's to say.
@@ -259,6 +271,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
             pattern: files,
             format,
             earlier: &earlier,
+            view: view.as_ref(),
             is_strict: arguments.strict,
             has_json: arguments.json,
             progress: arguments.progress,
@@ -283,7 +296,8 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     milestones::reached("first picture");
     output.diagnostics(&of_device);
     warnings.extend(of_device);
-    let bytes = format.encode(&drawn, &header_of(&plan, setup)).map_err(one)?;
+    let header = header_of(&plan, setup);
+    let bytes = format.encode(&drawn, &header, view.as_ref()).map_err(one)?;
     reads_all(&mut outputs, setup, &planner.assets);
     layers::write_tables(asked, (target, pattern), &mut outputs).map_err(one)?;
     outputs.write(target, format.kind(), &bytes).map_err(one)?;
@@ -291,10 +305,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let (file, adapter) = (target.display().to_string(), executor.name());
     if arguments.json {
         let passes: Vec<PassId> = plan.picture().passes.iter().map(|pass| pass.id).collect();
-        let looks = setup.looks.iter().map(|worn| &worn.look);
-        let looks: Vec<_> = looks
-            .map(|look| json!({"name": look.name, "tiers": tier::counts(look, library)}))
-            .collect();
+        let looks = looks_told(setup, library);
         output.json(&json!({
             "file": file, "width": width, "height": height, "samples": arguments.samples,
             "time": options.time,
@@ -308,6 +319,28 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
         }
     }
     Ok(())
+}
+
+/// The looks' names and tiers, as JSON.
+fn looks_told(setup: &Setup, library: &Library) -> Vec<serde_json::Value> {
+    let looks = setup.looks.iter().map(|worn| &worn.look);
+    looks.map(|look| json!({"name": look.name, "tiers": tier::counts(look, library)})).collect()
+}
+
+/// The warning about looks that chose themselves what is shown, where a view shows them anew.
+fn warning_of_view(setup: &Setup, view: Option<&DisplayView>) -> Option<Diagnostic> {
+    let view = view.filter(|view| !view.keeps_shown())?;
+    let mut looks = setup.looks.iter().map(|worn| &worn.look);
+    let look = looks.find(|look| look.color_space == ColorSpace::Display)?;
+    let message = format!(
+        "the look `{}` is display-referred: what it shows is taken for light, and `{}` changes its \
+         colors",
+        look.name,
+        view.name()
+    );
+    let hint = "give the look the color space `linear`, or show it by a view that maps no tones, \
+                such as Un-tone-mapped";
+    Some(Diagnostic::warning("view-of-display", message).hint(hint))
 }
 
 /// The header of a single picture.
@@ -325,6 +358,19 @@ fn header_of(plan: &LayeredPlan, setup: &Setup) -> ExrHeader {
 impl Arguments {
     fn encoding(&self) -> ExrEncoding {
         ExrEncoding { samples: self.depth, compression: self.compression }
+    }
+
+    /// The view by which light is shown; `None` for the curve of sRGB.
+    ///
+    /// # Errors
+    /// `bad-argument` for an EXR, which holds light, and as [`ViewArguments::open`].
+    fn view_of(&self, format: PictureFormat) -> Result<Option<DisplayView>, Diagnostic> {
+        if format != PictureFormat::Png && self.view.is_asked() {
+            let message = "an EXR holds light, and not what a view shows of it";
+            return Err(Diagnostic::error("bad-argument", message)
+                .hint("write a PNG, or choose the view where the EXR is shown"));
+        }
+        self.view.open()
     }
 
     /// The frames that were asked for, or else those of the shot, and their files.

@@ -94,6 +94,9 @@ pub(crate) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let one = |problem: Diagnostic| vec![problem];
     let render = &arguments.render;
     crate::open::check_nodes_folder(render.nodes.as_deref())?;
+    if render.list_views {
+        return render.view.list(output, render.json).map_err(one);
+    }
     let Some(target) = &render.output else {
         let problem = Diagnostic::error("bad-argument", "a wedge draws, and lists nothing");
         return Err(vec![problem.hint("ask `chiaro render --list-aovs` for the list")]);
@@ -101,6 +104,7 @@ pub(crate) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let target = target.as_ref();
     check_png(target).map_err(one)?;
     super::layers::check(render, PictureFormat::Png, target).map_err(one)?;
+    let view = render.view.open().map_err(one)?;
     let folder = target.with_extension("");
     let cells = cells(arguments, &folder).map_err(one)?;
     let read = [
@@ -127,6 +131,7 @@ pub(crate) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
         .map_err(|problem| vec![problem.in_file(render.document.display().to_string())])?;
     reads_all(&mut outputs, &stage.setup, &stage.planner.assets);
     check(&outputs).map_err(one)?;
+    warnings.extend(super::warning_of_view(&stage.setup, view.as_ref()));
     refuse_warnings(render.strict, &mut warnings)?;
     output.diagnostics(&warnings);
     let mut executor = executor(render.on, output).await.map_err(one)?;
@@ -134,6 +139,10 @@ pub(crate) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let mut drawn = Vec::with_capacity(cells.len());
     for (at, cell) in cells.iter().enumerate() {
         let picture = draw(arguments, &mut stage, &targets, cell, executor.as_mut()).await?;
+        let picture = match &view {
+            Some(view) => view.show(&picture),
+            None => picture,
+        };
         let bytes = picture.to_png().map_err(one)?;
         outputs.write(&cell.file, OutputKind::PICTURE, &bytes).map_err(one)?;
         let labels = cell.labels();

@@ -128,6 +128,7 @@ impl App {
             Command::ShowReference(None) => {
                 self.dialogs.ask(FilePurpose::Reference, self.session.path());
             }
+            Command::Display(command) => self.apply_to_display(command),
             Command::CompareFrames(path) => self.compare_frames(path),
             Command::LeaveProbe => self.bench.tools.of_mut::<Probe>().escape(),
             Command::Solo(solo) => self.session.set_solo(solo),

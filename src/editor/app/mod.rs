@@ -4,6 +4,7 @@
 mod appearance;
 mod apply;
 mod bar;
+mod colors;
 pub(crate) mod dialogs;
 pub(crate) mod dock;
 mod files;
@@ -170,6 +171,7 @@ impl App {
         self.safety.keep_in(places, &mut self.session, move || waker.request_repaint());
         appearance::apply(&self.safety.settings, ctx);
         self.bench.tools.playback().set_memory(self.safety.settings.frame_memory);
+        self.show_by_settings();
         if let Some(layout) = self.safety.settings.layout.clone() {
             self.dock.restore(&layout);
         }

@@ -189,6 +189,7 @@ fn title(purpose: FilePurpose) -> &'static str {
         FilePurpose::Export(_) => "Save the picture",
         FilePurpose::Reference => "Show an image with the picture",
         FilePurpose::Frames => "Compare with rendered frames",
+        FilePurpose::Colors => "Take the views of an OpenColorIO configuration",
     }
 }
 

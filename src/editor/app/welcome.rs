@@ -9,7 +9,9 @@ use super::App;
 use crate::app::dialogs::{Answer, DialogKind};
 use crate::app::path_field::PathField;
 use crate::app::tour::{self, Tour};
-use crate::commands::{Command, FilePurpose, PaintCommand, SceneCommand, TourTopic};
+use crate::commands::{
+    Command, DisplayCommand, FilePurpose, PaintCommand, SceneCommand, TourTopic,
+};
 use crate::panels::PanelContext;
 use crate::panels::start::{self, Start};
 use crate::state::revision::{DocumentNumber, LookRevision};
@@ -153,6 +155,7 @@ impl App {
             FilePurpose::Shaders(language) => Command::ExportLook(language, Some(path)),
             FilePurpose::Export(export) => Command::Export(export, Some(path)),
             FilePurpose::Reference => Command::ShowReference(Some(path)),
+            FilePurpose::Colors => Command::Display(DisplayCommand::Open(Some(path))),
             FilePurpose::Frames => Command::CompareFrames(Some(path)),
         };
         chosen.into_iter().map(command).collect()

@@ -34,6 +34,8 @@ pub(crate) enum FilePurpose {
     Reference,
     /// One of the frames that were rendered, to compare with.
     Frames,
+    /// Configuration of OpenColorIO.
+    Colors,
 }
 
 /// File endings of meshes that can be read.
@@ -66,6 +68,7 @@ impl FilePurpose {
             Self::Shaders(_) => ("Folder", &[]),
             Self::Export(_) => ("PNG", &["png"]),
             Self::Reference => ("Image", &IMAGES),
+            Self::Colors => ("OpenColorIO configuration", &["ocio", "ocioz"]),
             Self::Frames => ("Rendered frame", &["exr", "png"]),
         }
     }

@@ -5,6 +5,7 @@
 //! `table` has a row for each command that people ask for by its name, with its label, its help and
 //! its keys; menus, the palette and the sheet of shortcuts list that table.
 
+mod display;
 mod file_purpose;
 mod fit;
 mod graph;
@@ -30,6 +31,7 @@ use crate::state::keying::KeyPlace;
 use crate::state::solo::Solo;
 use crate::state::wedge::WedgeCell;
 use crate::state::wire::ShownWire;
+pub(crate) use display::DisplayCommand;
 pub(crate) use file_purpose::{FilePurpose, IMAGES, MESHES, PAINTING};
 pub(crate) use fit::{FitCommand, FitGoal, LightBrush, SketchCommand};
 pub(crate) use graph::{GraphCommand, Heading};
@@ -107,6 +109,8 @@ pub(crate) enum Command {
     CopyShader(&'static str, &'static str),
     /// Shows an image with the picture; asks for one where there is none.
     ShowReference(Option<PathBuf>),
+    /// Command about the view of OpenColorIO that the picture is shown by.
+    Display(DisplayCommand),
     /// Shows layers or lights alone, or leaves lights out; the document is unchanged.
     Solo(Solo),
     /// Remembers columns of the light table that are shown or hidden by hand, by their words.

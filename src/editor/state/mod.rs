@@ -3,6 +3,7 @@
 
 pub(crate) mod compiling;
 pub(crate) mod crashes;
+pub(crate) mod display;
 pub(crate) mod document;
 pub(crate) mod fixes;
 pub(crate) mod interface;

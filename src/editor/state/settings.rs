@@ -9,6 +9,7 @@ use serde_json::{Map, Value};
 
 use crate::diag::Diagnostic;
 use crate::files::{read_text, write_atomic};
+use crate::state::display::DisplayChoice;
 use crate::state::paths::absolute;
 
 /// Largest number of recent files.
@@ -51,6 +52,8 @@ pub struct Settings {
     pub light_columns: BTreeMap<String, bool>,
     /// Memory that frames of playback take, in MiB.
     pub frame_memory: u32,
+    /// View that the picture is shown by; `None` for the curve of sRGB.
+    pub display: Option<DisplayChoice>,
     /// Settings of other versions, kept as they are.
     unknown: Map<String, Value>,
 }
@@ -66,6 +69,7 @@ impl Default for Settings {
             z_is_up: false,
             light_columns: BTreeMap::new(),
             frame_memory: DEFAULT_FRAME_MEMORY,
+            display: None,
             unknown: Map::new(),
         }
     }
@@ -95,8 +99,19 @@ impl Settings {
         let light_columns = serde_json::from_value(take("light_columns")).unwrap_or_default();
         let frame_memory = take("frame_memory").as_u64().and_then(|mib| u32::try_from(mib).ok());
         let frame_memory = frame_memory.filter(|mib| *mib > 0).unwrap_or(DEFAULT_FRAME_MEMORY);
-        let unknown = members;
-        Self { recent, theme, scale, layout, mesh, z_is_up, light_columns, frame_memory, unknown }
+        let display = serde_json::from_value(take("display")).unwrap_or_default();
+        Self {
+            recent,
+            theme,
+            scale,
+            layout,
+            mesh,
+            z_is_up,
+            light_columns,
+            frame_memory,
+            display,
+            unknown: members,
+        }
     }
 
     fn to_text(&self) -> String {
@@ -116,6 +131,9 @@ impl Settings {
         }
         if self.frame_memory != DEFAULT_FRAME_MEMORY {
             members.insert("frame_memory".into(), self.frame_memory.into());
+        }
+        if let Some(display) = &self.display {
+            members.insert("display".into(), serde_json::to_value(display).unwrap_or_default());
         }
         members.extend(self.unknown.clone());
         let mut text = serde_json::to_string_pretty(&Value::Object(members)).unwrap_or_default();
@@ -179,6 +197,8 @@ mod tests {
         settings.layout = Some(serde_json::json!({"left": 0.3}));
         settings.mesh = Some("shape:torus".to_owned());
         settings.light_columns.insert("range".to_owned(), false);
+        let [config, display, view] = ["a.ocio", "sRGB", "Film"].map(str::to_owned);
+        settings.display = Some(DisplayChoice { config, display, view });
         settings.opened(Path::new("/a/one.json"));
         settings.save(&path).unwrap();
         assert_eq!(Settings::load(&path), settings);
@@ -213,9 +233,13 @@ mod tests {
 
     #[test]
     fn damage_costs_only_what_is_damaged() {
-        for text in
-            ["", "[]", "{", "null", "{\"recent\": 5, \"theme\": 7, \"scale\": \"x\", \"mesh\": []}"]
-        {
+        for text in [
+            "",
+            "[]",
+            "{",
+            "null",
+            "{\"recent\": 5, \"theme\": 7, \"scale\": \"x\", \"mesh\": [], \"display\": {}}",
+        ] {
             assert_eq!(Settings::read(text), Settings::default(), "{text}");
         }
         let settings = Settings::read(

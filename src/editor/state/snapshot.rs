@@ -10,6 +10,7 @@ use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Look, SourceMap};
 use crate::frame::{AssetStore, Assets, Overlay, Planner, Setup, SetupLook, default_setup};
 use crate::library::Library;
+use crate::state::display::PictureDisplay;
 use crate::state::orbit::Orbit;
 use crate::state::revision::{
     DocumentNumber, FilesRevision, LookRevision, PaintingRevision, PictureRevision, PreviewRevision,
@@ -28,6 +29,8 @@ pub(crate) struct RenderSnapshot {
     pub(crate) orbit: Orbit,
     /// Moment, in seconds.
     pub(crate) time: f64,
+    /// View that pictures are shown by; `None` for the curve of sRGB.
+    pub(crate) display: Option<PictureDisplay>,
     /// True if the picture is seen from the camera of the shot over the scene, in its light.
     pub(crate) follows_shot: bool,
     /// The scene around the look; without one the look is on a mesh of its own.

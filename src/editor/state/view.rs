@@ -2,6 +2,7 @@
 
 use crate::document::SceneEdit;
 use crate::ids::ObjectId;
+use crate::state::display::PictureDisplay;
 use crate::state::orbit::Orbit;
 use crate::state::revision::SoloRevision;
 use crate::state::scene::{OpenScene, unit_rotation};
@@ -20,6 +21,8 @@ pub struct ViewState {
     pub(crate) solo: Solo,
     /// Revision of the solo, which grows whenever another solo needs another shader.
     pub(crate) solo_revision: SoloRevision,
+    /// View that the picture is shown by; `None` for the curve of sRGB.
+    pub(super) display: Option<PictureDisplay>,
 }
 
 impl ViewState {
@@ -31,6 +34,11 @@ impl ViewState {
     /// The moment in the picture, in seconds.
     pub fn time(&self) -> f64 {
         self.time
+    }
+
+    /// View that the picture is shown by; `None` for the curve of sRGB.
+    pub(crate) fn display(&self) -> Option<&PictureDisplay> {
+        self.display.as_ref()
     }
 
     /// True if a light is neither muted nor left out by a solo.

@@ -6,6 +6,7 @@ use eframe::egui::{PopupCloseBehavior, Rect, Role, Sense, Ui, UiBuilder, WidgetI
 use std::path::Path;
 
 use super::Viewport;
+use super::colors;
 use super::show::{self, ReferencePlacement};
 use super::solo_bar;
 use crate::commands::{Command, PanelId, PictureExport, ViewCommand, table};
@@ -57,7 +58,8 @@ impl Viewport {
                     .config(stays)
                     .ui(ui, |ui| self.options(ui, session, (&mut *view, &mut *tools), out));
                 menu.on_hover_text(
-                    "Turntable, projection, backdrop, exposure, reference image, saving",
+                    "Turntable, projection, backdrop, exposure, view transform, reference image, \
+                     saving",
                 );
                 tools.switches(ui, SwitchPlace::Bar, out);
                 if session.is_compiling() {
@@ -116,6 +118,7 @@ impl Viewport {
         button(ui, "Look through the light", ViewCommand::LookThrough);
         ui.separator();
         self.display(ui, view);
+        colors::menu(ui, session, &mut self.colors, out);
         self.reference_image(ui, out);
         ui.separator();
         self.exports(ui, out);

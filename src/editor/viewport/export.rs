@@ -112,7 +112,11 @@ async fn run(
                 Diagnostic::error("no-gpu", "there is no GPU to draw with")
                     .hint("`chiaro render --on reference` needs none")
             })?;
+            // Saved and copied pictures are as the window shows them; a baked ball is no picture.
+            let display = snapshot.display.clone();
+            let display = display.filter(|_| matches!(export, PictureExport::Picture(_)));
             let picture = drawer.draw(export, *snapshot).await?;
+            let picture = display.map_or_else(|| picture.clone(), |display| display.show(&picture));
             match to {
                 Destination::File(path) => {
                     // Overwriting was confirmed in the dialog; but the picture must not replace a

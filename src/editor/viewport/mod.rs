@@ -8,6 +8,7 @@
 mod arrows;
 mod backdrop;
 mod bar;
+mod colors;
 mod export;
 mod field;
 mod filters;
@@ -103,6 +104,8 @@ pub struct Viewport {
     through: Option<LookThrough>,
     /// Exposure in stops; for this window only.
     exposure: f32,
+    /// Configuration in the menu of views.
+    colors: Option<colors::ListedConfig>,
     exports: Exports,
     preparing: preparing::PictureDelay,
     reference: Option<ReferenceImage>,
@@ -155,6 +158,7 @@ impl Viewport {
             turns: false,
             through: None,
             exposure: 0.0,
+            colors: None,
             exports: Exports::new(gpu, wake),
             preparing: preparing::PictureDelay::default(),
             reference: None,
@@ -257,6 +261,7 @@ impl Viewport {
         let size = picture_size(rect, ui.pixels_per_point());
         let (flip, playback) = tools.pair::<FlipBook, Playback>();
         flip.exposure = self.exposure;
+        flip.show_by(session.view().display());
         let mut demands = flip.update(playback);
         let (onion, playback) = tools.pair::<OnionSkin, Playback>();
         demands.frames.extend(onion.demands(session, playback));

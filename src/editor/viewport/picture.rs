@@ -10,12 +10,13 @@ use eframe::egui::TextureId;
 use eframe::egui_wgpu::RenderState;
 
 use crate::compile::{CompiledShader, Live};
-use crate::diag::{Diagnostic, WithWarnings, has_errors};
+use crate::diag::{Diagnostic, Severity, WithWarnings, has_errors};
 use crate::frame::{Effect, effects};
 use crate::library::Library;
 use crate::milestones;
 use crate::render::{Gpu, Renderer, set_times};
 use crate::state::crashes::{CrashLog, CrashMark, CrashStep, DocumentOrigin};
+use crate::state::display::PictureDisplay;
 use crate::state::orbit::Orbit;
 use crate::state::revision::{DocumentNumber, PictureRevision, RequestNumber};
 use crate::state::session::{DrawableLook, Session};
@@ -427,7 +428,7 @@ impl PictureRenderer {
                 let ready = Some(PreparedAssets::of(&request.showing, &request.snapshot));
                 DrawnPicture {
                     subject,
-                    texture: self.renderer.picture_view(),
+                    texture: self.renderer.shown_view(),
                     ready,
                     problems,
                     effects,
@@ -465,6 +466,9 @@ impl PictureRenderer {
         let (plan, mut warnings) = planned.into_parts();
         warnings.extend(self.renderer.gpu().warnings(&plan));
         let is_told = request.tells_effects && showing.live == Live::Keyed;
+        let display = request.snapshot.display.as_ref();
+        let shown_by = self.renderer.show_by(display.map(PictureDisplay::module)).await;
+        warnings.extend(shown_by.err().map(|error| not_shown(error.into())));
         let mut effects = is_told.then(|| effects(&plan, self.renderer.done()));
         self.renderer.draw(&plan).await.map_err(|error| vec![error.into()])?;
         if milestones::is_enabled() {
@@ -481,6 +485,13 @@ impl PictureRenderer {
         }
         Ok(WithWarnings::new(effects, warnings))
     }
+}
+
+/// Problem of a view that the picture is not shown by: it is shown by the curve of sRGB.
+fn not_shown(mut problem: Diagnostic) -> Diagnostic {
+    problem.severity = Severity::Warning;
+    problem.message = format!("the picture is shown by sRGB, not by its view: {}", problem.message);
+    problem
 }
 
 #[cfg(test)]

@@ -120,7 +120,7 @@ impl ExrLayer {
 
 /// Light of a number as shown (IEC 61966-2-1); what lies outside of [0, 1] goes on as the curve
 /// does, the same on both sides of 0.
-fn light_of(shown: f32) -> f32 {
+pub(crate) fn light_of(shown: f32) -> f32 {
     (srgb_to_linear(f64::from(shown.abs())) as f32).copysign(shown)
 }
 

@@ -15,6 +15,7 @@ mod content;
 mod cost;
 mod coverage;
 mod deferred;
+mod display;
 mod effects;
 mod executor;
 mod handover;
@@ -60,6 +61,7 @@ pub use coverage::PixelArea;
 pub use deferred::{
     Deferral, DeferredDraw, DeferredLook, DeferredModule, MESH_TEXELS_PER_ROW, NumberedMesh,
 };
+pub use display::{DisplayModule, DisplayTable};
 pub use effects::{Effect, EffectKind, EffectState, effects};
 pub use executor::{Executor, LayersFuture, PictureFuture};
 pub use handover::stack_of;

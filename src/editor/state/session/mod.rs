@@ -29,6 +29,7 @@ use crate::ids::{LightId, NodeId};
 use crate::library::Library;
 use crate::state::compiling::{self};
 use crate::state::crashes::CrashLog;
+use crate::state::display::PictureDisplay;
 use crate::state::document::{OpenDocument, TextFile};
 use crate::state::keying::{KeyEvaluation, KeyPlace, KeyedLook, Owner};
 use crate::state::orbit::Orbit;
@@ -415,6 +416,14 @@ impl Session {
         }
         self.view.solo = solo;
         self.revisions.picture.advance();
+    }
+
+    /// Shows the picture by a view, or by the curve of sRGB. The document is unchanged.
+    pub(crate) fn show_by(&mut self, display: Option<PictureDisplay>) {
+        if self.view.display != display {
+            self.view.display = display;
+            self.revisions.picture.advance();
+        }
     }
 
     /// The look as shown: with soloed layers alone, and without muted lights; or the preview of

@@ -18,6 +18,7 @@ use eframe::egui::TextureHandle;
 use super::playback::cache::FrameCache;
 use super::playback::{Demands, FrameForm, Playback, bytes_of};
 use super::{PictureContext, SwitchPlace, ToolRow};
+use crate::state::display::PictureDisplay;
 use crate::state::revision::RequestNumber;
 use crate::state::worker::{BackgroundJobs, Worker};
 pub(crate) use difference::{DeltaKind, FrameDelta};
@@ -85,6 +86,8 @@ pub(crate) struct FlipBook {
     problem: Option<String>,
     /// Exposure of the picture, in stops.
     pub(crate) exposure: f32,
+    /// View that the light of files is shown by.
+    display: Option<PictureDisplay>,
 }
 
 impl FlipBook {
@@ -105,6 +108,22 @@ impl FlipBook {
             difference: None,
             problem: None,
             exposure: 0.0,
+            display: None,
+        }
+    }
+
+    /// Shows the light of files by a view, as the frames beside them are; kept frames stay as they
+    /// were.
+    pub(crate) fn show_by(&mut self, display: Option<&PictureDisplay>) {
+        if self.display.as_ref() == display {
+            return;
+        }
+        self.display = display.cloned();
+        if let Some(version) = self.version.as_mut().filter(|version| version.files.is_some()) {
+            version.frames.clear();
+            self.deltas.clear();
+            // Answers on their way are of the former view.
+            self.number.advance();
         }
     }
 
@@ -273,7 +292,10 @@ impl FlipBook {
             }
             let other = match known {
                 Some(picture) => OtherPicture::Known(picture),
-                None => OtherPicture::File(version.files.as_ref()?.get(&frame)?.clone()),
+                None => {
+                    let file = version.files.as_ref()?.get(&frame)?.clone();
+                    OtherPicture::File(file, self.display.clone())
+                }
             };
             Some(FlipRequest::Frame { version: self.number, frame, ours, other })
         })

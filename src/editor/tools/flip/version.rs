@@ -12,6 +12,7 @@ use super::difference::{DeltaKind, FrameDelta};
 use crate::diag::Diagnostic;
 use crate::files;
 use crate::film::{FramePattern, StoredFrame};
+use crate::state::display::PictureDisplay;
 use crate::state::revision::RequestNumber;
 use crate::tools::playback::cache::{FrameCache, PictureKey};
 
@@ -98,7 +99,8 @@ impl OtherVersion {
 /// Picture of the other version.
 pub(super) enum OtherPicture {
     Known(KeyedPicture),
-    File(PathBuf),
+    /// File, and the view that its light is shown by.
+    File(PathBuf, Option<PictureDisplay>),
 }
 
 pub(super) enum FlipRequest {
@@ -125,7 +127,9 @@ pub(super) fn run(request: FlipRequest) -> FlipAnswer {
         FlipRequest::Frame { version, frame, ours, other } => {
             let other = match other {
                 OtherPicture::Known(picture) => Ok(picture),
-                OtherPicture::File(path) => read(&path).map_err(Box::new),
+                OtherPicture::File(path, display) => {
+                    read(&path, display.as_ref()).map_err(Box::new)
+                }
             };
             let delta = ours.zip(other.as_ref().ok()).map(|((ours, image), (key, theirs))| {
                 let same = DeltaKind::Compared { greatest: 0, pixel: [0; 2], mean: 0.0 };
@@ -137,15 +141,19 @@ pub(super) fn run(request: FlipRequest) -> FlipAnswer {
     }
 }
 
-fn read(path: &Path) -> Result<KeyedPicture, Diagnostic> {
+fn read(path: &Path, display: Option<&PictureDisplay>) -> Result<KeyedPicture, Diagnostic> {
     let bytes = files::read(path, MAX_FILE).map_err(|error| {
         Diagnostic::error("frame-file", format!("{} is not read: {error}", path.display()))
     })?;
-    let picture =
-        StoredFrame::read(&bytes).and_then(|frame| frame.picture()).map_err(|mut of| {
-            of.message = format!("{}: {}", path.display(), of.message);
-            of
-        })?;
+    let picture = StoredFrame::read(&bytes).and_then(|frame| {
+        let picture = frame.picture()?;
+        let display = display.filter(|_| frame.is_light());
+        Ok(display.map_or_else(|| picture.clone(), |display| display.show(&picture)))
+    });
+    let picture = picture.map_err(|mut of| {
+        of.message = format!("{}: {}", path.display(), of.message);
+        of
+    })?;
     let size = picture.size.map(|side| side as usize);
     let image = ColorImage::from_rgba_unmultiplied(size, &picture.to_rgba8());
     // Equal frames of several files are kept once.
@@ -178,8 +186,10 @@ mod tests {
     fn a_file_that_is_no_frame_is_told_by_its_name() {
         let file = tempfile::Builder::new().suffix("0001.png").tempfile().unwrap();
         std::fs::write(file.path(), b"\x89PNG and no more").unwrap();
-        let told = read(file.path()).unwrap_err();
+        let told = read(file.path(), None).unwrap_err();
         assert!(told.message.contains("0001.png"), "{told:?}");
-        assert!(read(Path::new("/no/such.0001.png")).unwrap_err().message.contains("not read"));
+        assert!(
+            read(Path::new("/no/such.0001.png"), None).unwrap_err().message.contains("not read")
+        );
     }
 }

@@ -10,9 +10,8 @@ use super::cache::PictureKey;
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::film::PlanHasher;
-use crate::frame::Executor;
-use crate::progress::Progress;
-use crate::render::Gpu;
+use crate::render::{Gpu, Renderer};
+use crate::state::display::PictureDisplay;
 use crate::state::revision::RequestNumber;
 use crate::state::session::DrawableLook;
 use crate::state::snapshot::RenderSnapshot;
@@ -43,7 +42,7 @@ pub(super) struct FrameAnswer {
 
 /// State of the thread that draws frames.
 pub(super) struct FrameDrawer {
-    executor: Box<dyn Executor + Send>,
+    renderer: Renderer,
     planner: PicturePlanner,
     hasher: PlanHasher,
     /// Pictures that were drawn, as long as somebody has them.
@@ -53,7 +52,7 @@ pub(super) struct FrameDrawer {
 impl FrameDrawer {
     pub(super) fn new(gpu: &Gpu) -> Self {
         Self {
-            executor: gpu.executor(),
+            renderer: Renderer::new(gpu.clone()),
             planner: PicturePlanner::default(),
             hasher: PlanHasher::default(),
             known: HashMap::new(),
@@ -76,13 +75,20 @@ impl FrameDrawer {
     ) -> Result<((PictureKey, Arc<ColorImage>), bool), Vec<Diagnostic>> {
         let FrameRequest { showing, snapshot, size, .. } = request;
         let plan = self.planner.plan(showing, snapshot, *size)?.value;
-        let key = u128::from_str_radix(&self.hasher.hash(&plan), 16).map(PictureKey);
+        let display = snapshot.display.as_ref();
+        // The same plan is another picture by another view.
+        let of_display = display.map_or(0, PictureDisplay::number);
+        let key = u128::from_str_radix(&self.hasher.hash(&plan), 16);
+        let key = key.map(|plan| PictureKey(plan ^ of_display));
         let key = key.map_err(|_| vec![Diagnostic::error("plan-hash", "a plan has no hash")])?;
         if let Some(known) = self.known.get(&key).and_then(Weak::upgrade) {
             return Ok(((key, known), false));
         }
-        let drawn = self.executor.picture(&plan, &Progress::new()).await;
-        let picture = drawn.map_err(|problem| vec![problem])?;
+        let module = display.map(PictureDisplay::module);
+        // A view that the device does not take is told where the picture at rest is drawn.
+        let _ = self.renderer.show_by(module).await;
+        let drawn = self.renderer.picture(&plan).await;
+        let picture = drawn.map_err(|error| vec![error.into()])?;
         let size = picture.size.map(|side| side as usize);
         let image = Arc::new(ColorImage::from_rgba_unmultiplied(size, &picture.to_rgba8()));
         if self.known.len() >= MANY {

@@ -1,0 +1,113 @@
+//! Menu of the views that the picture is shown by: the curve of sRGB, and those of an OpenColorIO
+//! configuration.
+
+use eframe::egui::{self, Ui};
+
+use crate::commands::{Command, DisplayCommand};
+use crate::film::{BUILT_IN, ColorConfig, VIEW_VARIABLE};
+use crate::state::display::DisplayChoice;
+use crate::state::session::Session;
+
+/// Configuration for the menu, with all displays and their views, or the reason why there are none.
+pub(super) struct ListedConfig {
+    name: String,
+    displays: Result<Vec<(String, Vec<String>)>, String>,
+}
+
+impl ListedConfig {
+    fn open(name: &str) -> Self {
+        let opened = ColorConfig::open(name).map(|config| config.displays());
+        Self { name: name.to_owned(), displays: opened.map_err(|problem| problem.message) }
+    }
+}
+
+/// Height of a menu of views, in points, above which it scrolls.
+const MENU_HEIGHT: f32 = 420.0;
+
+/// Shows the entry with its menu. `listed` is the configuration of the menu, kept while it is the
+/// same.
+pub(super) fn menu(
+    ui: &mut Ui,
+    session: &Session,
+    listed: &mut Option<ListedConfig>,
+    out: &mut Vec<Command>,
+) {
+    let shown = session.view().display().map(|display| &*display.choice);
+    let label = match shown {
+        None => "View transform: sRGB".to_owned(),
+        Some(choice) => format!("View transform: {}", choice.view),
+    };
+    let help = "Shows the picture's light by the curve of sRGB, or by a view of an OpenColorIO \
+                configuration such as ACES 2; for this window only, the look stays as it is";
+    let entry = ui.menu_button(label, |ui| {
+        let help = "As PNGs are written without --view";
+        if ui.radio(shown.is_none(), "sRGB").on_hover_text(help).clicked() {
+            out.push(Command::Display(DisplayCommand::Show(None)));
+        }
+        ui.separator();
+        let name = match shown {
+            Some(choice) => choice.config.clone(),
+            None => ColorConfig::name_of(None),
+        };
+        if listed.as_ref().is_none_or(|listed| listed.name != name) {
+            *listed = Some(ListedConfig::open(&name));
+        }
+        let Some(ListedConfig { displays, .. }) = listed else { return };
+        match displays {
+            Ok(displays) => views(ui, &name, displays, shown, out),
+            Err(problem) => drop(ui.label(problem.as_str())),
+        }
+        ui.separator();
+        configurations(ui, &name, out);
+    });
+    entry.response.on_hover_text(help);
+}
+
+fn views(
+    ui: &mut Ui,
+    config: &str,
+    displays: &[(String, Vec<String>)],
+    shown: Option<&DisplayChoice>,
+    out: &mut Vec<Command>,
+) {
+    for (display, views) in displays {
+        ui.menu_button(display, |ui| {
+            egui::ScrollArea::vertical().max_height(MENU_HEIGHT).show(ui, |ui| {
+                for view in views {
+                    let choice = DisplayChoice {
+                        config: config.to_owned(),
+                        display: display.clone(),
+                        view: view.clone(),
+                    };
+                    if ui.radio(shown == Some(&choice), view).clicked() {
+                        out.push(Command::Display(DisplayCommand::Show(Some(choice))));
+                    }
+                }
+            });
+        });
+    }
+}
+
+/// Shows the choice of the configuration.
+fn configurations(ui: &mut Ui, name: &str, out: &mut Vec<Command>) {
+    let mut entry = |ui: &mut Ui, label: &str, config: &str| {
+        if ui.radio(name == config, label).on_hover_text(config).clicked() {
+            out.push(Command::Display(DisplayCommand::Open(Some(config.into()))));
+        }
+    };
+    entry(ui, "Built in: ACES 2", BUILT_IN);
+    let of_system = ColorConfig::name_of(None);
+    if of_system != BUILT_IN {
+        entry(ui, &format!("${VIEW_VARIABLE}"), &of_system);
+    }
+    if name != BUILT_IN && name != of_system {
+        let file = std::path::Path::new(name).file_name();
+        let file = file.map_or(name.into(), |file| file.to_string_lossy());
+        entry(ui, &file, name);
+    }
+    let help = "Takes the displays and views of another configuration (.ocio, .ocioz)";
+    if ui.button("Configuration from a file...").on_hover_text(help).clicked() {
+        out.push(Command::Display(DisplayCommand::Open(None)));
+        ui.close();
+    }
+}
