@@ -171,7 +171,11 @@ pub fn blend(
             (1.0 - rho) * under + rho * paint
         }
     };
-    let alpha = if matches!(mode, Mode::Alpha | Mode::Painted(_)) { below.w + rho * a * (1.0 - below.w) } else { below.w };
+    let alpha = if matches!(mode, Mode::Alpha | Mode::Painted(_)) {
+        below.w + rho * a * (1.0 - below.w)
+    } else {
+        below.w
+    };
     let result = (under + a * (full - under)).extend(alpha);
     if clamped { result.clamp(DVec4::ZERO, DVec4::ONE) } else { result }
 }

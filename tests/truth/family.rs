@@ -7,8 +7,8 @@ use std::f64::consts::{PI, TAU};
 
 use crate::support::badf::{angle, held, mirrored};
 use crate::support::color::{to_linear, to_srgb};
-use crate::support::paint::painted;
 use crate::support::held::{SampleInputs, library, numeric, run_at, width, words};
+use crate::support::paint::painted;
 use crate::support::random::Random;
 use crate::support::report::Errors;
 use chiaro::frame::{EvalSample, LightOverride};
@@ -304,7 +304,9 @@ fn truth(kind: &str, word: &str) -> Option<ShadingFormula> {
                 unit(i[0][0]) + i[1][0].clamp(-1.0, 1.0) * near(&i[5], &i[2], i[3][0], i[4][0]),
             )]
         },
-        ("mix_colors", "exclusion") => |i, _| mixed(i, painted("exclusion", three(&i[0]), three(&i[1]))),
+        ("mix_colors", "exclusion") => {
+            |i, _| mixed(i, painted("exclusion", three(&i[0]), three(&i[1])))
+        }
         ("mix_colors", "color_dodge") => {
             |i, _| mixed(i, painted("color_dodge", three(&i[0]), three(&i[1])))
         }
@@ -315,9 +317,7 @@ fn truth(kind: &str, word: &str) -> Option<ShadingFormula> {
         ("mix_colors", "saturation") => {
             |i, _| mixed(i, painted("saturation", three(&i[0]), three(&i[1])))
         }
-        ("mix_colors", "color") => {
-            |i, _| mixed(i, painted("color", three(&i[0]), three(&i[1])))
-        }
+        ("mix_colors", "color") => |i, _| mixed(i, painted("color", three(&i[0]), three(&i[1]))),
         ("mix_colors", "luminosity") => {
             |i, _| mixed(i, painted("luminosity", three(&i[0]), three(&i[1])))
         }

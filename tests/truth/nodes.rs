@@ -11,6 +11,7 @@ use crate::support::color::{to_linear, to_srgb};
 use crate::support::eval::{eval, look};
 use crate::support::held::{SampleInputs, library, numeric, run, width, words};
 use crate::support::noise::{lattice, noise, pcg3d, unit3};
+use crate::support::paint::painted;
 use crate::support::random::Random;
 use crate::support::report::Errors;
 use chiaro::document::Value;
@@ -125,6 +126,11 @@ fn truth(kind: &str, word: &str) -> Option<NodeFormula> {
         ("absolute", _) => |i| each(i, f64::abs),
         ("negate", _) => |i| each(i, |x| -x),
         ("sign_of", _) => |i| each(i, |x| if x == 0.0 { 0.0 } else { x.signum() }),
+        ("mask", _) => |i| {
+            let [mask, opacity, density] = [0, 1, 2].map(|k: usize| i[k][0].clamp(0.0, 1.0));
+            let hidden = if i[3][0] != 0.0 { mask } else { 1.0 - mask };
+            vec![opacity - opacity * density * hidden]
+        },
         ("invert", _) => {
             |i| if i[0].len() == 4 { rgb(i, |x| 1.0 - x) } else { each(i, |x| 1.0 - x) }
         }

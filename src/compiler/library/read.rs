@@ -866,7 +866,7 @@ fn condition(node: &NodeDef, words: &[&str]) -> Option<Condition> {
     if *sign == "!=" && is_choice {
         let named: Vec<&str> = value.split('|').collect();
         let words = node.inputs[input].options.iter().map(|option| option.0.clone());
-        let others = words.filter(|word| !named.contains(&word.as_ref())).map(Into::into);
+        let others = words.filter(|word| !named.contains(&word.as_ref()));
         return Some(Condition { input, test: Test::Word(others.collect()) });
     }
     if *sign != "=" {

@@ -1,0 +1,255 @@
+//! Writers: threads that encode drawn frames, write them and read them back, and tell each in its
+//! order when it is whole.
+//!
+//! Deflate and checksums take longer than a graphics card needs to draw, so there are as many
+//! writers as cores, and as many frames at once as memory is set aside for.
+
+use std::collections::{BTreeMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+
+use super::{DrawnFrame, Frame, FrameState, Sequence, Summary};
+use crate::clock::Clock;
+use crate::diag::Diagnostic;
+use crate::files::{self, Outputs};
+use crate::output::Output;
+use crate::render::format::PictureFormat;
+use crate::threads;
+
+/// Greatest number of writers.
+const MOST_WRITERS: usize = 16;
+
+/// Bytes of drawn frames that are written at once; a frame by itself may be larger.
+const MOST_BYTES: usize = 1 << 30;
+
+/// Multiple of a frame's own bytes that it takes while it is encoded and read back: channels of
+/// their own, the same as they are stored, and the file.
+const COPIES: usize = 3;
+
+/// What writers know of one another.
+#[derive(Debug, Default)]
+struct Progress {
+    /// Files that were written, or could not be.
+    done: HashSet<PathBuf>,
+    /// Bytes that are taken by the frames being written.
+    bytes: usize,
+    /// True from the first frame on that could not be written.
+    has_failed: bool,
+}
+
+/// Frames that are still to be written, and how far the writers are.
+struct Desk {
+    drawn: Mutex<Waiting>,
+    progress: Mutex<Progress>,
+    changed: Condvar,
+}
+
+/// Frames as they are drawn, each with its place in the order.
+struct Waiting {
+    drawn: Receiver<DrawnFrame>,
+    next: usize,
+}
+
+/// A frame that is whole, or why it is not.
+type WrittenFrame = (usize, Result<DrawnFrame, Diagnostic>);
+
+/// Writes frames, reads them back, and tells each, in their order, when it is whole.
+#[expect(
+    clippy::disallowed_methods,
+    reason = "the command line's own threads: they wait for pictures, as rayon's must not"
+)]
+pub(super) fn write_all(
+    sequence: Sequence<'_>,
+    outputs: &Outputs,
+    drawn: Receiver<DrawnFrame>,
+    output: &Output,
+) -> Result<Summary, Vec<Diagnostic>> {
+    let desk = Desk {
+        drawn: Mutex::new(Waiting { drawn, next: 0 }),
+        progress: Mutex::default(),
+        changed: Condvar::new(),
+    };
+    let writers = threads::cores().saturating_sub(1).clamp(1, MOST_WRITERS);
+    let mut summary = Summary { writers, ..Summary::default() };
+    let (tell, told) = channel();
+    let written = std::thread::scope(|scope| {
+        let mut started = 0;
+        for _ in 0..writers {
+            let (desk, outputs, tell) = (&desk, outputs.another(), tell.clone());
+            let writer = threads::builder("write");
+            let work = move || desk.write_frames(sequence.format, outputs, &tell);
+            started += usize::from(writer.spawn_scoped(scope, work).is_ok());
+        }
+        if started == 0 {
+            // This thread is one that the system did start.
+            desk.write_frames(sequence.format, outputs.another(), &tell);
+        }
+        drop(tell);
+        tell_all(sequence, told, &mut summary, output)
+    });
+    written.map_err(|problem| vec![problem])?;
+    Ok(summary)
+}
+
+/// Tells frames in their order.
+///
+/// # Errors
+/// Of the first frame, in the order, that could not be written.
+fn tell_all(
+    sequence: Sequence<'_>,
+    told: Receiver<WrittenFrame>,
+    summary: &mut Summary,
+    output: &Output,
+) -> Result<(), Diagnostic> {
+    let mut early = BTreeMap::new();
+    let mut next = 0;
+    let mut problem: Option<(usize, Diagnostic)> = None;
+    for (place, written) in told {
+        match written {
+            Ok(frame) => drop(early.insert(place, frame)),
+            Err(found) => {
+                if problem.as_ref().is_none_or(|(known, _)| place < *known) {
+                    problem = Some((place, found));
+                }
+            }
+        }
+        while let Some(frame) = early.remove(&next) {
+            next += 1;
+            summary.add(&frame);
+            if sequence.has_json {
+                output.result(&frame.json(sequence.rate).to_string());
+            } else {
+                output.message(&frame.text());
+            }
+            if let Some(lines) = sequence.progress {
+                let all = sequence.frames.frames().len();
+                lines.tell(frame.frame, summary.count(), all, output);
+            }
+        }
+    }
+    problem.map_or(Ok(()), |(_, problem)| Err(problem))
+}
+
+/// Room of a frame that is being written; given back whatever becomes of it, so that nobody waits
+/// for ever.
+struct Seat<'a> {
+    desk: &'a Desk,
+    file: PathBuf,
+    bytes: usize,
+    is_whole: bool,
+}
+
+impl Drop for Seat<'_> {
+    fn drop(&mut self) {
+        let mut progress = self.desk.progress();
+        progress.bytes -= self.bytes;
+        progress.has_failed |= !self.is_whole;
+        progress.done.insert(std::mem::take(&mut self.file));
+        drop(progress);
+        self.desk.changed.notify_all();
+    }
+}
+
+impl Desk {
+    /// Writes frame after frame, until there are none or one could not be written.
+    fn write_frames(
+        &self,
+        format: PictureFormat,
+        mut outputs: Outputs,
+        tell: &Sender<WrittenFrame>,
+    ) {
+        while let Some((place, mut frame, bytes)) = self.take() {
+            let mut seat = Seat { desk: self, file: frame.file.clone(), bytes, is_whole: false };
+            let clock = Clock::start();
+            let written = self.write(format, &mut outputs, &frame);
+            frame.seconds.writing = clock.seconds();
+            seat.is_whole = written.is_ok();
+            drop(seat);
+            // The picture is not needed any more, and may be large.
+            if let FrameState::New(picture) = &mut frame.state {
+                *picture = crate::film::DrawnLayers::default();
+            }
+            if tell.send((place, written.map(|()| frame))).is_err() {
+                break;
+            }
+        }
+    }
+
+    /// The next frame, with its place in the order and the bytes that it takes, when there is room
+    /// for it; `None` after the last one.
+    fn take(&self) -> Option<(usize, DrawnFrame, usize)> {
+        // Held while waiting for room: one frame waits, and no more are taken.
+        let mut waiting = self.drawn.lock().unwrap_or_else(PoisonError::into_inner);
+        if self.progress().has_failed {
+            return None;
+        }
+        let frame = waiting.drawn.recv().ok()?;
+        let bytes = match &frame.state {
+            FrameState::New(drawn) => COPIES.saturating_mul(drawn.bytes()),
+            FrameState::Kept | FrameState::Equal { .. } => 0,
+        };
+        let is_full = |progress: &mut Progress| {
+            progress.bytes > 0 && progress.bytes.saturating_add(bytes) > MOST_BYTES
+        };
+        let progress = self.changed.wait_while(self.progress(), is_full);
+        let mut progress = progress.unwrap_or_else(PoisonError::into_inner);
+        progress.bytes = progress.bytes.saturating_add(bytes);
+        let place = waiting.next;
+        waiting.next += 1;
+        Some((place, frame, bytes))
+    }
+
+    fn progress(&self) -> MutexGuard<'_, Progress> {
+        self.progress.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Writes the file of a frame, whole or not at all, and reads it back.
+    fn write(
+        &self,
+        format: PictureFormat,
+        outputs: &mut Outputs,
+        frame: &DrawnFrame,
+    ) -> Result<(), Diagnostic> {
+        let Frame { file, header, .. } = frame;
+        match &frame.state {
+            FrameState::Kept => return Ok(()),
+            FrameState::New(picture) => {
+                outputs.write(file, format.kind(), &format.encode(picture, header)?)?;
+            }
+            FrameState::Equal { file: first, .. } => {
+                self.wait_for(first);
+                match format {
+                    PictureFormat::Png => {
+                        outputs.check(file, format.kind())?;
+                        files::link(first, file).map_err(|problem| *problem)?;
+                    }
+                    // The number and the time of a frame stand in its file.
+                    PictureFormat::Exr(encoding) => {
+                        let bytes = crate::film::exr::stamped(&read(first)?, header, encoding)?;
+                        outputs.write(file, format.kind(), &bytes)?;
+                    }
+                }
+            }
+        }
+        if format.plan_of(&read(file)?).as_ref() == Some(&header.plan) {
+            return Ok(());
+        }
+        let message = "the frame was written and read back as another";
+        Err(Diagnostic::error("not-whole", message)
+            .in_file(file.display().to_string())
+            .hint("the disk may be full or failing; the same command goes on with this frame"))
+    }
+
+    /// Waits until a frame that was taken before is written, or could not be.
+    fn wait_for(&self, file: &Path) {
+        let is_open = |progress: &mut Progress| !progress.done.contains(file);
+        drop(self.changed.wait_while(self.progress(), is_open));
+    }
+}
+
+fn read(file: &Path) -> Result<Vec<u8>, Diagnostic> {
+    std::fs::read(file).map_err(|error| {
+        Diagnostic::error("cannot-read", error.to_string()).in_file(file.display().to_string())
+    })
+}
