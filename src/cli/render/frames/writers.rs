@@ -55,41 +55,65 @@ struct Waiting {
 type WrittenFrame = (usize, Result<DrawnFrame, Diagnostic>);
 
 /// Writes frames, reads them back, and tells each, in their order, when it is whole.
-#[expect(
-    clippy::disallowed_methods,
-    reason = "the command line's own threads: they wait for pictures, as rayon's must not"
-)]
 pub(super) fn write_all(
     sequence: Sequence<'_>,
     outputs: &Outputs,
     drawn: Receiver<DrawnFrame>,
     output: &Output,
 ) -> Result<Summary, Vec<Diagnostic>> {
+    let writers = threads::cores().saturating_sub(1).clamp(1, MOST_WRITERS);
+    let mut summary = Summary { writers, ..Summary::default() };
+    let told = |frame: &DrawnFrame| {
+        summary.add(frame);
+        if sequence.has_json {
+            output.result(&frame.json(sequence.rate).to_string());
+        } else {
+            output.message(&frame.text());
+        }
+        if let Some(lines) = sequence.progress {
+            let all = sequence.frames.frames().len();
+            lines.tell(frame.frame, summary.count(), all, output);
+        }
+    };
+    write_by(writers, sequence.format, outputs, drawn, told).map_err(|problem| vec![problem])?;
+    Ok(summary)
+}
+
+/// Writes frames by so many threads, and tells each, in their order, when it is whole.
+///
+/// # Errors
+/// Of the first frame, in the order, that could not be written; those before it were told.
+#[expect(
+    clippy::disallowed_methods,
+    reason = "the command line's own threads: they wait for pictures, as rayon's must not"
+)]
+fn write_by(
+    writers: usize,
+    format: PictureFormat,
+    outputs: &Outputs,
+    drawn: Receiver<DrawnFrame>,
+    tell: impl FnMut(&DrawnFrame),
+) -> Result<(), Diagnostic> {
     let desk = Desk {
         drawn: Mutex::new(Waiting { drawn, next: 0 }),
         progress: Mutex::default(),
         changed: Condvar::new(),
     };
-    let writers = threads::cores().saturating_sub(1).clamp(1, MOST_WRITERS);
-    let mut summary = Summary { writers, ..Summary::default() };
-    let (tell, told) = channel();
-    let written = std::thread::scope(|scope| {
+    let (to_tell, told) = channel();
+    std::thread::scope(|scope| {
         let mut started = 0;
         for _ in 0..writers {
-            let (desk, outputs, tell) = (&desk, outputs.another(), tell.clone());
-            let writer = threads::builder("write");
-            let work = move || desk.write_frames(sequence.format, outputs, &tell);
-            started += usize::from(writer.spawn_scoped(scope, work).is_ok());
+            let (desk, outputs, to_tell) = (&desk, outputs.another(), to_tell.clone());
+            let work = move || desk.write_frames(format, outputs, &to_tell);
+            started += usize::from(threads::builder("write").spawn_scoped(scope, work).is_ok());
         }
         if started == 0 {
             // This thread is one that the system did start.
-            desk.write_frames(sequence.format, outputs.another(), &tell);
+            desk.write_frames(format, outputs.another(), &to_tell);
         }
-        drop(tell);
-        tell_all(sequence, told, &mut summary, output)
-    });
-    written.map_err(|problem| vec![problem])?;
-    Ok(summary)
+        drop(to_tell);
+        tell_all(told, tell)
+    })
 }
 
 /// Tells frames in their order.
@@ -97,10 +121,8 @@ pub(super) fn write_all(
 /// # Errors
 /// Of the first frame, in the order, that could not be written.
 fn tell_all(
-    sequence: Sequence<'_>,
     told: Receiver<WrittenFrame>,
-    summary: &mut Summary,
-    output: &Output,
+    mut tell: impl FnMut(&DrawnFrame),
 ) -> Result<(), Diagnostic> {
     let mut early = BTreeMap::new();
     let mut next = 0;
@@ -116,16 +138,7 @@ fn tell_all(
         }
         while let Some(frame) = early.remove(&next) {
             next += 1;
-            summary.add(&frame);
-            if sequence.has_json {
-                output.result(&frame.json(sequence.rate).to_string());
-            } else {
-                output.message(&frame.text());
-            }
-            if let Some(lines) = sequence.progress {
-                let all = sequence.frames.frames().len();
-                lines.tell(frame.frame, summary.count(), all, output);
-            }
+            tell(&frame);
         }
     }
     problem.map_or(Ok(()), |(_, problem)| Err(problem))
@@ -252,4 +265,86 @@ fn read(file: &Path) -> Result<Vec<u8>, Diagnostic> {
     std::fs::read(file).map_err(|error| {
         Diagnostic::error("cannot-read", error.to_string()).in_file(file.display().to_string())
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::mpsc::sync_channel;
+
+    use super::super::Seconds;
+    use super::*;
+    use crate::film::DrawnLayers;
+    use crate::film::exr::{ExrEncoding, ExrHeader};
+    use crate::frame::Picture;
+
+    fn frame(folder: &Path, number: i32, state: FrameState<DrawnLayers>) -> DrawnFrame {
+        let plan = match &state {
+            FrameState::Equal { frame, .. } => *frame,
+            _ => number,
+        };
+        Frame {
+            frame: number,
+            file: folder.join(format!("{number:04}.exr")),
+            header: ExrHeader { plan: format!("plan {plan}"), ..ExrHeader::default() },
+            state,
+            seconds: Seconds::default(),
+        }
+    }
+
+    fn drawn(number: i32) -> FrameState<DrawnLayers> {
+        let rgba = vec![[number as f32 / 64.0, 0.5, 0.25, 1.0]; 24 * 16];
+        let picture = Picture { size: [24, 16], rgba };
+        FrameState::New(DrawnLayers { picture, ..DrawnLayers::default() })
+    }
+
+    /// Sends frames as drawing does, until nobody takes them.
+    #[expect(clippy::disallowed_methods, reason = "a thread that plays the part of drawing")]
+    fn written(
+        frames: Vec<DrawnFrame>,
+        format: PictureFormat,
+        outputs: &Outputs,
+    ) -> (Vec<i32>, Result<(), Diagnostic>) {
+        let (to_write, drawn) = sync_channel(1);
+        let mut told = Vec::new();
+        let result = std::thread::scope(|scope| {
+            scope.spawn(move || frames.into_iter().try_for_each(|frame| to_write.send(frame)));
+            write_by(5, format, outputs, drawn, |frame| told.push(frame.frame))
+        });
+        (told, result)
+    }
+
+    #[test]
+    fn many_writers_tell_frames_in_their_order_and_equal_ones_wait_for_theirs() {
+        for format in [PictureFormat::Exr(ExrEncoding::default()), PictureFormat::Png] {
+            let folder = tempfile::tempdir().unwrap();
+            let of = |number: i32| {
+                let first = number - number % 3;
+                let file = folder.path().join(format!("{first:04}.exr"));
+                let equal = FrameState::Equal { frame: first, file };
+                frame(folder.path(), number, if number == first { drawn(first) } else { equal })
+            };
+            let (told, result) = written((0..40).map(of).collect(), format, &Outputs::new(false));
+            result.unwrap();
+            assert_eq!(told, Vec::from_iter(0..40));
+            for number in 0..40 {
+                let bytes = read(&folder.path().join(format!("{number:04}.exr"))).unwrap();
+                let first = number - number % 3;
+                assert_eq!(format.plan_of(&bytes), Some(format!("plan {first}")), "{number}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_frame_that_cannot_be_written_ends_the_others_and_is_told() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("0007.exr"), "an artist's own").unwrap();
+        let frames = (0..40).map(|number| frame(folder.path(), number, drawn(number)));
+        let format = PictureFormat::Exr(ExrEncoding::default());
+        let (told, result) = written(frames.collect(), format, &Outputs::new(false));
+        let problem = result.unwrap_err();
+        assert!(problem.code == "file-exists" && problem.to_string().contains("0007"), "{problem}");
+        assert_eq!(told, Vec::from_iter(0..7), "no frame after it is told");
+        let whole = std::fs::read_dir(folder.path()).unwrap().count();
+        assert!(whole < 40, "drawing ended: {whole}");
+    }
 }
