@@ -33,22 +33,19 @@ fn mix_colors_multiply(a: Color, b: Color, factor: f32) -> Color {
 }
 
 fn mix_colors_screen(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, a.xyz + b.xyz - a.xyz * b.xyz, factor);
+    return color_mixed(a, screened(a.xyz, b.xyz), factor);
 }
 
 fn mix_colors_overlay(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, vec3f(hard_light(b.x, a.x), hard_light(b.y, a.y), hard_light(b.z, a.z)),
-        factor);
+    return color_mixed(a, hard_lit(b.xyz, a.xyz), factor);
 }
 
 fn mix_colors_soft_light(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, vec3f(soft_light(a.x, b.x), soft_light(a.y, b.y), soft_light(a.z, b.z)),
-        factor);
+    return color_mixed(a, soft_lit(a.xyz, b.xyz), factor);
 }
 
 fn mix_colors_hard_light(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, vec3f(hard_light(a.x, b.x), hard_light(a.y, b.y), hard_light(a.z, b.z)),
-        factor);
+    return color_mixed(a, hard_lit(a.xyz, b.xyz), factor);
 }
 
 fn mix_colors_darken(a: Color, b: Color, factor: f32) -> Color {
@@ -76,37 +73,29 @@ fn mix_colors_divide(a: Color, b: Color, factor: f32) -> Color {
 }
 
 fn mix_colors_exclusion(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, a.xyz + b.xyz - 2.0 * a.xyz * b.xyz, factor);
+    return color_mixed(a, excluded(a.xyz, b.xyz), factor);
 }
 
 fn mix_colors_color_dodge(a: Color, b: Color, factor: f32) -> Color {
-    let below = within_unit(a.xyz);
-    let top = within_unit(b.xyz);
-    return color_mixed(a, vec3f(dodged(below.x, top.x), dodged(below.y, top.y),
-        dodged(below.z, top.z)), factor);
+    return color_mixed(a, dodged_by(a.xyz, b.xyz), factor);
 }
 
 fn mix_colors_color_burn(a: Color, b: Color, factor: f32) -> Color {
-    let below = within_unit(a.xyz);
-    let top = within_unit(b.xyz);
-    return color_mixed(a, vec3f(burned(below.x, top.x), burned(below.y, top.y),
-        burned(below.z, top.z)), factor);
+    return color_mixed(a, burned_by(a.xyz, b.xyz), factor);
 }
 
 fn mix_colors_hue(a: Color, b: Color, factor: f32) -> Color {
-    let below = within_unit(a.xyz);
-    return color_mixed(a, lit_as(saturated_as(within_unit(b.xyz), below), below), factor);
+    return color_mixed(a, hued(a.xyz, b.xyz), factor);
 }
 
 fn mix_colors_saturation(a: Color, b: Color, factor: f32) -> Color {
-    let below = within_unit(a.xyz);
-    return color_mixed(a, lit_as(saturated_as(below, within_unit(b.xyz)), below), factor);
+    return color_mixed(a, saturated(a.xyz, b.xyz), factor);
 }
 
 fn mix_colors_color(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, lit_as(within_unit(b.xyz), within_unit(a.xyz)), factor);
+    return color_mixed(a, tinted(a.xyz, b.xyz), factor);
 }
 
 fn mix_colors_luminosity(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, lit_as(within_unit(a.xyz), within_unit(b.xyz)), factor);
+    return color_mixed(a, tinted(b.xyz, a.xyz), factor);
 }

@@ -1,5 +1,7 @@
 import chiaro::types;
 import chiaro::blend;
+import chiaro::color;
+import chiaro::convert;
 
 /// Blend
 ///
@@ -10,25 +12,30 @@ import chiaro::blend;
 ///   opacity.
 /// @param tone "Tone" default=1 : Where the layer is: 0 nowhere, 1 fully.
 /// @choice mode "Mode" default=add add="Add" multiply="Multiply" subtract="Subtract" alpha="Alpha"
-///   shade="Shade" : Add brightens; Multiply keeps only what the tone lights (black where the tone
-///   is 0); Subtract darkens; Alpha covers; Shade multiplies within the tone and leaves the rest,
-///   as painters expect of a shadow layer.
+///   shade="Shade" screen="Screen" overlay="Overlay" darken="Darken" lighten="Lighten"
+///   soft_light="Soft light" hard_light="Hard light" color_dodge="Color dodge"
+///   color_burn="Color burn" difference="Difference" exclusion="Exclusion" hue="Hue"
+///   saturation="Saturation" color="Color" luminosity="Luminosity" : Add brightens; Multiply keeps
+///   only what the tone lights (black where the tone is 0); Subtract darkens; Alpha covers; Shade
+///   multiplies within the tone and leaves the rest, as painters expect of a shadow layer. From
+///   Screen on they are those of paint programs, within the tone; where nothing is below, the
+///   layer covers. Color dodge, Color burn and the last four count colors as from 0 to 1.
 /// @param opacity "Opacity" default=1 min=0 max=1 : 0 leaves what is below as it is, in every mode.
-///   It counts from 0 to 1, as does the color's alpha, and the tone where the mode is Alpha or
-///   Shade.
+///   It counts from 0 to 1, as does the color's alpha, and, but for Add, Multiply and Subtract, the
+///   tone.
 /// @param clamped "Clamp" default=true : Keeps the stack, which is premultiplied, within 0 and 1
 ///   after this layer.
 /// @return below "Stack" : The stack with this layer on top.
 /// @bypass below when opacity = 0 : its opacity is 0
-/// @bypass below when tone = 0 and mode = add|subtract|alpha|shade and below = unit : its tone is 0
-/// @bypass below when tone = 0 and mode = add|subtract|alpha|shade and clamped = 0 : its tone is 0
+/// @bypass below when tone = 0 and mode != multiply and below = unit : its tone is 0
+/// @bypass below when tone = 0 and mode != multiply and clamped = 0 : its tone is 0
 /// @bypass below when color = black and mode = add|subtract and below = unit : its color is black
 /// @bypass below when color = black and mode = add|subtract and clamped = 0 : its color is black
 /// @bound opacity
 /// @bound color
-/// @bound tone when mode = alpha|shade
+/// @bound tone when mode != add|multiply|subtract
 /// @unit when clamped = 1
-/// @source BADF eq. 2
+/// @source BADF eq. 2, W3C Compositing and Blending 1
 fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
     return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
 }
@@ -54,4 +61,74 @@ fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
     return blend_finish(below, below.xyz * mix(vec3f(1.0), color.xyz, tone), below.w,
         opacity * color.w, clamped);
+}
+
+fn blend_screen(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    return blend_painted(below, color, screened(straight(below).xyz, color.xyz), tone, opacity, clamped);
+}
+
+fn blend_overlay(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    return blend_painted(below, color, hard_lit(color.xyz, straight(below).xyz), tone, opacity, clamped);
+}
+
+fn blend_darken(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    return blend_painted(below, color, min(straight(below).xyz, color.xyz), tone, opacity, clamped);
+}
+
+fn blend_lighten(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    return blend_painted(below, color, max(straight(below).xyz, color.xyz), tone, opacity, clamped);
+}
+
+fn blend_soft_light(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    return blend_painted(below, color, soft_lit(straight(below).xyz, color.xyz), tone, opacity, clamped);
+}
+
+fn blend_hard_light(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    return blend_painted(below, color, hard_lit(straight(below).xyz, color.xyz), tone, opacity, clamped);
+}
+
+fn blend_color_dodge(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    return blend_painted(below, color, dodged_by(straight(below).xyz, color.xyz), tone, opacity, clamped);
+}
+
+fn blend_color_burn(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    return blend_painted(below, color, burned_by(straight(below).xyz, color.xyz), tone, opacity, clamped);
+}
+
+fn blend_difference(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    return blend_painted(below, color, abs(straight(below).xyz - color.xyz), tone, opacity, clamped);
+}
+
+fn blend_exclusion(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    return blend_painted(below, color, excluded(straight(below).xyz, color.xyz), tone, opacity, clamped);
+}
+
+fn blend_hue(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    return blend_painted(below, color, hued(straight(below).xyz, color.xyz), tone, opacity, clamped);
+}
+
+fn blend_saturation(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    return blend_painted(below, color, saturated(straight(below).xyz, color.xyz), tone, opacity, clamped);
+}
+
+fn blend_color(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    return blend_painted(below, color, tinted(straight(below).xyz, color.xyz), tone, opacity, clamped);
+}
+
+fn blend_luminosity(below: Composite, color: Color, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    return blend_painted(below, color, tinted(color.xyz, straight(below).xyz), tone, opacity, clamped);
 }

@@ -16,25 +16,38 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     return select(mixed, clamp(mixed, vec4f(0.0), vec4f(1.0)), clamped);
 }
 
+/// A layer that covers as *Alpha* does, in its own color where nothing is below, and in the color
+/// `mixed` of a paint mode where something is (W3C Compositing and Blending 1, section 5).
+fn blend_painted(below: Composite, color: Color, mixed: vec3f, tone: f32, opacity: f32,
+    clamped: bool) -> Composite {
+    let a = opacity * color.w;
+    let paint = (1.0 - below.w) * color.xyz + below.w * mixed;
+    let alpha = below.w + tone * a * (1.0 - below.w);
+    return blend_finish(below, below.xyz + tone * (paint - below.xyz), alpha, a, clamped);
+}
+
 // Contributions of a stack's steps. A step that turns `below` into `above` lets a share of what is
 // below through and adds the rest: channel by channel `above` is `through * below` and what is
 // added. The step's mode says what is let through; where that would be more than what is left, as
 // under a clamp or where a step darkens, what is let through is what is left. So nothing that is
 // added is negative, and sums give back `above`.
 
-/// The share of what is below that a layer of *Blend* lets through in its mode: 0 add, 1 multiply,
-/// 2 subtract, 3 alpha, 4 shade.
+/// The share of what is below that a layer of *Blend* lets through in its mode: 0 all that is left
+/// of it, 1 multiply, 2 alpha, 3 shade, 4 screen.
 fn blend_passage(mode: i32, color: Color, tone: f32, opacity: f32) -> vec3f {
     let a = clamp(opacity * color.w, 0.0, 1.0);
     if mode == 1 {
         return mix(vec3f(1.0), clamp(tone * color.xyz, vec3f(0.0), vec3f(1.0)), a);
     }
-    if mode == 3 {
+    if mode == 2 {
         return vec3f(clamp(1.0 - a * tone, 0.0, 1.0));
     }
-    if mode == 4 {
+    if mode == 3 {
         let shade = mix(vec3f(1.0), color.xyz, tone);
         return mix(vec3f(1.0), clamp(shade, vec3f(0.0), vec3f(1.0)), a);
+    }
+    if mode == 4 {
+        return 1.0 - clamp(a * tone * color.xyz, vec3f(0.0), vec3f(1.0));
     }
     return vec3f(1.0);
 }

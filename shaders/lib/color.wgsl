@@ -119,6 +119,59 @@ fn saturated_as(rgb: vec3f, other: vec3f) -> vec3f {
         spread > 0.0);
 }
 
+// Paint modes (W3C Compositing and Blending 1): a is below, b on top.
+
+/// Both lights together, as of two projectors: never darker than either.
+fn screened(a: vec3f, b: vec3f) -> vec3f {
+    return a + b - a * b;
+}
+
+/// Each component of b in hard light over a; overlay is a over b.
+fn hard_lit(a: vec3f, b: vec3f) -> vec3f {
+    return vec3f(hard_light(a.x, b.x), hard_light(a.y, b.y), hard_light(a.z, b.z));
+}
+
+/// Each component of b in soft light over a.
+fn soft_lit(a: vec3f, b: vec3f) -> vec3f {
+    return vec3f(soft_light(a.x, b.x), soft_light(a.y, b.y), soft_light(a.z, b.z));
+}
+
+/// Difference without its middle: `a + b - 2ab`.
+fn excluded(a: vec3f, b: vec3f) -> vec3f {
+    return a + b - 2.0 * a * b;
+}
+
+/// Each component of a dodged by b; both counted from 0 to 1.
+fn dodged_by(a: vec3f, b: vec3f) -> vec3f {
+    let below = within_unit(a);
+    let top = within_unit(b);
+    return vec3f(dodged(below.x, top.x), dodged(below.y, top.y), dodged(below.z, top.z));
+}
+
+/// Each component of a burned by b; both counted from 0 to 1.
+fn burned_by(a: vec3f, b: vec3f) -> vec3f {
+    let below = within_unit(a);
+    let top = within_unit(b);
+    return vec3f(burned(below.x, top.x), burned(below.y, top.y), burned(below.z, top.z));
+}
+
+/// Hue of b with the saturation and lightness of a; both counted from 0 to 1.
+fn hued(a: vec3f, b: vec3f) -> vec3f {
+    let below = within_unit(a);
+    return lit_as(saturated_as(within_unit(b), below), below);
+}
+
+/// Saturation of b with the hue and lightness of a; both counted from 0 to 1.
+fn saturated(a: vec3f, b: vec3f) -> vec3f {
+    let below = within_unit(a);
+    return lit_as(saturated_as(below, within_unit(b)), below);
+}
+
+/// Hue and saturation of b with the lightness of a; both counted from 0 to 1.
+fn tinted(a: vec3f, b: vec3f) -> vec3f {
+    return lit_as(within_unit(b), within_unit(a));
+}
+
 /// The cube root, with the sign of x.
 fn cube_root(x: f32) -> f32 {
     let root = powered(abs(x), 1.0 / 3.0);

@@ -93,6 +93,16 @@ impl MatteCoverage {
 }
 
 impl Cryptomatte {
+    /// Number of bytes that a pixel takes: samples or shares, and the numbers of the layers.
+    pub(crate) fn bytes_a_pixel(&self) -> usize {
+        let numbers = size_of::<f32>() * (4 + 2 * RANKS);
+        numbers
+            + match &self.coverage {
+                MatteCoverage::Samples(samples) => size_of::<Option<usize>>() * samples.len(),
+                MatteCoverage::Shares(shares) => size_of::<f32>() * shares.len(),
+            }
+    }
+
     /// The layers: a preview in colors, and ids with coverage.
     pub fn layers(&self) -> Vec<ExrLayer> {
         let ids: Vec<f32> = self.names.iter().map(|name| f32::from_bits(id_of(name))).collect();

@@ -339,6 +339,14 @@ pub struct DrawnLayers {
 }
 
 impl DrawnLayers {
+    /// Number of bytes in memory, about.
+    pub fn bytes(&self) -> usize {
+        let pixels = self.picture.rgba.len();
+        let of_layers = size_of::<[f32; 3]>() * self.layers.len();
+        let of_mattes = self.mattes.iter().map(Cryptomatte::bytes_a_pixel).sum::<usize>();
+        pixels * (size_of::<[f32; 4]>() + of_layers + of_mattes)
+    }
+
     /// The layers of a file: the picture, values as they are in the looks, and mattes.
     pub fn exr_layers(&self) -> Vec<ExrLayer> {
         let values = self.layers.iter().map(|(layer, numbers)| {

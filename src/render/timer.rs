@@ -107,7 +107,7 @@ impl Renderer {
             self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         timer.resolve(&mut encoder);
         self.gpu.queue.submit([encoder.finish()]);
-        let bytes = super::readback::read_buffer(&self.gpu, &timer.readback).await?;
+        let bytes = super::readback::read_buffer(&self.gpu, &timer.readback)?;
         let period = f64::from(self.gpu.queue.get_timestamp_period());
         let stamp = |index: usize| {
             let at = index * STAMP_BYTES as usize;

@@ -15,6 +15,11 @@ pub fn builder(name: &str) -> Builder {
     Builder::new().name(name.to_owned()).stack_size(STACK)
 }
 
+/// Number of threads that work at once here; 1 where the system does not say.
+pub fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
+}
+
 /// Gives the threads of rayon's pool the same stack. To be called before any work is spread over
 /// the pool.
 pub fn prepare_pool() {

@@ -562,3 +562,49 @@ fn what_was_opened_before_is_among_the_looks() {
         "the file"
     );
 }
+
+#[test]
+fn a_layer_is_masked_clipped_and_freed_in_its_menu() {
+    let mut hand = figure1();
+    let before = hand.look().clone();
+    let opacity =
+        |hand: &User| hand.look().graph.wire_into(&"specular".into(), &"opacity".into()).cloned();
+
+    // Clipped to the layer below: its tone is the mask, which is selected.
+    hand.press("More of Specular");
+    hand.press("Clip to the layer below");
+    hand.settle();
+    let wire = opacity(&hand).expect("a mask");
+    assert_eq!(hand.selected(), [wire.from.node.as_str()]);
+    let into = hand.look().graph.wire_into(&wire.from.node, &"mask".into()).cloned();
+    assert_eq!(into.expect("its source").from, Endpoint::new("diffuse", "tone"));
+    assert_eq!(rows(&hand).len(), 5, "a mask is no layer");
+
+    // The row's opacity is the mask's now.
+    let slider = hand
+        .harness
+        .get_all_by_role_and_label(Role::Slider, "Opacity of Specular")
+        .next()
+        .expect("a slider")
+        .rect();
+    hand.drag(slider.right_center() - vec2(5.0, 0.0), slider.center());
+    hand.settle();
+    let mask = &hand.look().graph.nodes[&wire.from.node];
+    assert!(matches!(mask.values.get("opacity"), Some(Value::Number(x)) if *x < 0.7), "{mask:?}");
+
+    hand.press("More of Specular");
+    hand.press("Invert mask");
+    hand.settle();
+    let mask = &hand.look().graph.nodes[&wire.from.node];
+    assert_eq!(mask.values.get("inverted"), Some(&Value::Bool(true)));
+
+    hand.press("More of Specular");
+    hand.press("Remove mask");
+    hand.settle();
+    assert!(opacity(&hand).is_none());
+    for _ in 0..4 {
+        hand.undo();
+    }
+    hand.settle();
+    assert_eq!(*hand.look(), before);
+}

@@ -4,6 +4,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use crate::paint::painted;
 use glam::{DVec3, DVec4};
 
 /// The number that a GPU holds for `x`: rounded to f32.
@@ -100,12 +101,32 @@ pub enum Mode {
     Alpha,
     /// Product of the backdrop and the layer, by the layer's mask.
     Shade,
+    /// Mode of paint programs, by its word.
+    Painted(&'static str),
 }
 
 impl Mode {
-    /// Every blend.
+    /// Every blend of stacks of light.
     pub const ALL: [Self; 5] =
         [Self::Add, Self::Multiply, Self::Subtract, Self::Alpha, Self::Shade];
+
+    /// Every mode of paint programs that is not among those.
+    pub const PAINTED: [Self; 14] = [
+        Self::Painted("screen"),
+        Self::Painted("overlay"),
+        Self::Painted("darken"),
+        Self::Painted("lighten"),
+        Self::Painted("soft_light"),
+        Self::Painted("hard_light"),
+        Self::Painted("color_dodge"),
+        Self::Painted("color_burn"),
+        Self::Painted("difference"),
+        Self::Painted("exclusion"),
+        Self::Painted("hue"),
+        Self::Painted("saturation"),
+        Self::Painted("color"),
+        Self::Painted("luminosity"),
+    ];
 
     /// The blend's word in documents.
     pub fn word(self) -> &'static str {
@@ -115,6 +136,7 @@ impl Mode {
             Self::Subtract => "subtract",
             Self::Alpha => "alpha",
             Self::Shade => "shade",
+            Self::Painted(word) => word,
         }
     }
 }
@@ -130,7 +152,8 @@ pub fn blend(
     clamped: bool,
 ) -> DVec4 {
     let a = color.w.clamp(0.0, 1.0) * opacity.clamp(0.0, 1.0);
-    let rho = if matches!(mode, Mode::Alpha | Mode::Shade) { rho.clamp(0.0, 1.0) } else { rho };
+    let is_mask = !matches!(mode, Mode::Add | Mode::Multiply | Mode::Subtract);
+    let rho = if is_mask { rho.clamp(0.0, 1.0) } else { rho };
     if a <= 0.0 {
         return below;
     }
@@ -141,8 +164,18 @@ pub fn blend(
         Mode::Multiply => under * rho * over,
         Mode::Alpha => under + rho * (over - under),
         Mode::Shade => under * ((1.0 - rho) * DVec3::ONE + rho * over),
+        Mode::Painted(word) => {
+            // Section 5, with the layer's alpha 1: co = (1 - αb) Cs + αb B(Cb, Cs), within the tone.
+            let mixed = painted(word, straight(below).truncate().to_array(), over.to_array());
+            let paint = (1.0 - below.w) * over + below.w * DVec3::from_array(mixed);
+            (1.0 - rho) * under + rho * paint
+        }
     };
-    let alpha = if mode == Mode::Alpha { below.w + rho * a * (1.0 - below.w) } else { below.w };
+    let alpha = if matches!(mode, Mode::Alpha | Mode::Painted(_)) {
+        below.w + rho * a * (1.0 - below.w)
+    } else {
+        below.w
+    };
     let result = (under + a * (full - under)).extend(alpha);
     if clamped { result.clamp(DVec4::ZERO, DVec4::ONE) } else { result }
 }

@@ -16,6 +16,7 @@ pub mod godot;
 pub mod judges;
 pub mod ledger;
 pub mod noise;
+pub mod paint;
 pub mod random;
 pub mod report;
 pub mod scan;

@@ -612,7 +612,14 @@ fn an_unset_concave_color_is_the_convex_one() {
 
 #[test]
 fn the_blends() {
-    for mode in Mode::ALL {
+    for mode in Mode::ALL.into_iter().chain(Mode::PAINTED) {
+        // Quotients of a dodge and a burn grow as the layer nears white or black.
+        let is_quotient = matches!(mode, Mode::Painted("color_dodge" | "color_burn"));
+        let bound = match mode {
+            Mode::Painted(_) if is_quotient => 1e-4,
+            Mode::Painted(_) => 2e-6,
+            _ => 4e-7,
+        };
         for clamped in [true, false] {
             let look = look(&json!({
                 "exposed": [
@@ -637,7 +644,8 @@ fn the_blends() {
             let number = |random: &mut Random| match random.index(6) {
                 0 => 0.0,
                 1 => 1.0,
-                _ => random.unit(),
+                // Both sides see the same number.
+                _ => f64::from(random.unit() as f32),
             };
             let mut samples = Vec::new();
             let mut wanted = Vec::new();
@@ -660,7 +668,7 @@ fn the_blends() {
             }
             let clamping = if clamped { "clamped" } else { "free" };
             let mut errors =
-                Errors::new(format!("blend {}, {clamping} (eq. 2, D8)", mode.word()), 4e-7);
+                Errors::new(format!("blend {}, {clamping} (eq. 2, D8)", mode.word()), bound);
             for ((value, wanted), sample) in
                 eval(&look, "blend.below", &samples).iter().zip(&wanted).zip(&samples)
             {
@@ -670,7 +678,7 @@ fn the_blends() {
             }
             errors.finish();
             let mut errors =
-                Errors::new(format!("the same, straight: {} {clamping}", mode.word()), 2e-6);
+                Errors::new(format!("the same, straight: {} {clamping}", mode.word()), 5.0 * bound);
             for (value, wanted) in eval(&look, "", &samples).iter().zip(&wanted) {
                 // Dividing by a small alpha multiplies rounding.
                 let scale = wanted.w.clamp(1e-3, 1.0);
@@ -736,7 +744,7 @@ fn shares_count_from_0_to_1() {
             }
         }
     }
-    for mode in Mode::ALL {
+    for mode in Mode::ALL.into_iter().chain(Mode::PAINTED) {
         for is_wired in [false, true] {
             let mut samples = exposed.clone();
             let look = look_of_shares(mode, is_wired);

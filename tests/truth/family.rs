@@ -8,6 +8,7 @@ use std::f64::consts::{PI, TAU};
 use crate::support::badf::{angle, held, mirrored};
 use crate::support::color::{to_linear, to_srgb};
 use crate::support::held::{SampleInputs, library, numeric, run_at, width, words};
+use crate::support::paint::painted;
 use crate::support::random::Random;
 use crate::support::report::Errors;
 use chiaro::frame::{EvalSample, LightOverride};
@@ -86,29 +87,6 @@ fn rgb_of_oklab(lab: [f64; 3]) -> [f64; 3] {
 
 fn three(i: &[f64]) -> [f64; 3] {
     [i[0], i[1], i[2]]
-}
-
-/// The non-separable modes of the W3C's Compositing and Blending, by its pseudocode.
-fn non_separable(mode: &str, a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    let lum = |c: [f64; 3]| 0.3 * c[0] + 0.59 * c[1] + 0.11 * c[2];
-    let most = |c: [f64; 3]| c.into_iter().fold(f64::MIN, f64::max);
-    let least = |c: [f64; 3]| c.into_iter().fold(f64::MAX, f64::min);
-    let sat = |c: [f64; 3]| most(c) - least(c);
-    let clip = |c: [f64; 3]| {
-        let (l, n, x) = (lum(c), least(c), most(c));
-        let c = if n < 0.0 { c.map(|c| l + (c - l) * l / (l - n)) } else { c };
-        if x > 1.0 { c.map(|c| l + (c - l) * (1.0 - l) / (x - l)) } else { c }
-    };
-    let set_lum = |c: [f64; 3], l: f64| clip(c.map(|channel| channel + l - lum(c)));
-    let set_sat = |c: [f64; 3], s: f64| {
-        if sat(c) > 0.0 { c.map(|channel| (channel - least(c)) * s / sat(c)) } else { [0.0; 3] }
-    };
-    match mode {
-        "hue" => set_lum(set_sat(b, sat(a)), lum(a)),
-        "saturation" => set_lum(set_sat(a, sat(b)), lum(a)),
-        "color" => set_lum(b, lum(a)),
-        _ => set_lum(a, lum(b)),
-    }
 }
 
 fn mixed(i: SampleInputs<'_>, blended: [f64; 3]) -> Vec<f64> {
@@ -326,24 +304,22 @@ fn truth(kind: &str, word: &str) -> Option<ShadingFormula> {
                 unit(i[0][0]) + i[1][0].clamp(-1.0, 1.0) * near(&i[5], &i[2], i[3][0], i[4][0]),
             )]
         },
-        ("mix_colors", "exclusion") => |i, _| mixed(i, each(i, |a, b| a + b - 2.0 * a * b)),
-        ("mix_colors", "color_dodge") => |i, _| {
-            let dodge = |a: f64, b: f64| if a == 0.0 { 0.0 } else { (a / (1.0 - b)).min(1.0) };
-            mixed(i, each(i, dodge))
-        },
-        ("mix_colors", "color_burn") => |i, _| {
-            let burn = |a: f64, b: f64| if a >= 1.0 { 1.0 } else { 1.0 - ((1.0 - a) / b).min(1.0) };
-            mixed(i, each(i, burn))
-        },
-        ("mix_colors", "hue") => |i, _| mixed(i, non_separable("hue", three(&i[0]), three(&i[1]))),
+        ("mix_colors", "exclusion") => {
+            |i, _| mixed(i, painted("exclusion", three(&i[0]), three(&i[1])))
+        }
+        ("mix_colors", "color_dodge") => {
+            |i, _| mixed(i, painted("color_dodge", three(&i[0]), three(&i[1])))
+        }
+        ("mix_colors", "color_burn") => {
+            |i, _| mixed(i, painted("color_burn", three(&i[0]), three(&i[1])))
+        }
+        ("mix_colors", "hue") => |i, _| mixed(i, painted("hue", three(&i[0]), three(&i[1]))),
         ("mix_colors", "saturation") => {
-            |i, _| mixed(i, non_separable("saturation", three(&i[0]), three(&i[1])))
+            |i, _| mixed(i, painted("saturation", three(&i[0]), three(&i[1])))
         }
-        ("mix_colors", "color") => {
-            |i, _| mixed(i, non_separable("color", three(&i[0]), three(&i[1])))
-        }
+        ("mix_colors", "color") => |i, _| mixed(i, painted("color", three(&i[0]), three(&i[1]))),
         ("mix_colors", "luminosity") => {
-            |i, _| mixed(i, non_separable("luminosity", three(&i[0]), three(&i[1])))
+            |i, _| mixed(i, painted("luminosity", three(&i[0]), three(&i[1])))
         }
         ("color_space", "srgb_to_oklab") => {
             |i, _| oklab(three(&i[0]).map(to_linear)).into_iter().chain([i[0][3]]).collect()

@@ -903,7 +903,7 @@ fn case_20_multiply_without_tone_is_black() {
 
 #[test]
 fn case_20_opacity_zero_changes_nothing() {
-    for mode in badf::Mode::ALL {
+    for mode in badf::Mode::ALL.into_iter().chain(badf::Mode::PAINTED) {
         for layer in [
             json!({"mode": mode.word(), "tone": 0.7, "color": [0.2, 0.9, 0.4, 0.0]}),
             json!({"mode": mode.word(), "tone": 0.7, "color": [0.2, 0.9, 0.4, 1.0], "opacity": 0}),

@@ -11,6 +11,7 @@ use crate::support::color::{to_linear, to_srgb};
 use crate::support::eval::{eval, look};
 use crate::support::held::{SampleInputs, library, numeric, run, width, words};
 use crate::support::noise::{lattice, noise, pcg3d, unit3};
+use crate::support::paint::painted;
 use crate::support::random::Random;
 use crate::support::report::Errors;
 use chiaro::document::Value;
@@ -106,40 +107,16 @@ fn rgb_of([h, s, v]: [f64; 3]) -> [f64; 3] {
 /// Blend modes of the W3C's Compositing and Blending.
 fn mixed_colors(mode: &str, inputs: SampleInputs<'_>) -> Vec<f64> {
     let (a, b, factor) = (&inputs[0], &inputs[1], inputs[2][0].clamp(0.0, 1.0));
-    let hard = |cb: f64, cs: f64| {
-        if cs <= 0.5 { cb * 2.0 * cs } else { cb + (2.0 * cs - 1.0) - cb * (2.0 * cs - 1.0) }
-    };
-    let soft = |cb: f64, cs: f64| {
-        let d = if cb <= 0.25 { ((16.0 * cb - 12.0) * cb + 4.0) * cb } else { cb.sqrt() };
-        if cs <= 0.5 {
-            cb - (1.0 - 2.0 * cs) * cb * (1.0 - cb)
-        } else {
-            cb + (2.0 * cs - 1.0) * (d - cb)
-        }
-    };
-    let f = |a: f64, b: f64| match mode {
-        "normal" => b,
-        "multiply" => a * b,
-        "screen" => 1.0 - (1.0 - a) * (1.0 - b),
-        "overlay" => hard(b, a),
-        "hard_light" => hard(a, b),
-        "soft_light" => soft(a, b),
-        "darken" => a.min(b),
-        "lighten" => a.max(b),
-        "add" => a + b,
-        "subtract" => a - b,
-        "difference" => (a - b).abs(),
-        "divide" => {
-            if b == 0.0 {
-                0.0
-            } else {
-                a / b
-            }
-        }
-        other => panic!("`{other}` has no truth"),
+    let (under, over) = ([a[0], a[1], a[2]], [b[0], b[1], b[2]]);
+    let each = |f: fn(f64, f64) -> f64| [0, 1, 2].map(|k| f(a[k], b[k]));
+    let blended = match mode {
+        "add" => each(|a, b| a + b),
+        "subtract" => each(|a, b| a - b),
+        "divide" => each(|a, b| if b == 0.0 { 0.0 } else { a / b }),
+        mode => painted(mode, under, over),
     };
     let alpha = if mode == "normal" { (1.0 - factor) * a[3] + factor * b[3] } else { a[3] };
-    (0..3).map(|i| (1.0 - factor) * a[i] + factor * f(a[i], b[i])).chain([alpha]).collect()
+    (0..3).map(|i| (1.0 - factor) * a[i] + factor * blended[i]).chain([alpha]).collect()
 }
 
 /// The truth of a kind by its documentation; `None` for kinds with tests of their own.
@@ -149,6 +126,11 @@ fn truth(kind: &str, word: &str) -> Option<NodeFormula> {
         ("absolute", _) => |i| each(i, f64::abs),
         ("negate", _) => |i| each(i, |x| -x),
         ("sign_of", _) => |i| each(i, |x| if x == 0.0 { 0.0 } else { x.signum() }),
+        ("mask", _) => |i| {
+            let [mask, opacity, density] = [0, 1, 2].map(|k: usize| i[k][0].clamp(0.0, 1.0));
+            let hidden = if i[3][0] != 0.0 { mask } else { 1.0 - mask };
+            vec![opacity - opacity * density * hidden]
+        },
         ("invert", _) => {
             |i| if i[0].len() == 4 { rgb(i, |x| 1.0 - x) } else { each(i, |x| 1.0 - x) }
         }

@@ -1,8 +1,10 @@
 //! `chiaro render --frames`: many frames, each in a file of its own.
 //!
-//! Three work side by side: one plans the next frame, one draws, and one writes the last frame and
-//! reads it back. What is whole from a run before is kept, and a frame that would be the same
+//! One plans the next frame and one draws, while others write the last frames and read them back:
+//! as many as there are cores and memory for. What is whole from a run before is kept, and a frame that would be the same
 //! picture as another is not drawn.
+
+mod writers;
 
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -10,13 +12,15 @@ use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::time::SystemTime;
 
 use serde_json::{Value as Json, json};
+use writers::write_all;
 
 use super::format::PictureFormat;
 use super::progress::ProgressLines;
+
 use super::{Stage, blended_in, layers_in};
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
-use crate::files::{self, Outputs};
+use crate::files::Outputs;
 use crate::film::exr::{ExrHeader, FrameStamp};
 use crate::film::{
     DisplayView, DrawnLayers, FrameList, FramePattern, FrameRate, LayeredPlan, PlanHasher,
@@ -133,6 +137,8 @@ struct Summary {
     equal: usize,
     kept: usize,
     seconds: Seconds,
+    /// Number of threads that write.
+    writers: usize,
 }
 
 /// Draws frames with what was opened.
@@ -154,7 +160,7 @@ pub(super) fn draw(
     let summary = in_parallel(
         move || plan_all(sequence, stage, &to_draw, output),
         move || draw_all(&planned, &to_write, executor, output),
-        move || write_all(sequence, outputs, &drawn, output),
+        move || write_all(sequence, &outputs, drawn, output),
     )?;
     output.message(&summary.text(clock.seconds(), &name));
     Ok(())
@@ -278,73 +284,6 @@ fn draw_all(
     Ok(())
 }
 
-/// Writes frames, reads them back, and tells each when it is whole.
-fn write_all(
-    sequence: Sequence<'_>,
-    mut outputs: Outputs,
-    drawn: &Receiver<DrawnFrame>,
-    output: &Output,
-) -> Result<Summary, Vec<Diagnostic>> {
-    let mut summary = Summary::default();
-    for mut frame in drawn {
-        let clock = Clock::start();
-        write(sequence, &mut outputs, &frame).map_err(|problem| vec![problem])?;
-        frame.seconds.writing = clock.seconds();
-        summary.add(&frame);
-        if sequence.has_json {
-            output.result(&frame.json(sequence.rate).to_string());
-        } else {
-            output.message(&frame.text());
-        }
-        if let Some(lines) = sequence.progress {
-            lines.tell(frame.frame, summary.count(), sequence.frames.frames().len(), output);
-        }
-    }
-    Ok(summary)
-}
-
-/// Writes the file of a frame, whole or not at all, and reads it back.
-fn write(
-    sequence: Sequence<'_>,
-    outputs: &mut Outputs,
-    frame: &DrawnFrame,
-) -> Result<(), Diagnostic> {
-    let Sequence { format, view, .. } = sequence;
-    let Frame { file, header, .. } = frame;
-    match &frame.state {
-        FrameState::Kept => return Ok(()),
-        FrameState::New(picture) => {
-            outputs.write(file, format.kind(), &format.encode(picture, header, view)?)?;
-        }
-        FrameState::Equal { file: first, .. } => {
-            match format {
-                PictureFormat::Png => {
-                    outputs.check(file, format.kind())?;
-                    files::link(first, file).map_err(|problem| *problem)?;
-                }
-                // The number and the time of a frame stand in its file.
-                PictureFormat::Exr(encoding) => {
-                    let bytes = crate::film::exr::stamped(&read(first)?, header, encoding)?;
-                    outputs.write(file, format.kind(), &bytes)?;
-                }
-            }
-        }
-    }
-    if format.plan_of(&read(file)?).as_ref() == Some(&header.plan) {
-        return Ok(());
-    }
-    let problem = Diagnostic::error("not-whole", "the frame was written and read back as another");
-    Err(problem
-        .in_file(file.display().to_string())
-        .hint("the disk may be full or failing; the same command goes on with this frame"))
-}
-
-fn read(file: &Path) -> Result<Vec<u8>, Diagnostic> {
-    std::fs::read(file).map_err(|error| {
-        Diagnostic::error("cannot-read", error.to_string()).in_file(file.display().to_string())
-    })
-}
-
 impl DrawnFrame {
     /// The frame's fate, in a word.
     fn state(&self) -> &'static str {
@@ -401,8 +340,9 @@ impl Summary {
 
     /// The sum of it, and what took the time.
     fn text(&self, seconds: f64, executor: &str) -> String {
-        let Self { drawn, equal, kept, .. } = self;
+        let Self { drawn, equal, kept, writers, .. } = self;
         let Seconds { planning, drawing, writing } = self.seconds;
+        let writing = writing / (*writers).max(1) as f64;
         let parts = [("planning", planning), ("drawing", drawing), ("writing", writing)];
         let most = parts.into_iter().max_by(|(_, a), (_, b)| a.total_cmp(b));
         let (bound, longest) = most.unwrap_or_default();

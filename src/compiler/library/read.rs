@@ -835,7 +835,7 @@ fn conditions_after_when(node: &NodeDef, words: &[&str]) -> Option<Vec<Condition
     }
 }
 
-/// Reads `@bypass`: `below when opacity = 0 and mode = add|alpha`.
+/// Reads `@bypass`: `below when opacity = 0 and mode = add|alpha`, or `mode != multiply`.
 fn bypass(node: &NodeDef, tag: &Tag) -> Option<Bypass> {
     let words = words(tag);
     let [result, "when", conditions @ ..] = words.as_slice() else { return None };
@@ -862,10 +862,17 @@ fn condition(node: &NodeDef, words: &[&str]) -> Option<Condition> {
         let test = if *sign == "<=" { Test::AtMost(limit) } else { Test::AtLeast(limit) };
         return Some(Condition { input, test });
     }
+    let is_choice = node.inputs[input].ty == Type::Choice;
+    if *sign == "!=" && is_choice {
+        let named: Vec<&str> = value.split('|').collect();
+        let words = node.inputs[input].options.iter().map(|option| option.0.clone());
+        let others = words.filter(|word| !named.contains(&word.as_ref()));
+        return Some(Condition { input, test: Test::Word(others.collect()) });
+    }
     if *sign != "=" {
         return None;
     }
-    let test = if node.inputs[input].ty == Type::Choice {
+    let test = if is_choice {
         Test::Word(value.split('|').map(str::to_owned).collect())
     } else if *value == "black" {
         Test::Black

@@ -168,7 +168,7 @@ fn before_baking(
         }
     };
     let made = preview.of(&of, job).map(|made| match made {
-        Ok(seen) => Ok((seen.tiles.clone(), seen.seconds_of(grid, cores()))),
+        Ok(seen) => Ok((seen.tiles.clone(), seen.seconds_of(grid, crate::threads::cores()))),
         Err(problem) => Err(sentence(problem)),
     });
     let samples = counted(grid.sample_count() as usize, "sample");
@@ -212,11 +212,6 @@ fn before_baking(
     let text = "Seen from straight above, lit from straight above and from halfway down. What is \
                 finer than a texel is lost.";
     ui.label(RichText::new(text).color(theme::of(ui).dim).small());
-}
-
-/// Number of views that are baked at a time.
-fn cores() -> usize {
-    std::thread::available_parallelism().map_or(1, std::num::NonZero::get)
 }
 
 /// Shows the choice of the light that goes around.

@@ -1,6 +1,8 @@
 //! A look as a stack of layers: the chain through `below` ports from the Output's color down to a
 //! node that is no layer, and the graph edits that edits of the stack stand for.
 
+pub(crate) mod mask;
+
 use std::collections::{HashMap, HashSet};
 
 use indexmap::IndexMap;

@@ -22,6 +22,8 @@ pub(crate) enum Icon {
     Bulb,
     /// The letter S, known to everybody who mixes sound or light: alone.
     Solo,
+    /// A round hole in a sheet, as paint programs have it: a mask.
+    Mask,
     /// Three dots: there is more.
     More,
 }
@@ -29,7 +31,7 @@ pub(crate) enum Icon {
 /// Shows a button with an icon. `is_on` is the state that the icon shows: seen, shining, alone.
 pub(crate) fn icon(ui: &mut Ui, icon: Icon, is_on: bool, label: &str, help: &str) -> Response {
     let (rect, response) = ui.allocate_exact_size(vec2(ICON, ICON), Sense::click());
-    let is_toggle = icon != Icon::More;
+    let is_toggle = !matches!(icon, Icon::More | Icon::Mask);
     response.widget_info(|| match is_toggle {
         true => WidgetInfo::selected(Role::CheckBox, true, is_on, label),
         false => WidgetInfo::labeled(Role::Button, true, label),
@@ -83,6 +85,11 @@ pub(crate) fn draw(painter: &Painter, icon: Icon, at: Pos2, ink: Color32, is_on:
         Icon::Solo => {
             let font = egui::FontId::proportional(theme::TEXT_SIZE);
             painter.text(at, egui::Align2::CENTER_CENTER, "S", font, ink);
+        }
+        Icon::Mask => {
+            let sheet = Rect::from_center_size(at, vec2(15.0, 11.0));
+            painter.rect_stroke(sheet, 2.0, stroke, egui::StrokeKind::Inside);
+            painter.circle_filled(at, 3.2, ink);
         }
         Icon::More => {
             for x in [-4.5, 0.0, 4.5] {

@@ -79,6 +79,17 @@ impl Outputs {
         Self { is_forced, ..Self::default() }
     }
 
+    /// Outputs of another thread of the same command: what they must not write over is the same.
+    #[must_use]
+    pub fn another(&self) -> Self {
+        Self {
+            inputs: self.inputs.clone(),
+            changed: self.changed.clone(),
+            is_forced: self.is_forced,
+            ..Self::default()
+        }
+    }
+
     /// Notes a file that the command reads, or the documents and nodes in a folder. A path that
     /// does not exist is ignored.
     pub fn reads(&mut self, path: &Path) {

@@ -27,11 +27,24 @@ const SHARE_OF_MIXED: &str = "share_of_mixed";
 const SHARE_OF_LIGHT: &str = "share_of_light";
 const REST_OF_SHARE: &str = "rest_of_share";
 
-/// Words of *Blend*'s modes in the order of the numbers that `blend_passage` knows.
-const MODES: [&str; 5] = ["add", "multiply", "subtract", "alpha", "shade"];
+/// Passages in the order of the numbers that `blend_passage` knows.
+const PASSAGES: [&str; 5] = ["left", "multiply", "alpha", "shade", "screen"];
 
-/// Modes of *Mix colors* that hide some of what is below, with the mode of *Blend* that hides as
-/// much; the others let all of it through that is left.
+/// Modes of *Blend* that hide some of what is below, with the passage that hides as much; the
+/// others let all of it through that is left.
+const BLENDED: [(&str, &str); 8] = [
+    ("multiply", "multiply"),
+    ("alpha", "alpha"),
+    ("shade", "shade"),
+    ("screen", "screen"),
+    ("hue", "alpha"),
+    ("saturation", "alpha"),
+    ("color", "alpha"),
+    ("luminosity", "alpha"),
+];
+
+/// Modes of *Mix colors* that hide some of what is below, with the passage that hides as much; the
+/// others let all of it through that is left.
 const MIXED: [(&str, &str); 6] = [
     ("normal", "alpha"),
     ("multiply", "multiply"),
@@ -270,26 +283,28 @@ impl Builder<'_> {
         };
         let one = self.constant(index, Type::Float, interp::Value::Float(1.0));
         let ones = self.constant(index, Type::Vec3, interp::Value::vec(&[1.0; 3]));
-        let (mode, color, tone, opacity) = match Passage::of(node) {
+        let (passage, color, tone, opacity) = match Passage::of(node) {
             Some(Passage::Blend) => {
-                (word.unwrap_or("add"), of("color")?, of("tone"), of("opacity"))
+                let known = BLENDED.iter().find(|(mode, _)| Some(*mode) == word);
+                let Some((_, passage)) = known else { return Some(ones) };
+                (*passage, of("color")?, of("tone"), of("opacity"))
             }
             Some(Passage::Alpha) => ("alpha", of("color")?, None, None),
             Some(Passage::Mix) => {
                 let known = MIXED.iter().find(|(mode, _)| Some(*mode) == word);
-                let Some((_, mode)) = known else { return Some(ones) };
+                let Some((_, passage)) = known else { return Some(ones) };
                 let plain = self.constant(index, Type::Color, interp::Value::vec(&[1.0; 4]));
-                let color = if *mode == "multiply" { of("b")? } else { plain };
-                (*mode, color, None, of("factor"))
+                let color = if *passage == "multiply" { of("b")? } else { plain };
+                (*passage, color, None, of("factor"))
             }
             Some(Passage::Greater) => {
                 return Some(self.of_library(index, GREATER, &[under, over], Type::Vec3));
             }
             Some(Passage::All) | None => return Some(ones),
         };
-        let mode = MODES.iter().position(|known| *known == mode).unwrap_or_default();
-        let mode = self.constant(index, Type::Int, interp::Value::I32(mode as i32));
-        let arguments = [mode, color, tone.unwrap_or(one), opacity.unwrap_or(one)];
+        let number = PASSAGES.iter().position(|known| *known == passage).unwrap_or_default();
+        let number = self.constant(index, Type::Int, interp::Value::I32(number as i32));
+        let arguments = [number, color, tone.unwrap_or(one), opacity.unwrap_or(one)];
         Some(self.of_library(index, PASSAGE, &arguments, Type::Vec3))
     }
 

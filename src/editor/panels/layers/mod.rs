@@ -1,6 +1,7 @@
 //! The look as a stack of layers, as in a painting program: another view of the graph. Changes here
 //! are edits of the nodes and wires, one undo step each; changes of the graph show here.
 
+mod masks;
 mod picture;
 mod presets;
 mod row;
@@ -218,6 +219,8 @@ impl Layers {
         if entry(ui, "Show on the canvas", "Brings its node into view", true) {
             out.push(Command::Show(crate::ids::NodePath::root(id.clone())));
         }
+        ui.separator();
+        masks::menu(ui, session, &self.stack, id, out);
         ui.separator();
         if entry(ui, "Delete layer", "Takes it out; the others close up (Del)", true) {
             out.push(Command::Edit(self.stack.remove(session.look(), std::slice::from_ref(id))));
@@ -461,9 +464,8 @@ fn add_ground(session: &Session, to: Endpoint) -> Vec<Edit> {
     ]
 }
 
-/// Names of the input that sets a layer's blend mode; below, that of its opacity.
+/// Names of the input that sets a layer's blend mode.
 const MODES: [&str; 2] = ["blend", "mode"];
-const OPACITY: &str = "opacity";
 
 /// Selects nodes of the look's own graph, which is opened first where a group's is open.
 fn select(session: &Session, ids: Vec<NodeId>, out: &mut Vec<Command>) {

@@ -7,13 +7,14 @@ use eframe::egui::{
 };
 
 use super::super::thumbs::ThumbObject;
-use super::{MODES, OPACITY};
+use super::MODES;
 use crate::catalog::{NodeKind, Port};
 use crate::commands::Command;
 use crate::document::{Edit, GraphId, Node, Target, Value};
 use crate::ids::{NodeId, NodePath};
 use crate::library::Type;
 use crate::state::session::Session;
+use crate::state::stack::mask::{self, OPACITY};
 use crate::values;
 use crate::widgets::rows::{ICON, Icon, NameEdit, card_ground, icon, picture_frame, whole};
 use crate::widgets::spots::{self, Spot};
@@ -127,6 +128,7 @@ impl Row<'_> {
         );
         let mut below = row_in(ui, lower, "values");
         self.blending(&mut below, &title, out);
+        self.mask(&mut below, &title, out);
         self.opacity(&mut below, &title, out);
         let help = "Click selects its node too · drag to reorder · right click for more";
         RowResponse { whole: if whole.dragged() { whole } else { whole.on_hover_text(help) }, more }
@@ -334,15 +336,35 @@ impl Row<'_> {
         combo.response.on_hover_text(&port.help);
     }
 
+    /// Shows that the layer has a mask; a click selects it.
+    fn mask(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
+        let Some((id, _)) = mask::of(self.session.look(), self.id) else { return };
+        let help = "Has a mask: white shows the layer, black hides it. A click selects the mask, \
+                    to set it in the inspector; the layer's menu inverts it and takes it away.";
+        if icon(ui, Icon::Mask, true, &format!("Mask of {title}"), help).clicked() {
+            super::select(self.session, vec![id.clone()], out);
+        }
+    }
+
+    /// The input that holds the layer's opacity: its own, or that of its mask.
+    fn opacity_input(&self) -> Option<(&NodeId, &Port)> {
+        if let Some((id, node)) = mask::of(self.session.look(), self.id) {
+            let kind = self.session.project.catalog.of(node)?;
+            return Some((id, &kind.inputs[kind.input(OPACITY)?]));
+        }
+        self.port(OPACITY).map(|port| (self.id, port))
+    }
+
     fn opacity(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
-        let Some(port) = self.port(OPACITY) else { return };
-        if self.session.look().graph.wire_into(self.id, &port.name).is_some() {
+        let Some((holder, port)) = self.opacity_input() else { return };
+        if self.session.look().graph.wire_into(holder, &port.name).is_some() {
             let text = RichText::new("opacity by wire").small().color(theme::of(ui).dim);
             ui.add(Label::new(text).truncate()).on_hover_text("A wire decides the opacity");
             return;
         }
         // A keyed value is shown, and set, at the current direction key or at the playhead.
-        let target = self.target(port);
+        let target =
+            Target::Input { node: NodePath::root(holder.clone()), port: port.name.clone() };
         let mut percent = values::number(self.session.keys().value_at(&target).as_ref()) * 100.0;
         let number_width = 46.0;
         ui.spacing_mut().slider_width = (ui.available_width() - number_width - 6.0).max(20.0);

@@ -1,0 +1,95 @@
+//! Masks in the menu of a layer.
+
+use eframe::egui::{Button, Ui};
+
+use super::select;
+use crate::commands::Command;
+use crate::document::{Edit, GraphId, Value};
+use crate::ids::{NodeId, NodePath, PortName};
+use crate::state::session::Session;
+use crate::state::stack::Stack;
+use crate::state::stack::mask::{self, INVERTED, SOURCES};
+
+/// Shows the entries that mask a layer, or that change the mask which it has.
+pub(super) fn menu(
+    ui: &mut Ui,
+    session: &Session,
+    stack: &Stack,
+    layer: &NodeId,
+    out: &mut Vec<Command>,
+) {
+    let look = session.look();
+    if let Some((id, node)) = mask::of(look, layer) {
+        let is_inverted = matches!(node.values.get(INVERTED), Some(Value::Bool(true)));
+        let help = "What was hidden is shown, and what was shown is hidden";
+        if ui.button("Invert mask").on_hover_text(help).clicked() {
+            out.push(Command::Edit(Edit::SetValue {
+                graph: GraphId::Look,
+                id: id.clone(),
+                port: PortName::new(INVERTED),
+                value: Value::Bool(!is_inverted),
+                index: None,
+            }));
+        }
+        let help = "Selects it, to set it in the inspector";
+        if ui.button("Show mask").on_hover_text(help).clicked() {
+            out.push(Command::Show(NodePath::root(id.clone())));
+        }
+        let help = "Takes the mask away, with what feeds it alone; the opacity stays";
+        if ui.button("Remove mask").on_hover_text(help).clicked() {
+            out.extend(stack.unmask(look, layer).map(Command::Edit));
+        }
+        return;
+    }
+    let catalog = &session.project.catalog;
+    let is_free = mask::is_free(look, catalog, layer);
+    let name_of = |id: &NodeId| {
+        let node = look.graph.nodes.get(id);
+        let name = node.map(|node| match node.name.is_empty() {
+            true => catalog.of(node).map_or(String::new(), |kind| kind.label.to_string()),
+            false => node.name.clone(),
+        });
+        name.unwrap_or_default()
+    };
+    let taken = "Its opacity comes by a wire already: put a Mask node into that wire";
+    let clipping = stack.clipping(look, catalog, layer);
+    let help = match (&clipping, is_free) {
+        (_, false) => taken.to_owned(),
+        (Some((below, _)), _) => format!("Shows it only where {} is", name_of(below)),
+        (None, _) => "The layer below has no tone that says where it is".to_owned(),
+    };
+    let button = Button::new("Clip to the layer below");
+    let clip = ui.add_enabled(is_free && clipping.is_some(), button);
+    if clip.on_hover_text(&help).on_disabled_hover_text(&help).clicked()
+        && let Some((_, tone)) = clipping
+    {
+        add(session, Stack::mask_by(look, layer, tone), out);
+    }
+    ui.add_enabled_ui(is_free, |ui| {
+        let shown = ui.menu_button("Mask by", |ui| {
+            for source in &SOURCES {
+                if ui.button(source.name).on_hover_text(source.help).clicked() {
+                    add(session, stack.mask(look, layer, source), out);
+                }
+            }
+            let tones = stack.tones(look, catalog, layer);
+            if !tones.is_empty() {
+                ui.separator();
+            }
+            for (id, tone) in tones {
+                let text = format!("Tone of {}", name_of(&id));
+                if ui.button(text).on_hover_text("Shows it only where that layer is").clicked() {
+                    add(session, Stack::mask_by(look, layer, tone), out);
+                }
+            }
+        });
+        let help = "Hides parts of the layer: white shows it, black hides it";
+        shown.response.on_hover_text(help).on_disabled_hover_text(taken);
+    });
+}
+
+/// Adds a mask, and selects it.
+fn add(session: &Session, (mask, edit): (NodeId, Edit), out: &mut Vec<Command>) {
+    out.push(Command::Edit(edit));
+    select(session, vec![mask], out);
+}
