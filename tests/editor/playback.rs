@@ -247,7 +247,7 @@ fn picture_and_kept_frames_are_shown_by_a_view() {
         let picture = Picture { size: [plain.len() as u32 / 4, 1], rgba };
         let wanted = view.show(&picture).to_rgba8();
         assert_eq!(shown.len(), wanted.len());
-        // What goes in was rounded to 8 bits here, and a view is steep at the edge of what it shows;
+        // What goes in was rounded to 8 bits here, and views are steep at the edge of their colors;
         // at outlines pixels of a kept frame are mixed after the view.
         let apart = || shown.iter().zip(&wanted).map(|(a, b)| a.abs_diff(*b));
         let mean = apart().map(f64::from).sum::<f64>() / shown.len() as f64;
