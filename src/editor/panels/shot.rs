@@ -35,11 +35,26 @@ fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
     let mut out = Vec::new();
     let Some(shot) = session.shot() else {
         hint(ui, "No shot is open. A shot changes values of a scene for some frames.");
-        hint(ui, "Open shows one; `chiaro new NAME --template shot` begins one.");
+        let new = Command::Scene(SceneCommand::Shot(ShotCommand::New));
+        let help = "A shot over the open scene; over a look alone, a scene is made around it";
+        if ui.button("New shot of this scene").on_hover_text(help).clicked() {
+            out.push(new);
+        }
+        hint(ui, "Open shows one that is there.");
         return out;
     };
     ScrollArea::vertical().auto_shrink([false, false]).id_salt("shot").show(ui, |ui| {
         ui.set_max_width(ui.available_width() - 8.0);
+        if !shot.has_file() {
+            let under = shot.stack().shots.get(1).map(|under| &under.path);
+            let under = under.unwrap_or(&shot.stack().scene_path);
+            let under = under.file_name().unwrap_or_default().to_string_lossy();
+            let text = format!(
+                "A new shot over {under}, in no file yet: what you change is kept here, and \
+                 {under} stays as it is."
+            );
+            hint(ui, &text);
+        }
         about(ui, session, shot, &mut out);
         ui.separator();
         stack(ui, shot, &mut out);
@@ -175,7 +190,12 @@ fn stack(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
     };
     row(ui, &stack.scene_path, "scene", false);
     for (index, file) in stack.shots.iter().enumerate().rev() {
-        row(ui, &file.path, if index == 0 { "shot" } else { "over it" }, index == 0);
+        let text = match index {
+            0 if !shot.has_file() => "new shot,",
+            0 => "shot",
+            _ => "over it",
+        };
+        row(ui, &file.path, text, index == 0);
     }
 }
 
@@ -184,7 +204,11 @@ fn changes(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Comman
     let standing: Vec<&ValueChange> =
         shot.resolved().changes.iter().filter(|change| change.stands).collect();
     if standing.is_empty() {
-        hint(ui, "It changes nothing yet: set any value of a light, an object or the look.");
+        hint(
+            ui,
+            "It changes nothing yet: set any value of a light, an object or the look, and it is \
+             listed here, to be keyed or reset.",
+        );
         return;
     }
     let count = standing.iter().filter(|change| change.by == shot.path()).count();

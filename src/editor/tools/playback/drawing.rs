@@ -10,7 +10,7 @@ use super::cache::PictureKey;
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::film::PlanHasher;
-use crate::frame::Executor;
+use crate::frame::{Executor, FramePlan};
 use crate::progress::Progress;
 use crate::render::Gpu;
 use crate::state::revision::RequestNumber;
@@ -41,47 +41,30 @@ pub(super) struct FrameAnswer {
     pub(super) seconds: Option<f64>,
 }
 
-/// State of the thread that draws frames.
-pub(super) struct FrameDrawer {
+/// Drawer of planned pictures, which tells those that are equal.
+pub(crate) struct PictureDrawer {
     executor: Box<dyn Executor + Send>,
-    planner: PicturePlanner,
     hasher: PlanHasher,
     /// Pictures that were drawn, as long as somebody has them.
     known: HashMap<PictureKey, Weak<ColorImage>>,
 }
 
-impl FrameDrawer {
-    pub(super) fn new(gpu: &Gpu) -> Self {
-        Self {
-            executor: gpu.executor(),
-            planner: PicturePlanner::default(),
-            hasher: PlanHasher::default(),
-            known: HashMap::new(),
-        }
+impl PictureDrawer {
+    pub(crate) fn new(gpu: &Gpu) -> Self {
+        Self { executor: gpu.executor(), hasher: PlanHasher::default(), known: HashMap::new() }
     }
 
-    pub(super) async fn run(&mut self, request: FrameRequest) -> FrameAnswer {
-        let clock = Clock::start();
-        let (basis, frame) = (request.basis, request.frame);
-        let drawn = self.draw(&request).await;
-        let was_drawn = drawn.as_ref().is_ok_and(|(_, was_drawn)| *was_drawn);
-        let result = drawn.map(|(picture, _)| picture);
-        FrameAnswer { basis, frame, result, seconds: was_drawn.then(|| clock.seconds()) }
-    }
-
-    /// The picture of a frame, and true if it had to be drawn.
-    async fn draw(
+    /// The picture of a plan with its key, and true if it had to be drawn.
+    pub(crate) async fn draw(
         &mut self,
-        request: &FrameRequest,
+        plan: &FramePlan,
     ) -> Result<((PictureKey, Arc<ColorImage>), bool), Vec<Diagnostic>> {
-        let FrameRequest { showing, snapshot, size, .. } = request;
-        let plan = self.planner.plan(showing, snapshot, *size)?.value;
-        let key = u128::from_str_radix(&self.hasher.hash(&plan), 16).map(PictureKey);
+        let key = u128::from_str_radix(&self.hasher.hash(plan), 16).map(PictureKey);
         let key = key.map_err(|_| vec![Diagnostic::error("plan-hash", "a plan has no hash")])?;
         if let Some(known) = self.known.get(&key).and_then(Weak::upgrade) {
             return Ok(((key, known), false));
         }
-        let drawn = self.executor.picture(&plan, &Progress::new()).await;
+        let drawn = self.executor.picture(plan, &Progress::new()).await;
         let picture = drawn.map_err(|problem| vec![problem])?;
         let size = picture.size.map(|side| side as usize);
         let image = Arc::new(ColorImage::from_rgba_unmultiplied(size, &picture.to_rgba8()));
@@ -90,5 +73,29 @@ impl FrameDrawer {
         }
         self.known.insert(key, Arc::downgrade(&image));
         Ok(((key, image), true))
+    }
+}
+
+/// State of the thread that draws frames.
+pub(super) struct FrameDrawer {
+    drawer: PictureDrawer,
+    planner: PicturePlanner,
+}
+
+impl FrameDrawer {
+    pub(super) fn new(gpu: &Gpu) -> Self {
+        Self { drawer: PictureDrawer::new(gpu), planner: PicturePlanner::default() }
+    }
+
+    pub(super) async fn run(&mut self, request: FrameRequest) -> FrameAnswer {
+        let clock = Clock::start();
+        let FrameRequest { basis, frame, showing, snapshot, size } = request;
+        let drawn = match self.planner.plan(&showing, &snapshot, size) {
+            Ok(plan) => self.drawer.draw(&plan.value).await,
+            Err(problems) => Err(problems),
+        };
+        let was_drawn = drawn.as_ref().is_ok_and(|(_, was_drawn)| *was_drawn);
+        let result = drawn.map(|(picture, _)| picture);
+        FrameAnswer { basis, frame, result, seconds: was_drawn.then(|| clock.seconds()) }
     }
 }

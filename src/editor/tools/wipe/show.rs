@@ -57,7 +57,10 @@ pub(super) fn choice(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Comman
         let help = "A flip book against frames that were rendered, as by chiaro render: choose one \
                     of them";
         let files = ui.selectable_label(false, "Rendered frames...").on_hover_text(help);
-        if files.clicked() {
+        let help = "A flip book against another look, scene or shot, which is drawn frame by frame \
+                    in the same size";
+        let document = ui.selectable_label(false, "Another document...").on_hover_text(help);
+        if files.clicked() || document.clicked() {
             chosen = Some(None);
             out.push(Command::CompareFrames(None));
             out.push(Command::ShowPanel(PanelId::TIMELINE));
