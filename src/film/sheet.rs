@@ -41,6 +41,19 @@ pub fn columns_for(cells: usize, size: [u32; 2]) -> usize {
 /// # Errors
 /// `too-many-cells` where the sheet would be too large.
 pub fn draw(title: &str, cells: &[SheetCell], columns: usize) -> Result<Picture, Diagnostic> {
+    Ok(draw_with_places(title, cells, columns)?.0)
+}
+
+/// Sheet of a title and cells, with the place of each cell's picture on it: left and upper edge,
+/// width and height, in pixels.
+///
+/// # Errors
+/// As [`draw`].
+pub fn draw_with_places(
+    title: &str,
+    cells: &[SheetCell],
+    columns: usize,
+) -> Result<(Picture, Vec<[u32; 4]>), Diagnostic> {
     let no_font = || Diagnostic::error("no-font", "the font of labels cannot be read");
     let (text, heading) = Typeface::new(TEXT).zip(Typeface::new(TITLE)).ok_or_else(no_font)?;
     let columns = columns.clamp(1, cells.len().max(1));
@@ -62,16 +75,18 @@ pub fn draw(title: &str, cells: &[SheetCell], columns: usize) -> Result<Picture,
     let mut sheet = Picture { size, rgba: vec![PAPER; size[0] as usize * size[1] as usize] };
     let fitted = heading.fitted(title, size[0] - 2 * GAP);
     heading.draw(&mut sheet, [GAP, GAP / 2], &fitted, TITLE_INK);
+    let mut places = Vec::with_capacity(cells.len());
     for (at, SheetCell { picture, labels }) in cells.iter().enumerate() {
         let x = GAP + (at % columns) as u32 * (cell[0] + GAP);
         let y = top + (at / columns) as u32 * (cell[1] + GAP);
         lay(&mut sheet, picture, [x, y]);
+        places.push([x, y, picture.size[0], picture.size[1]]);
         for (line, label) in labels.iter().enumerate() {
             let y = y + picture.size[1] + NEAR + line as u32 * text.line;
             text.draw(&mut sheet, [x, y], &text.fitted(label, cell[0]), INK);
         }
     }
-    Ok(sheet)
+    Ok((sheet, places))
 }
 
 /// Lays a picture that fits over another one.
@@ -168,7 +183,7 @@ mod tests {
             labels: vec![label.to_owned(), "2".to_owned()],
         };
         let cells = [cell(0.9, "first"), cell(0.5, "second"), cell(0.7, "third")];
-        let sheet = draw("title", &cells, 2).unwrap();
+        let (sheet, places) = draw_with_places("title", &cells, 2).unwrap();
         assert_eq!(sheet.size[0], 2 * 56 + 16);
         let grays: Vec<f32> = [(16, 0), (72, 0), (16, 1)]
             .into_iter()
@@ -178,6 +193,10 @@ mod tests {
             })
             .collect();
         assert_eq!(grays, [0.9, 0.5, 0.7]);
+        for ([x, y, width, height], gray) in places.iter().zip(&grays) {
+            let corners = [sheet.pixel(*x, *y), sheet.pixel(x + width - 1, y + height - 1)];
+            assert!(corners.iter().all(|pixel| pixel[0] == *gray));
+        }
         let many: Vec<SheetCell> =
             (0..600).map(|_| SheetCell { picture: flat([900, 1], 0.0), labels: vec![] }).collect();
         assert_eq!(draw("", &many, 600).unwrap_err().code, "too-many-cells");

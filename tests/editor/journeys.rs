@@ -1,4 +1,4 @@
-//! Fifteen journeys of an artist, each from an empty window to a look that is saved, opened again
+//! Journeys of an artist, each from an empty window to a look that is saved, opened again
 //! in another window, and exported. Every step is done by pointer and keys at widgets that have a
 //! name on the screen, and every journey ends with the same proof: the file holds the window's
 //! look, another window and the program without a window draw the same picture of it, and compilers
@@ -8,7 +8,9 @@ mod a_light_by_its_highlight;
 mod a_look_from_nothing;
 mod a_nan_is_found;
 mod a_painted_surface;
+mod a_rim_by_a_wedge;
 mod a_seamless_tile;
+mod a_shot_is_keyed;
 mod a_wrong_frame;
 mod artist;
 mod comics_from_lambert;

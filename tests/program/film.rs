@@ -194,6 +194,12 @@ fn a_wedge_draws_every_combination() {
     let cells = told["cells"].as_array().unwrap();
     let last = json!({"key.direction": [0.0, 1.0, 0.0], "lit.convex": "#0000ff"});
     assert_eq!((cells.len(), &cells[3]["values"]), (4, &last));
+    let sheet = image::open(stage.path("wedge.png")).unwrap();
+    for cell in cells {
+        let place: Vec<u32> = serde_json::from_value(cell["place"].clone()).unwrap();
+        assert_eq!(place[2..], [24, 16], "the window finds cells on the sheet by their places");
+        assert!(place[0] + 24 <= sheet.width() && place[1] + 16 <= sheet.height());
+    }
     let read = |at: usize| fs::read(stage.path(cells[at]["picture"].as_str().unwrap())).unwrap();
     assert!(read(0) != read(1) && read(1) != read(3) && read(0) != read(2));
     // What a cell shows is what the look shows with its values.

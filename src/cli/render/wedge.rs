@@ -152,11 +152,16 @@ pub(crate) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let size = drawn.first().map_or([1, 1], |cell| cell.picture.size);
     let columns = columns(arguments, drawn.len(), size);
     let title = render.document.file_stem().unwrap_or_default().to_string_lossy();
-    let sheet = sheet::draw(&title, &drawn, columns).map_err(one)?;
+    let (sheet, places) = sheet::draw_with_places(&title, &drawn, columns).map_err(one)?;
     let parent = target.parent().unwrap_or(Path::new(""));
+    let told = cells.iter().zip(&places).map(|(cell, place)| {
+        let mut told = cell.json(parent);
+        told["place"] = json!(place);
+        told
+    });
     let told = json!({
         "chiaro": "wedge", "document": render.document.display().to_string(),
-        "cells": cells.iter().map(|cell| cell.json(parent)).collect::<Vec<_>>(),
+        "cells": told.collect::<Vec<_>>(),
     });
     let told = format!("{told:#}\n");
     outputs.add(target, OutputKind::PICTURE, &sheet.to_png().map_err(one)?).map_err(one)?;

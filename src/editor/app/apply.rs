@@ -295,7 +295,7 @@ impl App {
 
     fn ask_where_to_save(&mut self) {
         if let Some(path) = self.session.shot().map(|shot| shot.path().to_path_buf()) {
-            return self.dialogs.ask(FilePurpose::Save, Some(&path));
+            return self.dialogs.ask(FilePurpose::SaveShot, Some(&path));
         }
         let by_name = || PathBuf::from(format!("{}.json", stem_of(&self.session.look().name)));
         let near = self.session.path().map_or_else(by_name, Path::to_path_buf);

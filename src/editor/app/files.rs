@@ -6,7 +6,7 @@ use std::sync::Arc;
 use eframe::egui::{self, RichText, Ui, ViewportCommand};
 
 use super::App;
-use crate::commands::{Command, PAINTING, PanelId, PictureImport, TourTopic};
+use crate::commands::{Command, PAINTING, PanelId, PictureImport, SceneCommand, TourTopic};
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf};
 use crate::examples;
@@ -14,7 +14,6 @@ use crate::frame::UNSAVED_HCBTF;
 use crate::import::GraphFile;
 use crate::panels::curves::timeline::Timeline;
 use crate::panels::library;
-use crate::panels::wedge::Wedge;
 use crate::state::crashes::CrashMark;
 use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
@@ -32,6 +31,8 @@ pub(super) enum PendingAction {
     Switch(PathBuf),
     /// Puts the scene aside; the look stays open.
     LeaveScene,
+    /// Begins a shot over the files that are open.
+    NewShot,
     Example(usize),
     Tour(TourTopic),
     NewPainting {
@@ -89,11 +90,10 @@ impl App {
         }
     }
 
-    /// Shows the sheet of a wedge beside the picture, and its cells to be taken.
+    /// Shows the sheet of a wedge, whose cells are to be taken.
     pub(super) fn show_wedge(&mut self, sheet: WedgeSheet) {
         self.start = None;
-        self.bench.viewport.show_reference(&self.session, sheet.picture());
-        self.bench.memory.of::<Wedge>().open(sheet);
+        self.bench.wedge.open(sheet);
         self.dock.open(PanelId::WEDGE);
     }
 
@@ -189,6 +189,7 @@ impl App {
         let (look, scene) = match self.pending {
             Some(PendingAction::Switch(_)) => (true, false),
             Some(PendingAction::LeaveScene) => (false, true),
+            Some(PendingAction::NewShot) => return self.lacking_under_shot(),
             Some(PendingAction::ClosePainting) => (false, false),
             Some(
                 PendingAction::NewPainting { keeps_look, .. }
@@ -204,6 +205,19 @@ impl App {
         };
         let is_scene_dirty = self.session.open_scene().is_some_and(OpenScene::is_dirty);
         (look && self.session.is_look_dirty(), scene && is_scene_dirty)
+    }
+
+    /// True for each of look and scene whose file lacks what a shot over it is to show: the shot's
+    /// own file, where one is open.
+    fn lacking_under_shot(&self) -> (bool, bool) {
+        if let Some(shot) = self.session.shot() {
+            return (false, shot.is_dirty() || !shot.has_file());
+        }
+        let open_scene = self.session.open_scene();
+        let lacks = |open_scene: &OpenScene| {
+            open_scene.is_dirty() || open_scene.path().is_none() || open_scene.wears_unsaved()
+        };
+        (self.session.is_look_dirty(), open_scene.is_some_and(lacks))
     }
 
     fn is_at_risk(&self) -> bool {
@@ -290,6 +304,7 @@ impl App {
             Some(PendingAction::BeginPainting { hcbtf }) => self.begin_made(&hcbtf),
             Some(PendingAction::ClosePainting) => self.close_painting(),
             Some(PendingAction::ShowPainting) => self.go_back_to_painting(),
+            Some(PendingAction::NewShot) => self.begin_shot(),
             Some(PendingAction::Close) => self.closes = true,
             None => {}
         }
@@ -313,6 +328,9 @@ impl App {
     pub(super) fn ask_about_changes(&mut self, ui: &Ui, commands: &mut Vec<Command>) {
         if self.pending.is_none() || !self.is_at_risk() {
             return;
+        }
+        if self.pending == Some(PendingAction::NewShot) {
+            return self.ask_to_save_under_shot(ui, commands);
         }
         let modal = egui::Modal::new(egui::Id::unique("unsaved")).show(ui.ctx(), |ui| {
             ui.set_width(320.0);
@@ -342,6 +360,45 @@ impl App {
                         work.give_up_changes();
                     }
                     self.go_on();
+                }
+                if ui.button("Cancel").clicked() {
+                    self.pending = None;
+                }
+            });
+        });
+        if modal.should_close() {
+            self.pending = None;
+        }
+    }
+
+    /// Asks to save what a new shot is to lie over.
+    fn ask_to_save_under_shot(&mut self, ui: &Ui, commands: &mut Vec<Command>) {
+        let open_scene = self.session.open_scene();
+        let name = open_scene.map(OpenScene::name_of_changed).unwrap_or_default();
+        let has_files = match (self.session.shot(), open_scene) {
+            (Some(_), _) | (None, None) => true,
+            (None, Some(scene)) => scene.path().is_some() && !scene.wears_unsaved(),
+        };
+        let modal = egui::Modal::new(egui::Id::unique("under shot")).show(ui.ctx(), |ui| {
+            ui.set_width(340.0);
+            let enters = confirm::enters(ui);
+            ui.label(RichText::new("A shot lies over files").heading());
+            ui.label(match has_files {
+                true => format!(
+                    "Save {name} first: the shot shows it as its file has it, and changes values \
+                     over it, frame by frame."
+                ),
+                false => "Save the scene first, and its look beside it: the shot shows them as \
+                          their files have them, and changes values over them, frame by frame."
+                    .to_owned(),
+            });
+            ui.add_space(8.0);
+            ui.horizontal(|ui| {
+                if ui.button("Save").clicked() || enters {
+                    commands.push(match has_files {
+                        true => Command::Save,
+                        false => Command::Scene(SceneCommand::Save),
+                    });
                 }
                 if ui.button("Cancel").clicked() {
                     self.pending = None;

@@ -177,6 +177,7 @@ fn title(purpose: FilePurpose) -> &'static str {
         FilePurpose::Open => "Open a look, a scene or an HCBTF",
         FilePurpose::Save => "Save the look",
         FilePurpose::SaveScene => "Save the scene",
+        FilePurpose::SaveShot => "Save the shot",
         FilePurpose::SavePainting => "Save the painting",
         FilePurpose::BakeLook => "Bake the look onto a tile",
         FilePurpose::ImportPainting(_) => "Import painted pictures",
@@ -188,7 +189,7 @@ fn title(purpose: FilePurpose) -> &'static str {
         FilePurpose::Shaders(_) => "Export the look into a folder",
         FilePurpose::Export(_) => "Save the picture",
         FilePurpose::Reference => "Show an image with the picture",
-        FilePurpose::Frames => "Compare with rendered frames",
+        FilePurpose::Frames => "Compare with frames or a document",
         FilePurpose::Colors => "Take the views of an OpenColorIO configuration",
     }
 }

@@ -62,6 +62,7 @@ impl App {
         let frames = |app: &Self| app.session.shot().map(|shot| shot.scene().time);
         let before = frames(self);
         match command {
+            ShotCommand::New => return self.new_shot(),
             ShotCommand::Edit(edit) => self.tell(|session| session.apply_to_shot(edit, None)),
             ShotCommand::EditHeld(widget, edit) => {
                 let gesture = self.gesture(ui, widget);
@@ -76,6 +77,40 @@ impl App {
         if frames(self) != before {
             self.play_frames_of_shot();
         }
+    }
+
+    /// Begins a shot over what is open. What lies under a shot are files, so that a save is asked
+    /// for first, where one lacks.
+    fn new_shot(&mut self) {
+        self.start = None;
+        self.session.begin_scene();
+        self.pending = Some(PendingAction::NewShot);
+        self.go_on_if_safe();
+    }
+
+    /// Begins a shot over the files that are open.
+    pub(super) fn begin_shot(&mut self) {
+        self.safety.put_aside(&self.session);
+        let over = match (self.session.shot(), self.session.open_scene()) {
+            (Some(shot), _) => shot.name(),
+            (None, Some(open_scene)) => open_scene.name(),
+            (None, None) => return,
+        };
+        if let Err(problems) = self.session.begin_shot() {
+            let first = problems.into_iter().find(crate::diag::Diagnostic::is_error);
+            self.message = first.map(|problem| problem.message);
+            return;
+        }
+        let text = format!(
+            "A new shot over {over}: what you change from now on is the shot's, and {over} stays \
+             as it is. Save asks for the shot's file."
+        );
+        self.message = Some(text);
+        self.open_lacking_look();
+        self.lay_out();
+        self.dock.open(PanelId::SHOT);
+        self.play_frames_of_shot();
+        self.safety.look();
     }
 
     /// Brings a value that the shot changes into view.
@@ -120,7 +155,7 @@ impl App {
     fn chosen(&mut self, purpose: FilePurpose, path: &Path) {
         let asked = self.session.open_scene_mut().and_then(|open_scene| open_scene.asked.take());
         match (purpose, asked) {
-            (FilePurpose::SaveScene, _) => self.save_scene_and_go_on(path),
+            (FilePurpose::SaveScene | FilePurpose::SaveShot, _) => self.save_scene_and_go_on(path),
             (FilePurpose::AddMesh, _) => self.add_object(&path.to_string_lossy()),
             (FilePurpose::ObjectMesh, Some((id, _))) => {
                 self.change_object(&id, |open_scene, object| {
@@ -256,8 +291,12 @@ impl App {
 
     /// Saves the scene; asks for a file where there is none.
     pub(super) fn save_scene(&mut self) {
-        if let Some(path) = self.session.shot().map(|shot| shot.path().to_path_buf()) {
-            return self.save_scene_and_go_on(&path);
+        if let Some(shot) = self.session.shot() {
+            let path = shot.path().to_path_buf();
+            return match shot.has_file() {
+                true => self.save_scene_and_go_on(&path),
+                false => self.dialogs.ask(FilePurpose::SaveShot, Some(&path)),
+            };
         }
         match self.session.open_scene().map(|open_scene| open_scene.path().map(Path::to_path_buf)) {
             Some(Some(path)) => self.save_scene_and_go_on(&path),

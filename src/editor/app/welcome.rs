@@ -143,7 +143,8 @@ impl App {
             FilePurpose::AddMesh
             | FilePurpose::ObjectMesh
             | FilePurpose::ObjectLook
-            | FilePurpose::SaveScene => Command::Scene(SceneCommand::Chosen(purpose, path)),
+            | FilePurpose::SaveScene
+            | FilePurpose::SaveShot => Command::Scene(SceneCommand::Chosen(purpose, path)),
             FilePurpose::SavePainting => Command::Paint(PaintCommand::SaveTo(path)),
             FilePurpose::ImportPainting(import) => {
                 Command::Paint(PaintCommand::Import { import, from: Some(path) })

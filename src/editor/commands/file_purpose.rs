@@ -19,6 +19,7 @@ pub(crate) enum FilePurpose {
     /// A look for the object that the question is about.
     ObjectLook,
     SaveScene,
+    SaveShot,
     SavePainting,
     /// Pictures of other programs, or a folder of them.
     ImportPainting(PictureImport),
@@ -32,7 +33,7 @@ pub(crate) enum FilePurpose {
     Export(PictureExport),
     /// An image to show.
     Reference,
-    /// One of the frames that were rendered, to compare with.
+    /// One of the frames that were rendered, or another document, to compare with.
     Frames,
     /// Configuration of OpenColorIO.
     Colors,
@@ -56,6 +57,7 @@ impl FilePurpose {
             }
             Self::Save | Self::ObjectLook => ("Chiaro look", &["json"]),
             Self::SaveScene => ("Chiaro scene", &["json"]),
+            Self::SaveShot => ("Chiaro shot", &["json"]),
             Self::SavePainting | Self::BakeLook => ("HCBTF", &[PAINTING]),
             Self::Mesh | Self::AddMesh | Self::ObjectMesh => ("Mesh", &MESHES),
             Self::ImportPainting(PictureImport { form, .. }) | Self::ExportPainting(form, _) => {
@@ -69,7 +71,7 @@ impl FilePurpose {
             Self::Export(_) => ("PNG", &["png"]),
             Self::Reference => ("Image", &IMAGES),
             Self::Colors => ("OpenColorIO configuration", &["ocio", "ocioz"]),
-            Self::Frames => ("Rendered frame", &["exr", "png"]),
+            Self::Frames => ("Rendered frame, look, scene or shot", &["exr", "png", "json"]),
         }
     }
 
@@ -81,6 +83,7 @@ impl FilePurpose {
                 self,
                 Self::Save
                     | Self::SaveScene
+                    | Self::SaveShot
                     | Self::SavePainting
                     | Self::BakeLook
                     | Self::Export(_)

@@ -115,8 +115,8 @@ pub(crate) enum Command {
     Solo(Solo),
     /// Remembers columns of the light table that are shown or hidden by hand, by their words.
     KeepLightColumns(BTreeMap<String, bool>),
-    /// Compares the frames of the timeline with rendered ones: of this file's sequence, or of this
-    /// folder; asks for one where there is none.
+    /// Compares the frames of the timeline with rendered ones, of this file's sequence or of this
+    /// folder, or with another document; asks for one where there is none.
     CompareFrames(Option<PathBuf>),
     /// Remembers the memory that frames of playback take, in MiB.
     KeepFrameMemory(u32),

@@ -8,6 +8,9 @@ use crate::state::shot::ShotAddress;
 /// Command about the open shot.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum ShotCommand {
+    /// Begins a new shot over the open scene or shot; over a look alone, puts a scene around it
+    /// first.
+    New,
     /// Edits the shot, as an undo step of its own.
     Edit(ShotEdit),
     /// Edits the shot for as long as the same widget is held: one undo step in all.

@@ -35,11 +35,26 @@ fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
     let mut out = Vec::new();
     let Some(shot) = session.shot() else {
         hint(ui, "No shot is open. A shot changes values of a scene for some frames.");
-        hint(ui, "Open shows one; `chiaro new NAME --template shot` begins one.");
+        let new = Command::Scene(SceneCommand::Shot(ShotCommand::New));
+        let help = "A shot over the open scene; over a look alone, a scene is made around it";
+        if ui.button("New shot of this scene").on_hover_text(help).clicked() {
+            out.push(new);
+        }
+        hint(ui, "Open shows one that is there.");
         return out;
     };
     ScrollArea::vertical().auto_shrink([false, false]).id_salt("shot").show(ui, |ui| {
         ui.set_max_width(ui.available_width() - 8.0);
+        if !shot.has_file() {
+            let under = shot.stack().shots.get(1).map(|under| &under.path);
+            let under = under.unwrap_or(&shot.stack().scene_path);
+            let under = under.file_name().unwrap_or_default().to_string_lossy();
+            let text = format!(
+                "A new shot over {under}, in no file yet: what you change is kept here, and \
+                 {under} stays as it is."
+            );
+            hint(ui, &text);
+        }
         about(ui, session, shot, &mut out);
         ui.separator();
         stack(ui, shot, &mut out);
@@ -160,6 +175,10 @@ fn stack(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
         ui.horizontal(|ui| {
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             let color = if is_open { theme::of(ui).text } else { theme::of(ui).dim };
+            if is_open && !shot.has_file() {
+                ui.label(RichText::new("this shot, in no file yet").color(color));
+                return;
+            }
             ui.label(RichText::new(format!("{text} {name}")).color(color))
                 .on_hover_text(path.display().to_string());
             if is_open {
@@ -184,7 +203,11 @@ fn changes(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Comman
     let standing: Vec<&ValueChange> =
         shot.resolved().changes.iter().filter(|change| change.stands).collect();
     if standing.is_empty() {
-        hint(ui, "It changes nothing yet: set any value of a light, an object or the look.");
+        hint(
+            ui,
+            "It changes nothing yet: set any value of a light, an object or the look, and it is \
+             listed here, to be keyed or reset.",
+        );
         return;
     }
     let count = standing.iter().filter(|change| change.by == shot.path()).count();

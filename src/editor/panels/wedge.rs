@@ -1,11 +1,21 @@
-//! Cells of a wedge's sheet: a click takes the values of one.
+//! Cells of a wedge's sheet: a click on the picture, or in the list below it, takes the values of
+//! one.
 
-use eframe::egui::{Button, RichText, ScrollArea, Ui};
+use std::path::PathBuf;
+
+use eframe::egui::{
+    Button, Color32, ColorImage, Image, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke,
+    StrokeKind, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
+};
 
 use crate::commands::{Command, PanelId};
+use crate::files;
+use crate::film::StoredFrame;
+use crate::film::sheet::scaled;
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::session::Session;
-use crate::state::wedge::WedgeSheet;
+use crate::state::wedge::{WedgeCell, WedgeSheet};
+use crate::state::worker::{BackgroundJobs, Worker};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 
@@ -14,24 +24,97 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     "Wedge",
     "The cells of a sheet of `chiaro wedge`; a click takes the values of one",
     PanelPlace::WITH_DOCUMENT.closed(),
-    |bench, ui, context| bench.memory.of::<Wedge>().show(ui, context.session),
-);
+    |bench, ui, context| bench.wedge.show(ui, context.session),
+)
+.with_jobs(|bench| &bench.wedge);
+
+/// Greatest length of a sheet's file, in bytes.
+const MAX_FILE: u64 = 1 << 28;
+/// Greatest side of a sheet as it is shown, in pixels: each device has textures of that size.
+const MAX_SIDE: u32 = 2048;
+/// Greatest side of a cell under the pointer, in points.
+const LARGE: f32 = 320.0;
+
+/// Picture of a sheet, with the sides of its file, in pixels.
+struct SheetPicture {
+    image: ColorImage,
+    size: [u32; 2],
+}
+
+/// Picture of a sheet on the screen.
+struct ShownSheet {
+    texture: TextureHandle,
+    size: [u32; 2],
+}
 
 /// The panel, with the sheet that was opened last.
-#[derive(Default)]
 pub(crate) struct Wedge {
     sheet: Option<WedgeSheet>,
     /// Cell that was taken last.
     taken: Option<usize>,
+    /// Reader of pictures of sheets.
+    reader: Worker<PathBuf, (PathBuf, Option<SheetPicture>)>,
+    shown: Option<ShownSheet>,
+    /// True if the sheet's picture is not there, or cannot be read.
+    is_blind: bool,
+}
+
+impl BackgroundJobs for Wedge {
+    fn is_busy(&self) -> bool {
+        self.reader.owes()
+    }
+
+    fn wait(&self) {
+        self.reader.wait();
+    }
+}
+
+/// Reads the picture of a sheet, no larger than it is shown.
+fn read(path: PathBuf) -> (PathBuf, Option<SheetPicture>) {
+    let picture = || {
+        let bytes = files::read(&path, MAX_FILE).ok()?;
+        let picture = StoredFrame::read(&bytes).and_then(|frame| frame.picture()).ok()?;
+        let size = picture.size;
+        let [width, height] = size.map(|side| u64::from(side.max(1)));
+        let high = (u64::from(MAX_SIDE) * width / height).max(1);
+        let small = scaled(&picture, MAX_SIDE.min(u32::try_from(high).unwrap_or(MAX_SIDE)));
+        let sides = small.size.map(|side| side as usize);
+        let image = ColorImage::from_rgba_unmultiplied(sides, &small.to_rgba8());
+        Some(SheetPicture { image, size })
+    };
+    let picture = picture();
+    (path, picture)
 }
 
 impl Wedge {
-    /// Lists another sheet.
+    /// `wake` is called from another thread when a sheet is read.
+    pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
+        let reader = Worker::new("wedge", wake, read);
+        Self { sheet: None, taken: None, reader, shown: None, is_blind: false }
+    }
+
+    /// Shows another sheet.
     pub(crate) fn open(&mut self, sheet: WedgeSheet) {
-        *self = Self { sheet: Some(sheet), taken: None };
+        self.reader.request(|_| sheet.picture());
+        (self.sheet, self.taken, self.shown, self.is_blind) = (Some(sheet), None, None, false);
+    }
+
+    fn take_picture(&mut self, ui: &Ui) {
+        let wanted = self.sheet.as_ref().map(WedgeSheet::picture);
+        for (path, picture) in self.reader.answers() {
+            if wanted.as_deref() != Some(path.as_path()) {
+                continue;
+            }
+            self.is_blind = picture.is_none();
+            self.shown = picture.map(|SheetPicture { image, size }| ShownSheet {
+                texture: ui.ctx().load_texture("wedge", image, TextureOptions::LINEAR),
+                size,
+            });
+        }
     }
 
     fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
+        self.take_picture(ui);
         let mut out = Vec::new();
         let Some(sheet) = &self.sheet else {
             hint(ui, "Open a sheet of `chiaro wedge`, or the JSON beside it, to take its values.");
@@ -41,17 +124,107 @@ impl Wedge {
         let to = if session.shot().is_some() { "the shot" } else { "what is open" };
         let text = format!("{name} of {}: a click takes it into {to}", sheet.document.display());
         ui.label(RichText::new(text).small().color(theme::of(ui).dim));
+        let mut clicked = None;
         ScrollArea::vertical().auto_shrink([false, false]).id_salt("wedge").show(ui, |ui| {
+            match &self.shown {
+                Some(shown) => clicked = show_picture(ui, shown, &sheet.cells, self.taken),
+                None if self.is_blind => {
+                    let file = sheet.picture();
+                    let file = file.file_name().unwrap_or_default().to_string_lossy();
+                    hint(ui, &format!("{file}, the sheet, is not there or cannot be read."));
+                }
+                None => {}
+            }
             for (number, cell) in sheet.cells.iter().enumerate() {
                 let text = format!("{}  {}", number + 1, cell.label());
                 let button = Button::selectable(self.taken == Some(number), text);
-                let help = "Sets these values, as one step that can be undone";
-                if ui.add(button.wrap()).on_hover_text(help).clicked() {
-                    self.taken = Some(number);
-                    out.push(Command::TakeCell(cell.clone()));
+                if ui.add(button.wrap()).on_hover_text(HELP).clicked() {
+                    clicked = Some(number);
                 }
             }
         });
+        if let Some(number) = clicked {
+            self.taken = Some(number);
+            out.extend(sheet.cells.get(number).cloned().map(Command::TakeCell));
+        }
         out
+    }
+}
+
+const HELP: &str = "Sets these values, as one step that can be undone";
+
+/// Shows the sheet as wide as there is room; the cell under the pointer is framed, and tells its
+/// values. Returns the cell that is clicked.
+fn show_picture(
+    ui: &mut Ui,
+    shown: &ShownSheet,
+    cells: &[WedgeCell],
+    taken: Option<usize>,
+) -> Option<usize> {
+    let own = Vec2::from(shown.size.map(|side| side as f32));
+    let width = ui.available_width().min(own.x);
+    let size = vec2(width, width * own.y / own.x);
+    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+    let painter = ui.painter_at(rect);
+    painter.image(shown.texture.id(), rect, whole, Color32::WHITE);
+    let colors = theme::of(ui);
+    let mut clicked = None;
+    for (number, cell) in cells.iter().enumerate() {
+        let Some([left, top, width, height]) = cell.place else { continue };
+        let part = Rect::from_min_size(
+            pos2(left as f32 / own.x, top as f32 / own.y),
+            vec2(width as f32 / own.x, height as f32 / own.y),
+        );
+        let place = Rect::from_min_max(
+            rect.lerp_inside(part.min.to_vec2()),
+            rect.lerp_inside(part.max.to_vec2()),
+        );
+        if !rect.expand(1.0).contains_rect(place) || !ui.is_rect_visible(place) {
+            continue;
+        }
+        let response = ui.interact(place, ui.scope_id().with(("cell", number)), Sense::click());
+        let label = format!("Cell {}: {}", number + 1, cell.label());
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
+        let is_hot = response.hovered() || response.has_focus();
+        let stroke = match (is_hot, taken == Some(number)) {
+            (true, _) => Stroke::new(2.5, colors.accent),
+            (false, true) => Stroke::new(1.5, colors.accent),
+            (false, false) => Stroke::NONE,
+        };
+        painter.rect_stroke(place, 0.0, stroke, StrokeKind::Outside);
+        if response.clicked() {
+            clicked = Some(number);
+        }
+        enlarge(response, shown, cell, (part, vec2(width as f32, height as f32)));
+    }
+    clicked
+}
+
+/// Tells the values of a cell under the pointer, below its part of the sheet, larger.
+fn enlarge(response: Response, shown: &ShownSheet, cell: &WedgeCell, (part, size): (Rect, Vec2)) {
+    response.on_hover_ui(|ui| {
+        let factor = (LARGE / size.max_elem().max(1.0)).min(2.0);
+        ui.add(Image::new((shown.texture.id(), size * factor)).uv(part));
+        for (name, value) in cell.lines() {
+            ui.label(format!("{name} = {value}"));
+        }
+        if let Some(frame) = cell.frame {
+            ui.label(format!("frame {frame}"));
+        }
+        ui.label(RichText::new(HELP).small().color(theme::of(ui).dim));
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sheet_that_is_missing_or_broken_has_no_picture() {
+        assert!(read(PathBuf::from("/no/such/sheet.png")).1.is_none());
+        let file = tempfile::Builder::new().suffix(".png").tempfile().unwrap();
+        std::fs::write(file.path(), b"\x89PNG and no more").unwrap();
+        assert!(read(file.path().to_path_buf()).1.is_none());
     }
 }

@@ -11,6 +11,7 @@ use crate::painter::Painting;
 use crate::panels::cost::Cost;
 use crate::panels::export::ExportCards;
 use crate::panels::links::Links;
+use crate::panels::wedge::Wedge;
 use crate::render::Gpu;
 use crate::state::crashes::CrashLog;
 use crate::tools::PictureTools;
@@ -27,6 +28,7 @@ pub(crate) struct Workbench {
     pub(crate) painting: Painting,
     pub(crate) links: Links,
     pub(crate) export: ExportCards,
+    pub(crate) wedge: Wedge,
     pub(crate) thumbs: Thumbs,
     /// State of the other panels.
     pub(crate) memory: PanelMemory,
@@ -50,6 +52,7 @@ impl Workbench {
             painting: Painting::new(device, wake.clone()),
             links: Links::new(wake.clone()),
             export: ExportCards::new(wake.clone()),
+            wedge: Wedge::new(wake.clone()),
             thumbs: Thumbs::new(gpu, crashes, wake),
             picture,
             memory: PanelMemory::default(),

@@ -31,8 +31,9 @@ pub(crate) struct RenderSnapshot {
     pub(crate) time: f64,
     /// View that pictures are shown by; `None` for the curve of sRGB.
     pub(crate) display: Option<PictureDisplay>,
-    /// True if the picture is seen from the camera of the shot over the scene, in its light.
-    pub(crate) follows_shot: bool,
+    /// True if the picture is seen from the camera of the scene, or of the shot over it, in its
+    /// light.
+    pub(crate) by_camera: bool,
     /// The scene around the look; without one the look is on a mesh of its own.
     pub(crate) scene: Option<Arc<SceneSnapshot>>,
     /// The HCBTF that is being painted, in place of its file.
@@ -74,21 +75,27 @@ impl RenderSnapshot {
         if self.orbit.z_is_up && self.scene.is_none() {
             setup.stand_up();
         }
-        if self.orbit.backdrop.is_some() {
-            setup.hold("backdrop");
-        }
-        setup.scene.backdrop = self.orbit.backdrop.or(setup.scene.backdrop);
-        if self.follows_shot && setup.shot.is_some() {
-            return Ok(WithWarnings::new(setup, notes));
-        }
-        // The window is looked into from anywhere, not from a file's camera.
-        setup.scene.file_camera = None;
-        setup.scene.camera = self.orbit.camera();
-        setup.scene.illumination = DQuat::to_array(&self.orbit.illumination);
-        for held in ["camera", "illumination"] {
-            setup.hold(held);
-        }
+        see_from(&mut setup, &self.orbit, self.by_camera && self.scene.is_some());
         Ok(WithWarnings::new(setup, notes))
+    }
+}
+
+/// Looks at a setup as the window does: in its own camera and light, where it has one and
+/// `by_camera` is true, else in those of a view.
+pub(crate) fn see_from(setup: &mut Setup, orbit: &Orbit, by_camera: bool) {
+    if orbit.backdrop.is_some() {
+        setup.hold("backdrop");
+    }
+    setup.scene.backdrop = orbit.backdrop.or(setup.scene.backdrop);
+    if by_camera {
+        return;
+    }
+    // The window is looked into from anywhere, not from a file's camera.
+    setup.scene.file_camera = None;
+    setup.scene.camera = orbit.camera();
+    setup.scene.illumination = DQuat::to_array(&orbit.illumination);
+    for held in ["camera", "illumination"] {
+        setup.hold(held);
     }
 }
 

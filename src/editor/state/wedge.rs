@@ -28,17 +28,25 @@ pub(crate) struct WedgeCell {
     pub(crate) values: Vec<(String, Value)>,
     /// Frame of the picture, where frames were drawn.
     pub(crate) frame: Option<i32>,
+    /// Place on the sheet: left and upper edge, width and height, in pixels. `None` in sheets of
+    /// older programs.
+    pub(crate) place: Option<[u32; 4]>,
 }
 
 impl WedgeCell {
-    /// The values in words.
-    pub(crate) fn label(&self) -> String {
+    /// The names that were varied, each with its value in words.
+    pub(crate) fn lines(&self) -> impl Iterator<Item = (&str, String)> {
         let text = |value: &Value| match value {
             Value::Number(number) => format!("{}", (number * 1e4).round() / 1e4),
             Value::Text(text) => text.clone(),
             other => crate::document::json_of_value(other).to_string(),
         };
-        let values = self.values.iter().map(|(name, value)| format!("{name} = {}", text(value)));
+        self.values.iter().map(move |(name, value)| (name.as_str(), text(value)))
+    }
+
+    /// The values in words.
+    pub(crate) fn label(&self) -> String {
+        let values = self.lines().map(|(name, value)| format!("{name} = {value}"));
         let frame = self.frame.map(|frame| format!("frame {frame}"));
         values.chain(frame).collect::<Vec<_>>().join(", ")
     }
@@ -65,7 +73,9 @@ impl WedgeSheet {
             });
             let frame = cell.get("frame").and_then(Json::as_i64);
             let frame = frame.and_then(|frame| i32::try_from(frame).ok());
-            Some(WedgeCell { values: values.collect::<Option<_>>()?, frame })
+            let place = cell.get("place").cloned();
+            let place = place.and_then(|place| serde_json::from_value(place).ok());
+            Some(WedgeCell { values: values.collect::<Option<_>>()?, frame, place })
         };
         let cells = json.get("cells")?.as_array()?.iter().take(MOST_CELLS);
         let document = PathBuf::from(json.get("document")?.as_str()?);

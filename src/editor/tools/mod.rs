@@ -10,6 +10,7 @@ pub(crate) mod picture_plan;
 pub(crate) mod placing;
 pub(crate) mod playback;
 pub(crate) mod probe;
+pub(crate) mod safe_frame;
 mod surface;
 mod table;
 pub(crate) mod wipe;
@@ -28,6 +29,7 @@ pub(crate) use table::{PictureContext, SwitchPlace, ToolRow};
 /// All tools, in the order of their switches; their overlays lie in reverse order.
 pub(crate) static TOOLS: &[ToolRow] = &[
     handles::TOOL,
+    safe_frame::TOOL,
     probe::TOOL,
     placing::TOOL,
     fitting::TOOL,
@@ -146,7 +148,7 @@ mod tests {
         let types: HashSet<TypeId> = tools.states.iter().map(|state| (**state).type_id()).collect();
         assert_eq!(types.len(), TOOLS.len());
         let on = TOOLS.iter().filter(|tool| (tool.is_on)(&tools)).count();
-        assert_eq!(on, 1, "each row finds its state, and the handles alone are on at first");
+        assert_eq!(on, 2, "each row finds its state; handles and the frame are on at first");
         assert!(tools.with_pointer().is_none() && !tools.is_busy());
     }
 }

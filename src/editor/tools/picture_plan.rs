@@ -11,7 +11,7 @@ use crate::state::session::DrawableLook;
 use crate::state::snapshot::RenderSnapshot;
 
 /// Number of samples of a pixel, along with the viewport's.
-const SAMPLES: u32 = 4;
+pub(crate) const SAMPLES: u32 = 4;
 
 /// Planner of shown looks. It keeps the shader that the window has compiled.
 pub(crate) struct PicturePlanner {

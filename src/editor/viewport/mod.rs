@@ -50,6 +50,7 @@ use crate::tools::onion::OnionSkin;
 use crate::tools::placing::PlacingTool;
 use crate::tools::playback::Playback;
 use crate::tools::probe::picture_size;
+use crate::tools::safe_frame::SafeFrame;
 use crate::tools::{PictureContext, PictureTools, ToolRow};
 use crate::viewport::picture::ViewportPicture;
 use crate::widgets::spots::{self, Spot};
@@ -182,6 +183,7 @@ impl Viewport {
         let (room, _) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
         let (rect, beside) =
             self.reference.as_ref().map_or((room, None), |reference| reference.split(room));
+        let rect = tools.of::<SafeFrame>().place(rect, session);
         let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Picture"));
         self.rect = Some(rect);
@@ -262,7 +264,7 @@ impl Viewport {
         let (flip, playback) = tools.pair::<FlipBook, Playback>();
         flip.exposure = self.exposure;
         flip.show_by(session.view().display());
-        let mut demands = flip.update(playback);
+        let mut demands = flip.update(session, playback, size);
         let (onion, playback) = tools.pair::<OnionSkin, Playback>();
         demands.frames.extend(onion.demands(session, playback));
         let frame = playback.update(ui, session, size, &demands);

@@ -5,10 +5,11 @@ use std::path::Path;
 use image::RgbaImage;
 
 /// A picture of 8-bit RGBA pixels.
+#[derive(PartialEq)]
 pub(super) struct Picture(RgbaImage);
 
 /// Difference of two pictures, in steps of 1/255.
-#[derive(Debug)]
+#[derive(Debug, PartialEq)]
 pub(super) struct PictureDifference {
     pub(super) mean: f64,
     pub(super) max: u8,

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{EditResult, Editable, all_or_none, trial};
-use crate::document::{Camera, FrameRate, Override, Shot};
+use crate::document::{Camera, FrameRate, Override, Shot, ShotMarker};
 
 /// Edit of a shot.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -34,6 +34,8 @@ pub enum ShotEdit {
     SetStep { step: Option<u32> },
     /// Sets the camera in place of that of what is changed.
     SetShotCamera { camera: Option<Camera> },
+    /// Sets the frames that have a name.
+    SetShotMarkers { markers: Vec<ShotMarker> },
 }
 
 impl ShotEdit {
@@ -121,6 +123,9 @@ impl Editable for Shot {
             ShotEdit::SetShotCamera { camera } => {
                 ShotEdit::SetShotCamera { camera: replace(&mut self.camera, camera) }
             }
+            ShotEdit::SetShotMarkers { markers } => {
+                ShotEdit::SetShotMarkers { markers: replace(&mut self.markers, markers) }
+            }
         })
     }
 
@@ -141,6 +146,7 @@ impl Editable for Shot {
             ShotEdit::SetSize { .. } => "change the size of the picture".to_owned(),
             ShotEdit::SetStep { .. } => "change the step".to_owned(),
             ShotEdit::SetShotCamera { .. } => "move the camera".to_owned(),
+            ShotEdit::SetShotMarkers { .. } => "change markers".to_owned(),
         }
     }
 
@@ -167,7 +173,8 @@ impl Editable for Shot {
             | (ShotEdit::SetRate { .. }, ShotEdit::SetRate { .. })
             | (ShotEdit::SetSize { .. }, ShotEdit::SetSize { .. })
             | (ShotEdit::SetStep { .. }, ShotEdit::SetStep { .. })
-            | (ShotEdit::SetShotCamera { .. }, ShotEdit::SetShotCamera { .. }) => true,
+            | (ShotEdit::SetShotCamera { .. }, ShotEdit::SetShotCamera { .. })
+            | (ShotEdit::SetShotMarkers { .. }, ShotEdit::SetShotMarkers { .. }) => true,
             _ => false,
         }
     }

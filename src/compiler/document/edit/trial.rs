@@ -148,6 +148,7 @@ pub(super) fn check_shot(edit: &ShotEdit) -> Check {
         ShotEdit::SetSize { size } => trial.size = *size,
         ShotEdit::SetStep { step } => trial.step = *step,
         ShotEdit::SetShotCamera { camera } => trial.camera = *camera,
+        ShotEdit::SetShotMarkers { markers } => trial.markers.clone_from(markers),
         _ => return Ok(()),
     }
     first_error(Shot::read(&trial.to_trial_text(), "").diagnostics)

@@ -15,8 +15,9 @@ use crate::document::shape::{FieldKind, ObjectShape};
 use crate::document::{Graph, Look, Node, Scene, Target, TimeKeys, Value};
 use crate::ids::{DefinitionId, LightGroup, NodeId, NodePath};
 
-/// Most uses of a group that are looked for.
+/// Most uses of a group that are looked for, and that a message names.
 const MOST_USES: usize = 1000;
+const NAMED_USES: usize = 4;
 
 /// A value that differs between two states of a document.
 #[derive(Clone, Debug, PartialEq)]
@@ -104,9 +105,22 @@ impl Look {
     /// # Errors
     /// A difference that no address says.
     pub fn differences(&self, after: &Self) -> Result<Vec<ValueDifference>, Diagnostic> {
+        self.differences_in(after, &[])
+    }
+
+    /// Values that `after` has otherwise; one within a group that is used several times is of the
+    /// use that `open` leads to or into, the nodes of groups that were opened.
+    ///
+    /// # Errors
+    /// A difference that no address says, or one of several uses of which none is open.
+    pub fn differences_in(
+        &self,
+        after: &Self,
+        open: &[NodeId],
+    ) -> Result<Vec<ValueDifference>, Diagnostic> {
         let mut found = Differences::new();
         differing_nodes("", &self.graph, &after.graph, &mut found)?;
-        self.differing_definitions(after, &mut found)?;
+        self.differing_definitions(after, open, &mut found)?;
         same_ids("light", &self.lights, &after.lights)?;
         for pair in changed(&self.lights, &after.lights) {
             let part = |lights| Self { lights, ..Self::default() };
@@ -142,6 +156,7 @@ impl Look {
     fn differing_definitions(
         &self,
         after: &Self,
+        open: &[NodeId],
         found: &mut Differences,
     ) -> Result<(), Diagnostic> {
         same_ids("group", &self.definitions, &after.definitions)?;
@@ -156,11 +171,20 @@ impl Look {
                 return Err(beyond("inputs and outputs of groups"));
             }
             let uses = self.uses_of(id);
-            let [path] = uses.as_slice() else {
-                let count = uses.len();
-                let message =
-                    format!("the group is used {count} times, and this is of all of them");
-                return Err(Diagnostic::error("not-of-a-shot", message));
+            let path = match uses.as_slice() {
+                [path] => path,
+                _ => uses.iter().find(|path| open.starts_with(path.ids())).ok_or_else(|| {
+                    let named = uses.iter().take(NAMED_USES).map(|path| format!("`{path}`"));
+                    let named: Vec<String> = named.collect();
+                    let count = uses.len();
+                    let more = if count > NAMED_USES { ", ..." } else { "" };
+                    let message = format!(
+                        "the group is used {count} times ({}{more}), and a shot changes one of \
+                         them: open the node that is meant, and change the value there",
+                        named.join(", ")
+                    );
+                    Diagnostic::error("not-of-a-shot", message)
+                })?,
             };
             let mut inner = Differences::new();
             differing_nodes(&format!("{path}/"), &before.graph, &now.graph, &mut inner)?;
@@ -491,5 +515,28 @@ mod tests {
         let mut moved = before.clone();
         moved.graph.nodes["lit"].position = [9.0, 9.0];
         assert!(before.differences(&moved).is_err());
+    }
+
+    #[test]
+    fn a_value_within_a_group_is_of_the_use_that_is_open() {
+        let text = r#"{"nodes": [
+            {"id": "one", "kind": "half"}, {"id": "two", "kind": "half"},
+            {"id": "output", "kind": "output"}],
+            "definitions": {"half": {"nodes": [{"id": "lit", "kind": "light_layer"}]}}}"#;
+        let loaded = Look::read(text, "");
+        let before = loaded.value.unwrap();
+        let mut after = before.clone();
+        let group = after.definitions.get_mut("half").unwrap();
+        group.graph.nodes["lit"].values.insert("offset".into(), Value::Number(1.0));
+        let open = |ids: &[&str]| -> Vec<NodeId> { ids.iter().map(|id| (*id).into()).collect() };
+        let found = before.differences_in(&after, &open(&["two"])).unwrap();
+        assert_eq!(told(&found), ["two/lit.offset = 1"]);
+        let problem = before.differences(&after).unwrap_err();
+        assert!(problem.message.contains("used 2 times") && problem.message.contains("`two`"));
+        // The shot that says so changes that use alone.
+        let mut set = before.clone();
+        set.set_value("two/lit.offset", &Value::Number(1.0)).unwrap();
+        assert_eq!(set.definitions, before.definitions);
+        assert_eq!(set.time_keys[0].target.to_string(), "two/lit.offset");
     }
 }

@@ -5,7 +5,8 @@ use eframe::egui::Key;
 use super::KeyScope::{self, Window};
 use super::{ALT, CTRL, CTRL_SHIFT, CommandRow, Menu, NONE, SHIFT, row};
 use crate::commands::{
-    Command as C, FitCommand, GridPreset, PaintCommand as P, PanelId, Switch, TourTopic,
+    Command as C, FitCommand, GridPreset, PaintCommand as P, PanelId, SceneCommand, ShotCommand,
+    Switch, TourTopic,
 };
 use crate::document::Storage;
 use crate::hcbtf::exchange::ExchangeFormat;
@@ -22,6 +23,11 @@ pub(super) fn files() -> Vec<CommandRow> {
             .help("Saves the look under another name"),
         row(C::Save, "Save", &[(CTRL, Key::S)], Window)
             .help("Saves the look, its scene and what is painted"),
+        row(C::Scene(SceneCommand::Shot(ShotCommand::New)), "New shot of this scene", &[], Window)
+            .help(
+                "A shot over the open scene, or over the open shot: frames, and values that are \
+                 changed over it, in a file of its own",
+            ),
         row(C::Redo, "Redo", &[(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)], Window),
         row(C::Undo, "Undo", &[(CTRL, Key::Z)], Window),
         row(C::OpenPath, "Open a file by its path", &[(CTRL_SHIFT, Key::O)], Window),

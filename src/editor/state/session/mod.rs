@@ -36,7 +36,7 @@ use crate::state::orbit::Orbit;
 use crate::state::painting::look;
 use crate::state::painting::work::OpenPainting;
 use crate::state::reading::LookWithLibrary;
-use crate::state::revision::{GestureId, LookRevision};
+use crate::state::revision::{GestureId, LookRevision, StepTime};
 use crate::state::scene::OpenScene;
 use crate::state::selection::{OpenGraph, Selection};
 use crate::state::solo::Solo;
@@ -441,13 +441,24 @@ impl Session {
     /// # Errors
     /// A diagnostic where the edit is impossible; nothing is changed then.
     pub fn apply(&mut self, edit: Edit, gesture: Option<GestureId>) -> Result<(), Box<Diagnostic>> {
+        self.apply_at(edit, gesture, self.revisions.step.next())
+    }
+
+    /// Applies an edit at a time, which may be that of a step of the scene: undo takes both back at
+    /// once.
+    pub(super) fn apply_at(
+        &mut self,
+        edit: Edit,
+        gesture: Option<GestureId>,
+        time: StepTime,
+    ) -> Result<(), Box<Diagnostic>> {
         if self.shot().is_some() {
             return self.apply_look_to_shot(edit, gesture);
         }
         let is_structural = self.compilation.shaders.is_structural(&edit, self.look_with_library());
         let means = !is_layout(&edit);
         self.compilation.shaders.touch(&edit);
-        if self.look.apply(edit, gesture, self.revisions.step.next())? {
+        if self.look.apply(edit, gesture, time)? {
             self.step_done();
             if means {
                 self.revisions.meaning.advance();
@@ -466,10 +477,9 @@ impl Session {
         did
     }
 
-    fn redo_look(&mut self) -> bool {
-        let did = self.look.redo(self.revisions.step.next());
+    fn redo_look(&mut self, now: StepTime) -> bool {
+        let did = self.look.redo(now);
         if did {
-            self.revisions.step.advance();
             self.revisions.meaning.advance();
             self.changed(true);
         }

@@ -13,7 +13,7 @@ use crate::frame::{Assets, ValueChange};
 use crate::state::document::journal::VIEW;
 use crate::state::keying::Owner;
 use crate::state::revision::GestureId;
-use crate::state::scene::OpenScene;
+use crate::state::scene::{LookToOpen, OpenScene};
 use crate::state::shot::{LookUnderShot, OpenShot, ShotAddress, ShotWriter};
 
 impl Session {
@@ -34,6 +34,28 @@ impl Session {
     ) -> Result<(), Vec<Diagnostic>> {
         let shot = OpenShot::opened(&**self.assets.source(), path, loaded)?;
         self.set_scene(OpenScene::under(shot));
+        self.show_first_frame();
+        Ok(())
+    }
+
+    /// Begins a shot over the open scene, or over the open shot, as their files have them. The open
+    /// look is opened again, under the shot.
+    ///
+    /// # Errors
+    /// Problems that keep what would lie under the shot from being read; all stays open then.
+    pub(crate) fn begin_shot(&mut self) -> Result<(), Vec<Diagnostic>> {
+        let of_shot = self.shot().filter(|shot| shot.has_file()).map(OpenShot::path);
+        let beneath = of_shot.or_else(|| self.open_scene()?.path()).map(Path::to_path_buf);
+        let Some(beneath) = beneath else {
+            let message = "a shot lies over the file of a scene, and there is none yet";
+            return Err(vec![Diagnostic::error("impossible-edit", message)]);
+        };
+        let shot = OpenShot::begun(&**self.assets.source(), &beneath)?;
+        let look = self.path().map(|path| LookToOpen::File(path.to_path_buf()));
+        self.set_scene(OpenScene::under(shot));
+        if let Some(open_scene) = &mut self.open_scene {
+            open_scene.wanted = look;
+        }
         self.show_first_frame();
         Ok(())
     }
@@ -122,7 +144,7 @@ impl Session {
             return None;
         }
         let mut snapshot = self.snapshot();
-        snapshot.follows_shot = true;
+        snapshot.by_camera = true;
         let setup = snapshot.setup(&mut Assets::of(&self.assets)).ok()?.value;
         Some(setup.seen_camera(time))
     }
@@ -144,7 +166,8 @@ impl Session {
         after.apply(edit)?;
         let file = self.path().map(Path::to_path_buf).unwrap_or_default();
         let refused = |problem: Diagnostic| Box::new(refusal(problem, &file));
-        let differences = self.look().differences(&after).map_err(refused)?;
+        let open = self.selection.open_groups();
+        let differences = self.look().differences_in(&after, open).map_err(refused)?;
         let Some(shot) = self.shot() else { return Ok(()) };
         let Some(look) = shot.open_look() else {
             let message = "the look has no file yet, by which a shot could name it";
@@ -336,7 +359,8 @@ impl Session {
 
 /// A problem of an edit that no shot can say, with the file that has what was edited.
 fn refusal(problem: Diagnostic, file: &Path) -> Diagnostic {
-    if problem.code != "not-of-a-shot" {
+    let says_more = problem.message.contains("open the node");
+    if problem.code != "not-of-a-shot" || says_more {
         return problem;
     }
     let name = file.file_name().unwrap_or_default().to_string_lossy();

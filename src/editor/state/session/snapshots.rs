@@ -24,7 +24,7 @@ impl Session {
             orbit: self.view.orbit.clone(),
             time: self.view.time,
             display: self.view.display().cloned(),
-            follows_shot: self.follows_shot(),
+            by_camera: self.follows_shot(),
             scene: self.open_scene().map(|open| self.view.solo.lit_scene(open.snapshot())),
             painting: self.painting().map(OpenPainting::overlay),
             assets: self.assets.clone(),

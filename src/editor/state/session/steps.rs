@@ -7,6 +7,7 @@
 use super::Session;
 use crate::document::Look;
 use crate::state::document::OpenDocument;
+use crate::state::document::times::Times;
 use crate::state::painting::work::OpenPainting;
 use crate::state::revision::StepTime;
 use crate::state::scene::{OpenScene, real};
@@ -76,6 +77,18 @@ impl<'a> Steps<'a> {
         there.min_by_key(|(time, _)| *time).map_or(DocumentKind::Look, |(_, of)| of)
     }
 
+    /// Time of the last step, where that is one of look and scene alike.
+    fn joint_last(self) -> Option<StepTime> {
+        let of_scene = self.scene?.document.times.last();
+        joint(self.look.times.last(), of_scene)
+    }
+
+    /// Time of the next step to redo, where that is one of look and scene alike.
+    fn joint_next(self) -> Option<StepTime> {
+        let of_scene = self.scene?.document.times.next();
+        joint(self.look.times.next(), of_scene)
+    }
+
     /// Label of the step that undo would take back.
     pub fn undo_label(self) -> Option<&'a str> {
         match self.last() {
@@ -118,6 +131,8 @@ impl<'a> Steps<'a> {
             steps.extend(sketch.times.all().zip(labels));
         }
         steps.sort_by_key(|(time, _)| *time);
+        // What look and scene did at once is one step.
+        steps.dedup_by(|(time, _), (before, _)| time == before && is_known(time.1));
         steps.into_iter().map(|(_, label)| label)
     }
 
@@ -127,7 +142,39 @@ impl<'a> Steps<'a> {
         let of_painting = self.painting.map_or(0, |work| work.history().place());
         let of_sketch = self.sketch.map_or(0, Sketch::place);
         let of_shot = self.shot.map_or(0, |shot| shot.document.history.place());
-        self.look.history.place() + of_scene + of_shot + of_painting + of_sketch
+        let all = self.look.history.place() + of_scene + of_shot + of_painting + of_sketch;
+        all - self.joint()
+    }
+
+    /// Number of done steps that are of look and scene alike.
+    fn joint(self) -> usize {
+        let Some(scene) = self.scene else { return 0 };
+        let done = |times: &Times| -> Vec<StepTime> {
+            let done = times.all().filter(|(is_undone, _)| !is_undone).map(|(_, time)| time);
+            done.filter(|time| is_known(*time)).collect()
+        };
+        let (of_look, of_scene) = (done(&self.look.times), done(&scene.document.times));
+        // Times grow from step to step.
+        of_scene.iter().filter(|time| of_look.binary_search(time).is_ok()).count()
+    }
+}
+
+/// True for steps of this window: those from journals have no time of their own.
+fn is_known(time: StepTime) -> bool {
+    time != StepTime::default()
+}
+
+/// The time that two documents' steps have both.
+fn joint(one: Option<StepTime>, two: Option<StepTime>) -> Option<StepTime> {
+    one.filter(|time| two == Some(*time) && is_known(*time))
+}
+
+/// The other one of look and scene.
+fn other_of(of: DocumentKind) -> Option<DocumentKind> {
+    match of {
+        DocumentKind::Look => Some(DocumentKind::Scene),
+        DocumentKind::Scene => Some(DocumentKind::Look),
+        DocumentKind::Shot | DocumentKind::Painting | DocumentKind::Sketch => None,
     }
 }
 
@@ -172,9 +219,18 @@ impl Session {
         }
     }
 
-    /// Takes back the last step, of whichever document.
+    /// Takes back the last step, of whichever document; of look and scene, where it is of both.
     pub fn undo(&mut self) -> bool {
-        let of = self.steps().last();
+        let steps = self.steps();
+        let (of, is_joint) = (steps.last(), steps.joint_last().is_some());
+        let did = self.undo_in(of);
+        if let Some(other) = other_of(of).filter(|_| is_joint) {
+            self.undo_in(other);
+        }
+        did
+    }
+
+    fn undo_in(&mut self, of: DocumentKind) -> bool {
         match (of, &mut self.open_scene, &mut self.painting) {
             (DocumentKind::Scene, Some(open_scene), _) => {
                 let did = open_scene.undo();
@@ -198,32 +254,35 @@ impl Session {
 
     /// Repeats the step that was last taken back.
     pub fn redo(&mut self) -> bool {
-        let of = self.steps().next();
+        let steps = self.steps();
+        let (of, is_joint) = (steps.next(), steps.joint_next().is_some());
+        let now = self.revisions.step.advance();
+        let did = self.redo_in(of, now);
+        if let Some(other) = other_of(of).filter(|_| is_joint) {
+            self.redo_in(other, now);
+        }
+        did
+    }
+
+    fn redo_in(&mut self, of: DocumentKind, now: StepTime) -> bool {
         match (of, &mut self.open_scene, &mut self.painting) {
             (DocumentKind::Scene, Some(open_scene), _) => {
-                self.revisions.step.advance();
-                let did = open_scene.redo(self.revisions.step);
+                let did = open_scene.redo(now);
                 self.scene_changed();
                 did
             }
             (DocumentKind::Shot, ..) => {
-                self.revisions.step.advance();
-                let now = self.revisions.step;
                 let did = self.shot_mut().is_some_and(|shot| shot.document.redo(now));
                 self.shot_changed(true);
                 did
             }
             (DocumentKind::Painting, _, Some(work)) => {
-                self.revisions.step.advance();
-                let did = work.redo(self.revisions.step);
+                let did = work.redo(now);
                 self.painting_changed();
                 did
             }
-            (DocumentKind::Sketch, ..) => {
-                self.revisions.step.advance();
-                self.sketchbook.sketch.redo(self.revisions.step)
-            }
-            _ => self.redo_look(),
+            (DocumentKind::Sketch, ..) => self.sketchbook.sketch.redo(now),
+            _ => self.redo_look(now),
         }
     }
 

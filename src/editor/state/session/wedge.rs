@@ -21,8 +21,8 @@ struct CellPlaces {
 }
 
 impl Session {
-    /// Takes the values of a cell: as overrides where a shot is open, else in the scene and the
-    /// look.
+    /// Takes the values of a cell as one step: as overrides where a shot is open, else in the scene
+    /// and the look.
     ///
     /// # Errors
     /// A name that the open documents do not have; nothing is changed then.
@@ -32,6 +32,7 @@ impl Session {
             self.place_value(name, value, &mut places)?;
         }
         self.end_gestures();
+        let steps_of_scene = self.steps_of_scene();
         if !places.lights.is_empty()
             && let Some(open_scene) = self.open_scene()
             && let Some(keys) = self.keys().of_scene()
@@ -64,10 +65,24 @@ impl Session {
                 edit @ Edit::Group { .. } => edit,
                 edit => Edit::Group { edits: vec![edit] },
             };
-            self.apply(edit, Some(TAKING))?;
+            // What is done in the look is part of what was done in the scene.
+            let is_done = self.steps_of_scene() != steps_of_scene;
+            let done = self.open_scene().filter(|_| is_done);
+            let time = done.and_then(|open_scene| open_scene.document.times.last());
+            let time = time.unwrap_or(self.revisions.step.next());
+            if let Err(problem) = self.apply_at(edit, Some(TAKING), time) {
+                if is_done {
+                    self.undo();
+                }
+                return Err(problem);
+            }
         }
         self.end_gestures();
         Ok(())
+    }
+
+    fn steps_of_scene(&self) -> usize {
+        self.open_scene().map_or(0, |open_scene| open_scene.history().place())
     }
 
     fn end_gestures(&mut self) {

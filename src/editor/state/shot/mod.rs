@@ -13,7 +13,7 @@ use serde_json::json;
 use crate::diag::Diagnostic;
 use crate::document::{
     Camera, Document, FrameRate, History, LoadedDocument, Look, Override, Scene, Shot, SourceMap,
-    value_address,
+    TimeRange, value_address,
 };
 use crate::files::journal::{DocumentInfo, JournalSlot, RecoveredWork};
 use crate::files::{Files, write_atomic};
@@ -24,6 +24,12 @@ use crate::state::paths::absolute;
 use crate::state::revision::StepTime;
 use crate::state::scene::{folder_of, real, relative};
 pub(crate) use writing::ShotWriter;
+
+/// Frames of a new shot, and the size of its pictures, in pixels.
+const NEW_FRAMES: [i32; 2] = [1, 48];
+const NEW_SIZE: [u32; 2] = [1920, 1080];
+/// Name in the journal of the place from which a shot names files.
+const PLACE: &str = "place";
 
 /// The look that is open, as its file has it.
 pub(crate) struct LookUnderShot {
@@ -106,6 +112,30 @@ impl OpenShot {
         Ok(shot)
     }
 
+    /// A new shot over a scene, or over another shot, in which nothing is changed. The shot has no
+    /// file yet, and names files as if it lay beside what is under it.
+    ///
+    /// # Errors
+    /// Problems that keep what lies under the shot from being read.
+    pub(crate) fn begun(files: &dyn Files, beneath: &Path) -> Result<Self, Vec<Diagnostic>> {
+        let place = free_place(beneath);
+        let scene = file_name(&beneath.to_string_lossy()).to_string_lossy().into_owned();
+        let mut shot = Shot { scene, ..Shot::default() };
+        if let Document::Scene(LoadedDocument { value: Some(scene), .. }) =
+            Document::load(files, beneath)
+        {
+            shot.size = Some(NEW_SIZE);
+            // A scene that says when it begins and ends is shot from then to then.
+            if scene.time == TimeRange::default() {
+                (shot.frames, shot.rate) = (Some(NEW_FRAMES), Some(FrameRate::FILM));
+            }
+        }
+        let loaded = Shot::read(&shot.to_text(), &place.display().to_string());
+        let mut shot = Self::opened(files, &place, loaded)?;
+        shot.document.path = None;
+        Ok(shot)
+    }
+
     /// The shot that a journal gave.
     ///
     /// # Errors
@@ -114,12 +144,15 @@ impl OpenShot {
         files: &dyn Files,
         found: RecoveredWork<Shot>,
     ) -> Result<Self, Vec<Diagnostic>> {
-        let path = PathBuf::from(found.about.path.clone().unwrap_or_default());
+        let own = found.about.path.clone();
+        let place = || found.about.window.get(PLACE)?.as_str().map(str::to_owned);
+        let path = PathBuf::from(own.clone().or_else(place).unwrap_or_default());
         let text = found.source.as_deref().unwrap_or("{}");
         let loaded = Shot::read(text, &path.display().to_string());
         let file = TextFile::new(loaded.source.clone());
         let (stack, problems) = ShotStack::over(files, &path, loaded)?.into_parts();
         let mut shot = Self::with(found.history, file, &path, stack);
+        shot.document.path = own.map(PathBuf::from);
         shot.document.is_partial = found.about.is_partial;
         shot.document.load_problems = [found.damage, problems].concat();
         Ok(shot)
@@ -147,13 +180,21 @@ impl OpenShot {
         self.document.document()
     }
 
-    /// File of the shot.
+    /// File of the shot; of one that is not saved yet, the place from which it names files.
     pub fn path(&self) -> &Path {
-        self.document.path.as_deref().unwrap_or(Path::new(""))
+        self.document.path.as_deref().unwrap_or(&self.stack.shots[0].path)
+    }
+
+    /// True if the shot has been saved, or was opened.
+    pub fn has_file(&self) -> bool {
+        self.document.path.is_some()
     }
 
     /// Display name of the shot: its file's.
     pub(crate) fn name(&self) -> String {
+        if !self.has_file() {
+            return "New shot".to_owned();
+        }
         let name = self.path().file_name();
         name.map_or_else(|| "Shot".to_owned(), |name| name.to_string_lossy().into_owned())
     }
@@ -393,13 +434,27 @@ impl OpenShot {
         let look = self.look.as_ref().map(|look| absolute(Path::new(look.source.file())));
         let about = DocumentInfo {
             name: self.name(),
-            path: text(absolute(self.path())),
+            path: self.document.path.as_deref().map(absolute).and_then(text),
             is_partial: self.document.is_partial,
-            window: json!({ "look": look.and_then(text) }),
+            window: json!({
+                "look": look.and_then(text),
+                PLACE: text(absolute(self.path())),
+            }),
         };
         let source = Some(self.document.file.source.text().clone());
         self.document.begin_journal(about, source, slot);
     }
+}
+
+/// A place beside a file where no file is.
+fn free_place(beside: &Path) -> PathBuf {
+    let name = |number: usize| match number {
+        1 => "shot.json".to_owned(),
+        number => format!("shot-{number}.json"),
+    };
+    let places = (1..1000).map(|number| beside.with_file_name(name(number)));
+    let mut free = places.filter(|place| !place.exists());
+    free.next().unwrap_or_else(|| beside.with_file_name(name(1)))
 }
 
 fn file_name(path: &str) -> PathBuf {

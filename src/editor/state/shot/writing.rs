@@ -56,7 +56,10 @@ impl<'s> ShotWriter<'s> {
         for ValueDifference { target, to } in differences {
             match to {
                 ChangedTo::Value(value) => self.set(&target, value),
-                ChangedTo::Keys(keys) => self.key_all(&target, &keys),
+                ChangedTo::Keys(keys) => match self.set_within_group(&target, &keys) {
+                    Some(value) => self.set(&target, value),
+                    None => self.key_all(&target, &keys),
+                },
                 ChangedTo::Unkeyed | ChangedTo::Default => {
                     let is_default = to == ChangedTo::Default;
                     if is_default && self.shot.own(&self.at(&target)).is_some() {
@@ -72,6 +75,14 @@ impl<'s> ShotWriter<'s> {
             }
         }
         Ok(())
+    }
+
+    /// The value that is set of one use of a group, where the shot has set one already: the look
+    /// has that as a key, beside which another came, or which was changed.
+    fn set_within_group(&self, target: &str, track: &TimeKeys) -> Option<Value> {
+        let own = self.shot.own(&self.at(target)).and_then(|own| own.value.as_ref());
+        let own = own.filter(|_| target.contains('/'))?;
+        track.keys.iter().rev().map(|key| &key.value).find(|value| *value != own).cloned()
     }
 
     /// Sets a value: at the present frame where it moves, else for all frames.

@@ -1,12 +1,13 @@
-//! Flip book: the frames as they are now against those of another version, kept before an edit or
-//! rendered to files. A key shows the other version while it is held, a divider wipes between both,
-//! or their difference is shown; each frame that both have is compared, so that the one that is
-//! wrong is found.
+//! Flip book: the frames as they are now against those of another version, kept before an edit,
+//! rendered to files, or of another document, which is drawn on the fly. A key shows the other
+//! version while it is held, a divider wipes between both, or their difference is shown; each frame
+//! that both have is compared, so that the one that is wrong is found.
 //!
 //! While a flip book is open the present frames are drawn in the size of the other version, and
 //! both share the memory.
 
 mod difference;
+mod document;
 mod show;
 mod version;
 
@@ -18,15 +19,21 @@ use eframe::egui::TextureHandle;
 use super::playback::cache::FrameCache;
 use super::playback::{Demands, FrameForm, Playback, bytes_of};
 use super::{PictureContext, SwitchPlace, ToolRow};
+use crate::render::Gpu;
 use crate::state::display::PictureDisplay;
 use crate::state::revision::RequestNumber;
+use crate::state::session::Session;
 use crate::state::worker::{BackgroundJobs, Worker};
 pub(crate) use difference::{DeltaKind, FrameDelta};
-use version::{FlipAnswer, FlipRequest, FrameFiles, KeyedPicture, OtherPicture, OtherVersion};
+use document::DocumentView;
+use version::{
+    FlipAnswer, FlipRequest, FlipThread, FoundVersion, FrameFiles, KeyedPicture, OtherPicture,
+    OtherVersion, VersionSource,
+};
 
 pub(super) const TOOL: ToolRow = ToolRow::new(
     SwitchPlace::Bar,
-    |parts| Box::new(FlipBook::new(parts.wake())),
+    |parts| Box::new(FlipBook::new(parts.gpu.clone(), parts.wake())),
     |tools| tools.of::<FlipBook>().is_open(),
     // The choice is one with that of the comparison.
     |_, _, _| {},
@@ -91,9 +98,11 @@ pub(crate) struct FlipBook {
 }
 
 impl FlipBook {
-    fn new(wake: impl Fn() + Send + 'static) -> Self {
+    fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Self {
+        let mut thread = FlipThread::new(gpu);
+        let run = async move |request| thread.run(request).await;
         Self {
-            worker: Worker::new("flip book", wake, version::run),
+            worker: Worker::waiting("flip book", wake, run),
             version: None,
             number: RequestNumber::default(),
             opens: None,
@@ -175,13 +184,13 @@ impl FlipBook {
         let half = playback.memory_bytes() / 2;
         let frames = playback.cache().copy_within(half, order);
         let name = "Kept version".to_owned();
-        let failed = BTreeMap::new();
+        let (source, failed) = (VersionSource::Kept, BTreeMap::new());
         let kept = Some(size);
-        self.begin(OtherVersion { name, files: None, frames, size: kept, bytes: 0, failed });
+        self.begin(OtherVersion { name, source, frames, size: kept, bytes: 0, failed });
         playback.share(Some(FrameForm { size, by_scene: false }));
     }
 
-    /// Opens rendered frames: a file of the sequence, or its folder.
+    /// Opens rendered frames, by a file of the sequence or its folder, or another document.
     pub(crate) fn open(&mut self, path: PathBuf) {
         self.opens = Some(path);
         self.problem = None;
@@ -208,10 +217,15 @@ impl FlipBook {
     }
 
     /// Takes what was read and compared, requests the next frame, and returns the frames that the
-    /// flip book needs at rest.
-    pub(crate) fn update(&mut self, playback: &mut Playback) -> Demands {
+    /// flip book needs at rest. `size` is the picture's, in pixels.
+    pub(crate) fn update(
+        &mut self,
+        session: &Session,
+        playback: &mut Playback,
+        size: [u32; 2],
+    ) -> Demands {
         for answer in self.worker.answers() {
-            self.take(answer, playback);
+            self.take(answer, playback, size);
         }
         if let Some(path) = self.opens.take_if(|_| !self.worker.owes()) {
             self.worker.request(|_| FlipRequest::Open(path));
@@ -225,20 +239,51 @@ impl FlipBook {
             self.basis = playback.basis();
             self.deltas.clear();
         }
+        self.look_from(session, playback, transport.fps);
         if !self.worker.owes()
-            && let Some(request) = self.next(playback)
+            && let Some(request) = self.next(session, playback)
         {
             self.worker.request(|_| request);
         }
         Demands { frames: vec![transport.order.frame()], covers: true }
     }
 
-    fn take(&mut self, answer: FlipAnswer, playback: &mut Playback) {
+    /// Gives up the frames of another document once they would be drawn in another view.
+    fn look_from(&mut self, session: &Session, playback: &Playback, fps: f64) {
+        let Some(OtherVersion { source, frames, size: Some(size), failed, .. }) = &mut self.version
+        else {
+            return;
+        };
+        let VersionSource::Document(_, before) = source else { return };
+        let now = DocumentView::of(session, playback, *size, fps);
+        if before.as_deref() != Some(&now) {
+            *before = Some(Box::new(now));
+            *frames = FrameCache::new(frames.limit());
+            failed.clear();
+            self.deltas.clear();
+            self.number.advance();
+        }
+    }
+
+    fn take(&mut self, answer: FlipAnswer, playback: &mut Playback, size: [u32; 2]) {
         match answer {
-            FlipAnswer::Opened(Ok(FrameFiles { name, paths })) => {
+            FlipAnswer::Opened(Ok(found)) => {
                 let frames = FrameCache::new(playback.memory_bytes() / 2);
-                let (files, failed) = (Some(paths), BTreeMap::new());
-                self.begin(OtherVersion { name, files, frames, size: None, bytes: 0, failed });
+                let failed = BTreeMap::new();
+                let (name, source, size) = match found {
+                    FoundVersion::Files(FrameFiles { name, paths }) => {
+                        (name, VersionSource::Files(paths), None)
+                    }
+                    FoundVersion::Document(path) => {
+                        let name = path.file_name().unwrap_or_default().to_string_lossy();
+                        (name.into_owned(), VersionSource::Document(path, None), Some(size))
+                    }
+                };
+                self.begin(OtherVersion { name, source, frames, size, bytes: 0, failed });
+                if let Some(size) = size {
+                    playback.share(Some(FrameForm { size, by_scene: false }));
+                    playback.fill(true);
+                }
             }
             FlipAnswer::Opened(Err(problem)) => self.problem = Some(problem),
             FlipAnswer::Frame { version, frame, other, delta } if version == self.number => {
@@ -268,7 +313,7 @@ impl FlipBook {
     }
 
     /// Frame that is to be read or compared next: the first one that is shown from now on.
-    fn next(&self, playback: &Playback) -> Option<FlipRequest> {
+    fn next(&self, session: &Session, playback: &Playback) -> Option<FlipRequest> {
         let (version, transport) = (self.version.as_ref()?, playback.transport()?);
         let order = transport.order;
         order.upcoming().take(MOST_FRAMES).find_map(|frame| {
@@ -290,12 +335,17 @@ impl FlipBook {
             if is_compared && is_read {
                 return None;
             }
-            let other = match known {
-                Some(picture) => OtherPicture::Known(picture),
-                None => {
-                    let file = version.files.as_ref()?.get(&frame)?.clone();
-                    OtherPicture::File(file, self.display.clone())
+            let other = match (known, &version.source) {
+                (Some(picture), _) => OtherPicture::Known(picture),
+                (None, VersionSource::Files(files)) => {
+                    OtherPicture::File(files.get(&frame)?.clone(), self.display.clone())
                 }
+                (None, VersionSource::Document(path, view)) => {
+                    let view = view.as_deref()?;
+                    let frame = view.frame(path, session, transport.time(frame));
+                    OtherPicture::Document(Box::new(frame))
+                }
+                (None, VersionSource::Kept) => return None,
             };
             Some(FlipRequest::Frame { version: self.number, frame, ours, other })
         })

@@ -1,5 +1,5 @@
-//! Another version of the frames: kept from the cache, or files that were rendered. Files are read
-//! and frames compared on a thread of their own.
+//! Another version of the frames: kept from the cache, files that were rendered, or another
+//! document. Files are read, documents drawn and frames compared on a thread of their own.
 
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
@@ -9,9 +9,11 @@ use std::sync::Arc;
 use eframe::egui::ColorImage;
 
 use super::difference::{DeltaKind, FrameDelta};
+use super::document::{DocumentDrawer, DocumentFrame, DocumentView};
 use crate::diag::Diagnostic;
 use crate::files;
 use crate::film::{FramePattern, StoredFrame};
+use crate::render::Gpu;
 use crate::state::display::PictureDisplay;
 use crate::state::revision::RequestNumber;
 use crate::tools::playback::cache::{FrameCache, PictureKey};
@@ -75,11 +77,20 @@ fn pattern_of(file: &Path) -> Option<(String, FramePattern)> {
     (digits > 0).then_some((name, pattern))
 }
 
+/// Source of another version's frames.
+pub(super) enum VersionSource {
+    /// The frames are there.
+    Kept,
+    /// Files, by the number of the frame.
+    Files(BTreeMap<i32, PathBuf>),
+    /// A document that is drawn, and the view in which its frames were drawn so far.
+    Document(PathBuf, Option<Box<DocumentView>>),
+}
+
 /// Another version of the frames.
 pub(super) struct OtherVersion {
     pub(super) name: String,
-    /// Files of the frames; none where they were kept.
-    pub(super) files: Option<BTreeMap<i32, PathBuf>>,
+    pub(super) source: VersionSource,
     pub(super) frames: FrameCache<ColorImage>,
     /// Size of the first frame, in pixels.
     pub(super) size: Option<[u32; 2]>,
@@ -92,7 +103,11 @@ pub(super) struct OtherVersion {
 impl OtherVersion {
     /// True if the version has a frame, whether it is read or not.
     pub(super) fn has(&self, frame: i32) -> bool {
-        self.files.as_ref().map_or(self.frames.holds(frame), |files| files.contains_key(&frame))
+        match &self.source {
+            VersionSource::Kept => self.frames.holds(frame),
+            VersionSource::Files(files) => files.contains_key(&frame),
+            VersionSource::Document(..) => true,
+        }
     }
 }
 
@@ -101,6 +116,7 @@ pub(super) enum OtherPicture {
     Known(KeyedPicture),
     /// File, and the view that its light is shown by.
     File(PathBuf, Option<PictureDisplay>),
+    Document(Box<DocumentFrame>),
 }
 
 pub(super) enum FlipRequest {
@@ -110,8 +126,15 @@ pub(super) enum FlipRequest {
     Frame { version: RequestNumber, frame: i32, ours: Option<KeyedPicture>, other: OtherPicture },
 }
 
+/// Version that was found.
+pub(super) enum FoundVersion {
+    Files(FrameFiles),
+    /// A look, a scene or a shot.
+    Document(PathBuf),
+}
+
 pub(super) enum FlipAnswer {
-    Opened(Result<FrameFiles, String>),
+    Opened(Result<FoundVersion, String>),
     Frame {
         version: RequestNumber,
         frame: i32,
@@ -120,24 +143,46 @@ pub(super) enum FlipAnswer {
     },
 }
 
-/// Answers a request.
-pub(super) fn run(request: FlipRequest) -> FlipAnswer {
-    match request {
-        FlipRequest::Open(path) => FlipAnswer::Opened(FrameFiles::of(&path)),
-        FlipRequest::Frame { version, frame, ours, other } => {
-            let other = match other {
-                OtherPicture::Known(picture) => Ok(picture),
-                OtherPicture::File(path, display) => {
-                    read(&path, display.as_ref()).map_err(Box::new)
-                }
-            };
-            let delta = ours.zip(other.as_ref().ok()).map(|((ours, image), (key, theirs))| {
-                let same = DeltaKind::Compared { greatest: 0, pixel: [0; 2], mean: 0.0 };
-                let kind = if ours == *key { same } else { DeltaKind::of(&image, theirs) };
-                FrameDelta { of: [ours, *key], kind }
-            });
-            FlipAnswer::Frame { version, frame, other, delta }
+/// State of the thread of the flip book.
+pub(super) struct FlipThread {
+    documents: DocumentDrawer,
+}
+
+impl FlipThread {
+    pub(super) fn new(gpu: Option<Gpu>) -> Self {
+        Self { documents: DocumentDrawer::new(gpu) }
+    }
+
+    /// Answers a request.
+    pub(super) async fn run(&mut self, request: FlipRequest) -> FlipAnswer {
+        match request {
+            FlipRequest::Open(path) => FlipAnswer::Opened(found(path)),
+            FlipRequest::Frame { version, frame, ours, other } => {
+                let other = match other {
+                    OtherPicture::Known(picture) => Ok(picture),
+                    OtherPicture::File(path, display) => {
+                        read(&path, display.as_ref()).map_err(Box::new)
+                    }
+                    OtherPicture::Document(frame) => self.documents.draw(*frame).await,
+                };
+                let delta = ours.zip(other.as_ref().ok()).map(|((ours, image), (key, theirs))| {
+                    let same = DeltaKind::Compared { greatest: 0, pixel: [0; 2], mean: 0.0 };
+                    let kind = if ours == *key { same } else { DeltaKind::of(&image, theirs) };
+                    FrameDelta { of: [ours, *key], kind }
+                });
+                FlipAnswer::Frame { version, frame, other, delta }
+            }
         }
+    }
+}
+
+/// The version that a path means: a document by its ending, else frames.
+fn found(path: PathBuf) -> Result<FoundVersion, String> {
+    let is_document = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
+    match is_document {
+        true if path.is_file() => Ok(FoundVersion::Document(path)),
+        true => Err(format!("there is no file {}", path.display())),
+        false => FrameFiles::of(&path).map(FoundVersion::Files),
     }
 }
 

@@ -59,7 +59,7 @@ fn snapshot(look: Look, mesh: &str) -> RenderSnapshot {
         library: Arc::new(Library::built_in().clone()),
         orbit,
         time: 0.0,
-        follows_shot: false,
+        by_camera: false,
         scene: None,
         painting: None,
         assets: AssetStore::default(),

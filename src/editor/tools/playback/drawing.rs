@@ -10,6 +10,7 @@ use super::cache::PictureKey;
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::film::PlanHasher;
+use crate::frame::FramePlan;
 use crate::render::{Gpu, Renderer};
 use crate::state::display::PictureDisplay;
 use crate::state::revision::RequestNumber;
@@ -40,45 +41,29 @@ pub(super) struct FrameAnswer {
     pub(super) seconds: Option<f64>,
 }
 
-/// State of the thread that draws frames.
-pub(super) struct FrameDrawer {
+/// Drawer of planned pictures, which tells those that are equal.
+pub(crate) struct PictureDrawer {
     renderer: Renderer,
-    planner: PicturePlanner,
     hasher: PlanHasher,
     /// Pictures that were drawn, as long as somebody has them.
     known: HashMap<PictureKey, Weak<ColorImage>>,
 }
 
-impl FrameDrawer {
-    pub(super) fn new(gpu: &Gpu) -> Self {
-        Self {
-            renderer: Renderer::new(gpu.clone()),
-            planner: PicturePlanner::default(),
-            hasher: PlanHasher::default(),
-            known: HashMap::new(),
-        }
+impl PictureDrawer {
+    pub(crate) fn new(gpu: &Gpu) -> Self {
+        let renderer = Renderer::new(gpu.clone());
+        Self { renderer, hasher: PlanHasher::default(), known: HashMap::new() }
     }
 
-    pub(super) async fn run(&mut self, request: FrameRequest) -> FrameAnswer {
-        let clock = Clock::start();
-        let (basis, frame) = (request.basis, request.frame);
-        let drawn = self.draw(&request).await;
-        let was_drawn = drawn.as_ref().is_ok_and(|(_, was_drawn)| *was_drawn);
-        let result = drawn.map(|(picture, _)| picture);
-        FrameAnswer { basis, frame, result, seconds: was_drawn.then(|| clock.seconds()) }
-    }
-
-    /// The picture of a frame, and true if it had to be drawn.
-    async fn draw(
+    /// The picture of a plan, shown by a view, with its key, and true if it had to be drawn.
+    pub(crate) async fn draw(
         &mut self,
-        request: &FrameRequest,
+        plan: &FramePlan,
+        display: Option<&PictureDisplay>,
     ) -> Result<((PictureKey, Arc<ColorImage>), bool), Vec<Diagnostic>> {
-        let FrameRequest { showing, snapshot, size, .. } = request;
-        let plan = self.planner.plan(showing, snapshot, *size)?.value;
-        let display = snapshot.display.as_ref();
         // The same plan is another picture by another view.
         let of_display = display.map_or(0, PictureDisplay::number);
-        let key = u128::from_str_radix(&self.hasher.hash(&plan), 16);
+        let key = u128::from_str_radix(&self.hasher.hash(plan), 16);
         let key = key.map(|plan| PictureKey(plan ^ of_display));
         let key = key.map_err(|_| vec![Diagnostic::error("plan-hash", "a plan has no hash")])?;
         if let Some(known) = self.known.get(&key).and_then(Weak::upgrade) {
@@ -87,7 +72,7 @@ impl FrameDrawer {
         let module = display.map(PictureDisplay::module);
         // A view that the device does not take is told where the picture at rest is drawn.
         let _ = self.renderer.show_by(module).await;
-        let drawn = self.renderer.picture(&plan).await;
+        let drawn = self.renderer.picture(plan).await;
         let picture = drawn.map_err(|error| vec![error.into()])?;
         let size = picture.size.map(|side| side as usize);
         let image = Arc::new(ColorImage::from_rgba_unmultiplied(size, &picture.to_rgba8()));
@@ -96,5 +81,29 @@ impl FrameDrawer {
         }
         self.known.insert(key, Arc::downgrade(&image));
         Ok(((key, image), true))
+    }
+}
+
+/// State of the thread that draws frames.
+pub(super) struct FrameDrawer {
+    drawer: PictureDrawer,
+    planner: PicturePlanner,
+}
+
+impl FrameDrawer {
+    pub(super) fn new(gpu: &Gpu) -> Self {
+        Self { drawer: PictureDrawer::new(gpu), planner: PicturePlanner::default() }
+    }
+
+    pub(super) async fn run(&mut self, request: FrameRequest) -> FrameAnswer {
+        let clock = Clock::start();
+        let FrameRequest { basis, frame, showing, snapshot, size } = request;
+        let drawn = match self.planner.plan(&showing, &snapshot, size) {
+            Ok(plan) => self.drawer.draw(&plan.value, snapshot.display.as_ref()).await,
+            Err(problems) => Err(problems),
+        };
+        let was_drawn = drawn.as_ref().is_ok_and(|(_, was_drawn)| *was_drawn);
+        let result = drawn.map(|(picture, _)| picture);
+        FrameAnswer { basis, frame, result, seconds: was_drawn.then(|| clock.seconds()) }
     }
 }

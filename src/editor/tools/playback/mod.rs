@@ -7,7 +7,7 @@
 //! frames that are equal, also after an edit that was undone, are drawn once.
 
 pub(crate) mod cache;
-mod drawing;
+pub(crate) mod drawing;
 pub(crate) mod order;
 pub(crate) mod paint;
 mod rate;
@@ -111,12 +111,22 @@ pub(crate) fn frame_at(time: f64, fps: f64) -> Option<i32> {
     is_there.then_some(frame as i32)
 }
 
+/// View that frames are seen in.
+#[derive(Clone, PartialEq)]
+pub(crate) struct FrameView {
+    /// View of the window; where frames are seen from a camera, only what that leaves to the
+    /// window: the mesh and the backdrop.
+    pub(crate) orbit: Orbit,
+    /// True if frames are seen from the camera of the scene or of the shot over it, which may move.
+    pub(crate) by_camera: bool,
+}
+
 /// All that frames depend on beside their time.
 #[derive(Clone, PartialEq)]
 struct FrameBasis {
     document: DocumentNumber,
     picture: PictureRevision,
-    orbit: Orbit,
+    view: FrameView,
     folder: PathBuf,
     size: [u32; 2],
     fps: f64,
@@ -365,7 +375,7 @@ impl Playback {
         let basis = FrameBasis {
             document: session.revisions().document,
             picture: session.revisions().picture,
-            orbit: self.orbit(session),
+            view: self.view(session),
             folder: session.look.folder(),
             size,
             fps,
@@ -380,15 +390,22 @@ impl Playback {
         }
     }
 
-    /// View that frames are drawn from.
-    fn orbit(&self, session: &Session) -> Orbit {
-        let mut orbit = session.view.orbit.clone();
-        if self.form.is_some_and(|form| form.by_scene)
-            && let Some(open) = session.open_scene()
-        {
-            orbit.look_from(&open.scene().camera);
-        }
-        orbit
+    /// View that frames are drawn in.
+    pub(crate) fn view(&self, session: &Session) -> FrameView {
+        let by_scene = self.form.is_some_and(|form| form.by_scene);
+        let by_camera = session.follows_shot() || by_scene && session.open_scene().is_some();
+        let window = &session.view.orbit;
+        let orbit = match by_camera {
+            // A camera that moves is the same view.
+            true => Orbit {
+                mesh: window.mesh.clone(),
+                z_is_up: window.z_is_up,
+                backdrop: window.backdrop,
+                ..Orbit::default()
+            },
+            false => window.clone(),
+        };
+        FrameView { orbit, by_camera }
     }
 
     fn ask(&mut self, session: &Session, size: [u32; 2], transport: &Transport, demands: &[i32]) {
@@ -407,7 +424,7 @@ impl Playback {
         let Some(showing) = session.showing() else { return };
         let mut snapshot = session.snapshot_of(showing.look.clone());
         snapshot.time = transport.time(frame);
-        snapshot.orbit = self.orbit(session);
+        snapshot.by_camera = self.view(session).by_camera;
         let basis = self.basis_number;
         worker.request(|_| FrameRequest { basis, frame, showing, snapshot, size });
     }

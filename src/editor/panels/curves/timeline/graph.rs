@@ -57,7 +57,7 @@ impl Scale {
 }
 
 /// Number of a value's component; switches are 0 and 1.
-pub(super) fn number(value: &Value, at: usize) -> Option<f64> {
+fn number(value: &Value, at: usize) -> Option<f64> {
     match value {
         Value::Number(x) if at == 0 => Some(*x),
         Value::Bool(on) if at == 0 => Some(f64::from(u8::from(*on))),
@@ -65,6 +65,23 @@ pub(super) fn number(value: &Value, at: usize) -> Option<f64> {
         Value::Text(_) => value.color().map(|color| color[at.min(3)]),
         _ => None,
     }
+}
+
+/// Length by which numbers of a value are divided as they are drawn: directions and rotations have
+/// length 1 between keys, and so at them, too, however long they are written.
+fn length(track: &TimeKeys, value: &Value) -> f64 {
+    match value {
+        Value::Vector(numbers) if Track::of(track).turns && matches!(numbers.len(), 3 | 4) => {
+            let length = numbers.iter().map(|x| x * x).sum::<f64>().sqrt();
+            if length > 0.0 && length.is_finite() { length } else { 1.0 }
+        }
+        _ => 1.0,
+    }
+}
+
+/// Number of a value's component as a track draws it.
+pub(super) fn drawn(track: &TimeKeys, value: &Value, at: usize) -> Option<f64> {
+    Some(number(value, at)? / length(track, value))
 }
 
 /// Count of numbers of a track's values; those of a color without its opacity where all are opaque.
@@ -163,7 +180,7 @@ fn curves(axis: Axis, lane: Rect, track: &TimeKeys, width: usize) -> Vec<Vec<(f3
     for x in places(lane) {
         let Some(value) = Track::of(track).at(axis.time(x)) else { continue };
         for (at, curve) in curves.iter_mut().enumerate() {
-            curve.extend(number(&value, at).map(|value| (x, value)));
+            curve.extend(drawn(track, &value, at).map(|value| (x, value)));
         }
     }
     curves
@@ -239,7 +256,7 @@ impl Graph<'_> {
     /// Place of a key on the screen.
     fn place(&self, key: usize, at: usize) -> Option<Pos2> {
         let key = &self.track().keys[key];
-        Some(pos2(self.axis.x(key.time), self.scale.y(number(&key.value, at)?)))
+        Some(pos2(self.axis.x(key.time), self.scale.y(drawn(self.track(), &key.value, at)?)))
     }
 
     /// Shows a key on the curve of one number.
@@ -251,7 +268,7 @@ impl Graph<'_> {
         let handled = handle(ui, id, place, &label, key.time, true);
         let key_at = KeyAt { owner: self.owned.owner, track: self.index, key: index };
         timeline.sheet.shown_at(key_at, place);
-        let height = Some((at, self.scale.unit()));
+        let height = Some((at, self.scale.unit() * length(self.track(), &key.value)));
         let session = self.owned.session;
         rows::grab(timeline, ui, session, &handled.response, (key_at, key.time), height);
         rows::type_keys(timeline, ui, &handled, key_at);
@@ -285,7 +302,7 @@ impl Graph<'_> {
     ) {
         let Some(from) = self.place(index, at) else { return };
         let key = &self.track().keys[index];
-        let Some(own) = number(&key.value, at) else { return };
+        let Some(own) = drawn(self.track(), &key.value, at) else { return };
         let end = pos2(self.axis.x(key.time + time), self.scale.y(own + value));
         let id =
             ui.scope_id().with(("handle", self.owned.owner, self.index, index, at, is_outgoing));
@@ -307,5 +324,31 @@ impl Graph<'_> {
         handled.response.on_hover_text(
             "Drag it to shape the curve. Handles: automatic, aligned or free, in the row below",
         );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::{Target, TimeKey};
+
+    #[test]
+    fn a_direction_is_drawn_without_a_jump_at_its_keys() {
+        let key = |time: f64, value: [f64; 3]| {
+            TimeKey::new(time, Value::Vector(value.to_vec()), TimeInterpolation::Linear)
+        };
+        let target = Target::parse("lights.key.direction").unwrap();
+        let keys = vec![key(0.0, [0.0, 0.0, 2.0]), key(1.0, [3.0, 0.0, 4.0])];
+        let track = TimeKeys { keys, ..TimeKeys::new(target) };
+        let at = |time: f64, component| {
+            drawn(&track, &Track::of(&track).at(time).unwrap(), component).unwrap()
+        };
+        for (component, last) in [(0, 0.6), (1, 0.0), (2, 0.8)] {
+            for (before, after) in [(-1e-6, 1e-6), (1.0 - 1e-6, 1.0), (1.0, 2.0)] {
+                let jump = at(before, component) - at(after, component);
+                assert!(jump.abs() < 1e-4, "{component}: {jump} at {after}");
+            }
+            assert!((at(1.0, component) - last).abs() < 1e-9);
+        }
     }
 }

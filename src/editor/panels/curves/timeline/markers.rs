@@ -1,15 +1,17 @@
-//! Markers: times with names, on a strip below the ruler.
+//! Markers: times with names, on a strip below the ruler. Those of the document that is edited are
+//! moved and named here; while a shot is open, those of what lies under it are shown beside them.
+
+use std::path::Path;
 
 use eframe::egui::{
-    Align2, FontId, Key, Rect, Sense, Shape, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo, pos2,
-    vec2,
+    Align2, Color32, FontId, Id, Key, Pos2, Rect, Response, Role, Sense, Shape, Stroke, TextEdit,
+    Ui, UiBuilder, Vec2, WidgetInfo, pos2, vec2,
 };
 
 use super::axis::Axis;
 use super::{NAMES, Timeline};
-use crate::commands::Command;
-use crate::document::{Edit, Marker, SceneEdit, UnknownFields};
-use crate::fields::lighting::{Change, Owner};
+use crate::commands::{Command, SceneCommand, ShotCommand};
+use crate::document::{Edit, Marker, SceneEdit, ShotEdit, ShotMarker, UnknownFields};
 use crate::state::keying::retime::tidy;
 use crate::state::session::Session;
 use crate::values;
@@ -18,38 +20,146 @@ use crate::widgets::theme;
 
 /// Height of the strip, in points.
 pub(super) const STRIP: f32 = 20.0;
+/// Side of the square that catches the pointer over a marker that is only read, in points.
+const REACH: f32 = 16.0;
+
+/// Document that markers are of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum MarkerOwner {
+    Look,
+    Scene,
+    /// A shot, by its place among the shots over the scene: 0 is the open one.
+    Shot(usize),
+}
 
 /// Marker whose name is typed, and the name so far.
-pub(super) type NameField = Option<(Owner, usize, String)>;
+pub(super) type NameField = Option<(MarkerOwner, usize, String)>;
 
-/// Markers of a document.
-fn of(session: &Session, owner: Owner) -> &[Marker] {
-    let of_scene = || Some(session.open_scene()?.scene().markers.as_slice());
-    match owner {
-        Owner::Look => &session.look().markers,
-        Owner::Scene => of_scene().unwrap_or_default(),
+impl MarkerOwner {
+    /// Documents that have markers, the one that is edited last: it is drawn over the others.
+    fn all(session: &Session) -> impl Iterator<Item = Self> {
+        let shots = session.shot().map_or(0, |shot| shot.stack().shots.len());
+        [Self::Look, Self::Scene].into_iter().chain((0..shots).rev().map(Self::Shot))
+    }
+
+    /// Document that gets new markers: the shot, the scene, or the look, whichever is outermost.
+    fn outermost(session: &Session) -> Self {
+        match session.open_scene() {
+            Some(_) if session.shot().is_some() => Self::Shot(0),
+            Some(_) => Self::Scene,
+            None => Self::Look,
+        }
+    }
+
+    /// True if the markers are changed here: under a shot, files stay as they are.
+    fn is_edited(self, session: &Session) -> bool {
+        session.shot().is_none() || self == Self::Shot(0)
+    }
+
+    /// Markers of the document; those of a shot at the times of their frames.
+    fn markers(self, session: &Session) -> Vec<Marker> {
+        let at = |rate: crate::document::FrameRate, marker: &ShotMarker| Marker {
+            time: rate.time(marker.frame),
+            name: marker.name.clone(),
+            unknown: marker.unknown.clone(),
+        };
+        match self {
+            Self::Look => session.look().markers.clone(),
+            Self::Scene => {
+                session.open_scene().map(|it| it.scene().markers.clone()).unwrap_or_default()
+            }
+            Self::Shot(number) => {
+                let of = |shot: &crate::state::shot::OpenShot| {
+                    let markers = match number {
+                        0 => &shot.shot().markers,
+                        _ => &shot.stack().shots.get(number)?.shot.markers,
+                    };
+                    Some(markers.iter().map(|marker| at(shot.rate(), marker)).collect())
+                };
+                session.shot().and_then(of).unwrap_or_default()
+            }
+        }
+    }
+
+    /// The document in words, for what is shown of it over another.
+    fn described(self, session: &Session) -> String {
+        let file = |path: Option<&Path>| {
+            let name = path.and_then(Path::file_name);
+            name.map_or_else(String::new, |name| format!(" {}", name.to_string_lossy()))
+        };
+        let shots = session.shot().map(|shot| &shot.stack().shots);
+        match self {
+            Self::Look => format!("the look{}", file(session.path())),
+            Self::Scene => {
+                format!("the scene{}", file(session.open_scene().and_then(|it| it.path())))
+            }
+            Self::Shot(number) => {
+                let under = shots.and_then(|shots| shots.get(number));
+                format!("the shot{}", file(under.map(|under| under.path.as_path())))
+            }
+        }
+    }
+
+    /// Command that sets the markers: as one step for as long as a widget is held, where one is
+    /// given.
+    fn set(self, session: &Session, markers: Vec<Marker>, widget: Option<Id>) -> Command {
+        let of_scene = |edit| match widget {
+            Some(widget) => SceneCommand::EditHeld(widget, edit),
+            None => SceneCommand::Edit(edit),
+        };
+        match self {
+            Self::Look => {
+                let edit = Edit::SetMarkers { markers };
+                match widget {
+                    Some(widget) => Command::EditHeld(widget, edit),
+                    None => Command::Edit(edit),
+                }
+            }
+            Self::Scene => Command::Scene(of_scene(SceneEdit::SetMarkers { markers })),
+            Self::Shot(_) => {
+                let fps = session.shot().map_or(24.0, |shot| shot.rate().per_second());
+                let markers = markers.into_iter().map(|marker| ShotMarker {
+                    frame: (marker.time * fps).round() as i32,
+                    name: marker.name,
+                    unknown: marker.unknown,
+                });
+                let edit = ShotEdit::SetShotMarkers { markers: markers.collect() };
+                let command = match widget {
+                    Some(widget) => ShotCommand::EditHeld(widget, edit),
+                    None => ShotCommand::Edit(edit),
+                };
+                Command::Scene(SceneCommand::Shot(command))
+            }
+        }
+    }
+
+    /// Command that sets the markers in order of time, as one step.
+    fn set_in_order(self, session: &Session, mut markers: Vec<Marker>) -> Command {
+        markers.sort_by(|a, b| a.time.total_cmp(&b.time));
+        self.set(session, markers, None)
+    }
+
+    /// A time that a marker of the document can have: shots name frames.
+    fn nearest_time(self, session: &Session, time: f64) -> f64 {
+        match (self, session.shot()) {
+            (Self::Shot(_), Some(shot)) => {
+                shot.rate().time((time * shot.rate().per_second()).round() as i32)
+            }
+            _ => time,
+        }
     }
 }
 
 /// Times of all markers, in seconds.
 pub(super) fn times(session: &Session) -> impl Iterator<Item = f64> {
-    let all = [Owner::Look, Owner::Scene].into_iter().flat_map(|owner| of(session, owner));
+    let all = MarkerOwner::all(session).flat_map(|owner| owner.markers(session));
     all.map(|marker| marker.time)
 }
 
-/// The edit that sets the markers of a document, in order of time.
-fn set(owner: Owner, mut markers: Vec<Marker>) -> Change {
-    markers.sort_by(|a, b| a.time.total_cmp(&b.time));
-    match owner {
-        Owner::Look => Change::Look(Edit::SetMarkers { markers }),
-        Owner::Scene => Change::Scene(SceneEdit::SetMarkers { markers }),
-    }
-}
-
-/// Adds a marker: to the scene, where there is one.
+/// Adds a marker: to the shot or to the scene, where there is one.
 pub(super) fn add(session: &Session, time: f64, out: &mut Vec<Command>) {
-    let owner = if session.open_scene().is_some() { Owner::Scene } else { Owner::Look };
-    let mut markers = of(session, owner).to_vec();
+    let owner = MarkerOwner::outermost(session);
+    let mut markers = owner.markers(session);
     let is_free = |number: &usize| {
         let name = format!("Marker {number}");
         markers.iter().all(|marker| marker.name != name)
@@ -57,7 +167,7 @@ pub(super) fn add(session: &Session, time: f64, out: &mut Vec<Command>) {
     let number = (1..).find(is_free).unwrap_or(1);
     let name = format!("Marker {number}");
     markers.push(Marker { time: tidy(time), name, unknown: UnknownFields::new() });
-    out.push(set(owner, markers).once());
+    out.push(owner.set_in_order(session, markers));
 }
 
 /// Shows the strip.
@@ -73,116 +183,174 @@ pub(super) fn show(
     let mut head = ui.new_child(UiBuilder::new().id_salt("markers").max_rect(names));
     head.horizontal_centered(|ui| {
         ui.spacing_mut().button_padding.y = 0.0;
-        let help = "Names the time at the playhead (M over this panel)";
+        let help = match MarkerOwner::outermost(session) {
+            MarkerOwner::Shot(_) => "Names the frame at the playhead in the shot (M here)",
+            _ => "Names the time at the playhead (M over this panel)",
+        };
         if ui.small_button("Add marker").on_hover_text(help).clicked() {
             add(session, timeline.snapped(session.view.time), out);
         }
     });
     let lane = Rect::from_x_y_ranges(axis.lane.x_range(), strip.y_range());
     ui.painter().rect_filled(lane, 3.0, theme::of(ui).well);
-    for owner in [Owner::Look, Owner::Scene] {
-        for index in 0..of(session, owner).len() {
-            marker(timeline, ui, session, (owner, index), (axis, lane), out);
+    for owner in MarkerOwner::all(session) {
+        let markers = owner.markers(session);
+        for index in 0..markers.len() {
+            let at = pos2(axis.x(markers[index].time), lane.center().y);
+            if !lane.x_range().expand(4.0).contains(at.x) {
+                continue;
+            }
+            let shown = ShownMarker { session, owner, markers: &markers, index, at, lane };
+            if owner.is_edited(session) {
+                shown.edit(timeline, ui, axis, out);
+            } else {
+                shown.read(timeline, ui, out);
+            }
         }
     }
 }
 
-fn marker(
-    timeline: &mut Timeline,
-    ui: &mut Ui,
-    session: &Session,
-    (owner, index): (Owner, usize),
-    (axis, lane): (Axis, Rect),
-    out: &mut Vec<Command>,
-) {
-    let markers = of(session, owner);
-    let marker = &markers[index];
-    let at = pos2(axis.x(marker.time), lane.center().y);
-    if !lane.x_range().expand(4.0).contains(at.x) {
-        return;
+/// A marker at its place on the screen.
+struct ShownMarker<'s> {
+    session: &'s Session,
+    owner: MarkerOwner,
+    /// All markers of its document.
+    markers: &'s [Marker],
+    index: usize,
+    at: Pos2,
+    lane: Rect,
+}
+
+impl ShownMarker<'_> {
+    fn marker(&self) -> &Marker {
+        &self.markers[self.index]
     }
-    let id = ui.scope_id().with(("marker", owner, index));
-    let label = format!("Marker {}", marker.name);
-    let handled = handle(ui, id, at, &label, marker.time, true);
-    let response = handled.response;
-    response.widget_info(|| WidgetInfo::slider(true, marker.time, &label));
-    let changed = |change: &dyn Fn(&mut Marker)| {
-        let mut markers = markers.to_vec();
-        change(&mut markers[index]);
+
+    fn id(&self, ui: &Ui) -> Id {
+        ui.scope_id().with(("marker", self.owner, self.index))
+    }
+
+    /// The markers of the document with a change of this one.
+    fn changed(&self, change: impl FnOnce(&mut Marker)) -> Vec<Marker> {
+        let mut markers = self.markers.to_vec();
+        change(&mut markers[self.index]);
         markers
-    };
-    let steps = f64::from(handled.steps.x) / timeline.fps;
-    let wished =
-        handled.to.map(|to| axis.time(to.x)).or((steps != 0.0).then_some(marker.time + steps));
-    if let Some(time) =
-        wished.map(|time| timeline.snapped(time)).filter(|time| *time != marker.time)
-    {
-        // In order of time only once the drag is over, so that the handle stays the same one.
-        let markers = changed(&|marker| marker.time = time);
-        let change = match owner {
-            Owner::Look => Change::Look(Edit::SetMarkers { markers }),
-            Owner::Scene => Change::Scene(SceneEdit::SetMarkers { markers }),
-        };
-        out.push(change.held(id));
     }
-    if response.clicked() {
-        timeline.go(marker.time, out);
+
+    /// Time and frame in words.
+    fn place(&self, timeline: &Timeline) -> String {
+        let Marker { time, name, .. } = self.marker();
+        let frame = (time * timeline.fps).round();
+        format!("{name}: {} s, frame {frame}", values::number_text(*time, 3))
     }
-    if response.double_clicked() {
-        timeline.renaming = Some((owner, index, marker.name.clone()));
+
+    fn paint_flag(&self, ui: &Ui, response: &Response, color: Color32) {
+        let is_hot = response.hovered() || response.dragged();
+        let color = if is_hot { theme::of(ui).accent } else { color };
+        let painter = ui.painter_at(self.lane.expand2(vec2(6.0, 0.0)));
+        let flag =
+            [vec2(-4.5, -7.0), vec2(4.5, -7.0), vec2(4.5, 1.0), vec2(0.0, 7.0), vec2(-4.5, 1.0)];
+        let flag = flag.map(|d| self.at + d).to_vec();
+        painter.add(Shape::convex_polygon(flag, color, Stroke::NONE));
+        focus_ring(ui, response, self.at, 7.0);
     }
-    let mut is_deleted = pressed(ui, &response, Key::Delete);
-    response.context_menu(|ui| {
-        if ui.button("Rename marker").clicked() {
+
+    fn paint_name(&self, ui: &Ui, color: Color32) {
+        let painter = ui.painter_at(self.lane.expand2(vec2(6.0, 0.0)));
+        let font = FontId::proportional(theme::SMALL_TEXT);
+        let middle = pos2(self.at.x + 8.0, self.lane.center().y);
+        painter.text(middle, Align2::LEFT_CENTER, &self.marker().name, font, color);
+    }
+
+    /// Shows a marker of what lies under the shot: a press goes there.
+    fn read(&self, timeline: &mut Timeline, ui: &Ui, out: &mut Vec<Command>) {
+        let place = Rect::from_center_size(self.at, Vec2::splat(REACH));
+        let response = ui.interact(place, self.id(ui), Sense::click());
+        let of = self.owner.described(self.session);
+        let label = format!("Marker {} of {of}", self.marker().name);
+        response.widget_info(|| WidgetInfo::labeled(Role::Link, true, &label));
+        if response.clicked() {
+            timeline.go(self.marker().time, out);
+        }
+        let color = theme::of(ui).dim.gamma_multiply(0.6);
+        self.paint_flag(ui, &response, color);
+        self.paint_name(ui, color);
+        let place = self.place(timeline);
+        response.on_hover_text(format!(
+            "{place}, of {of}, which the shot leaves as it is. Press to go there; open that file \
+             to change it."
+        ));
+    }
+
+    /// Shows a marker of the document that is edited.
+    fn edit(&self, timeline: &mut Timeline, ui: &mut Ui, axis: Axis, out: &mut Vec<Command>) {
+        let (session, owner, index) = (self.session, self.owner, self.index);
+        let marker = self.marker();
+        let id = self.id(ui);
+        let label = format!("Marker {}", marker.name);
+        let handled = handle(ui, id, self.at, &label, marker.time, true);
+        let response = handled.response;
+        response.widget_info(|| WidgetInfo::slider(true, marker.time, &label));
+        let steps = f64::from(handled.steps.x) / timeline.fps;
+        let wished =
+            handled.to.map(|to| axis.time(to.x)).or((steps != 0.0).then_some(marker.time + steps));
+        let wished = wished.map(|time| owner.nearest_time(session, timeline.snapped(time)));
+        if let Some(time) = wished.filter(|time| *time != marker.time) {
+            // In order of time only once the drag is over, so that the handle stays the same one.
+            let markers = self.changed(|marker| marker.time = time);
+            out.push(owner.set(session, markers, Some(id)));
+        }
+        if response.clicked() {
+            timeline.go(marker.time, out);
+        }
+        if response.double_clicked() {
             timeline.renaming = Some((owner, index, marker.name.clone()));
         }
-        is_deleted |= ui.button("Delete marker").clicked();
-    });
-    if is_deleted {
-        let mut markers = markers.to_vec();
-        markers.remove(index);
-        out.push(set(owner, markers).once());
-    }
-    let colors = theme::of(ui);
-    let is_hot = response.hovered() || response.dragged();
-    let color = if is_hot { colors.accent } else { colors.third };
-    let painter = ui.painter_at(lane.expand2(vec2(6.0, 0.0)));
-    let flag = [vec2(-4.5, -7.0), vec2(4.5, -7.0), vec2(4.5, 1.0), vec2(0.0, 7.0), vec2(-4.5, 1.0)];
-    let flag = flag.map(|d| at + d).to_vec();
-    painter.add(Shape::convex_polygon(flag, color, Stroke::NONE));
-    focus_ring(ui, &response, at, 7.0);
-    let left = pos2(at.x + 8.0, lane.top());
-    match &mut timeline.renaming {
-        Some((named, at, name)) if (*named, *at) == (owner, index) => {
-            let field = Rect::from_min_size(left, vec2(120.0, STRIP));
-            let edit = TextEdit::singleline(name).id(id.with("name")).desired_width(110.0);
-            let typed = ui.put(field, edit);
-            typed.widget_info(|| {
-                WidgetInfo::labeled(eframe::egui::Role::TextInput, true, "Name of the marker")
-            });
-            let (name, is_over) = (name.clone(), typed.lost_focus());
-            if !typed.has_focus() && !is_over {
-                typed.request_focus();
+        let mut is_deleted = pressed(ui, &response, Key::Delete);
+        response.context_menu(|ui| {
+            if ui.button("Rename marker").clicked() {
+                timeline.renaming = Some((owner, index, marker.name.clone()));
             }
-            if is_over {
-                timeline.renaming = None;
-                let is_given_up = ui.input(|input| input.key_pressed(Key::Escape));
-                if !is_given_up && name != marker.name {
-                    out.push(set(owner, changed(&|marker| marker.name.clone_from(&name))).once());
-                }
+            is_deleted |= ui.button("Delete marker").clicked();
+        });
+        if is_deleted {
+            let mut markers = self.markers.to_vec();
+            markers.remove(index);
+            out.push(owner.set_in_order(session, markers));
+        }
+        self.paint_flag(ui, &response, theme::of(ui).third);
+        match &timeline.renaming {
+            Some((named, at, _)) if (*named, *at) == (owner, index) => {
+                self.rename(timeline, ui, out);
+            }
+            _ => self.paint_name(ui, theme::of(ui).text),
+        }
+        let place = self.place(timeline);
+        response.on_hover_text(format!(
+            "{place}. Press to go there, drag to move it, double-click to name it, Delete removes \
+             it."
+        ));
+    }
+
+    /// Shows the field in which the name is typed.
+    fn rename(&self, timeline: &mut Timeline, ui: &mut Ui, out: &mut Vec<Command>) {
+        let Some((_, _, name)) = &mut timeline.renaming else { return };
+        let left = pos2(self.at.x + 8.0, self.lane.top());
+        let field = Rect::from_min_size(left, vec2(120.0, STRIP));
+        let edit = TextEdit::singleline(name).id(self.id(ui).with("name")).desired_width(110.0);
+        let typed = ui.put(field, edit);
+        typed.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "Name of the marker"));
+        let (name, is_over) = (name.clone(), typed.lost_focus());
+        if !typed.has_focus() && !is_over {
+            typed.request_focus();
+        }
+        if is_over {
+            timeline.renaming = None;
+            let is_given_up = ui.input(|input| input.key_pressed(Key::Escape));
+            if !is_given_up && name != self.marker().name {
+                let markers = self.changed(|marker| marker.name.clone_from(&name));
+                out.push(self.owner.set_in_order(self.session, markers));
             }
         }
-        _ => {
-            let font = FontId::proportional(theme::SMALL_TEXT);
-            let middle = pos2(left.x, lane.center().y);
-            painter.text(middle, Align2::LEFT_CENTER, &marker.name, font, colors.text);
-        }
     }
-    let frame = (marker.time * timeline.fps).round();
-    response.on_hover_text(format!(
-        "{}: {} s, frame {frame}. Press to go there, drag to move it, double-click to name it, \
-         Delete removes it.",
-        marker.name,
-        values::number_text(marker.time, 3)
-    ));
 }

@@ -73,7 +73,7 @@ const LEAST: f64 = 1e-3;
 /// The panel, its clock, and its visible range.
 pub(crate) struct Timeline {
     clock: PlayClock,
-    /// Place where a drag that chooses a part of the range began, in points.
+    /// Place where a press with Shift began, whose drag chooses a part of the range, in points.
     part_from: Option<f32>,
     fps: f64,
     snaps: bool,
@@ -184,7 +184,8 @@ impl Timeline {
         edges::show(self, ui, session, axis, &mut commands);
         differences::show(self, ui, tools, axis, &mut commands);
         let top = ui.cursor().top();
-        if times(session).next().is_none() {
+        let is_empty = times(session).next().is_none();
+        if is_empty {
             ui.add_space(6.0);
             hint(
                 ui,
@@ -237,7 +238,8 @@ impl Timeline {
             painter.rect(drawn, 0.0, color.gamma_multiply(0.12), stroke, egui::StrokeKind::Inside);
         }
         self.navigate(ui, panel, axis, rows);
-        playhead(ui, session, axis, rows);
+        // Above the hint of an empty timeline, which is to be read.
+        playhead(ui, session, axis, if is_empty { top } else { rows.bottom() });
         transport::keys(self, ui, session, panel, &mut commands);
         commands
     }
@@ -382,13 +384,13 @@ fn times(session: &Session) -> impl Iterator<Item = f64> {
     tracks.flat_map(|track| &track.keys).map(|key| key.time)
 }
 
-fn playhead(ui: &Ui, session: &Session, axis: Axis, rows: Rect) {
+fn playhead(ui: &Ui, session: &Session, axis: Axis, bottom: f32) {
     let x = axis.x(session.view.time);
     if !(axis.lane.left() - 1.0..=axis.lane.right() + 1.0).contains(&x) {
         return;
     }
     let color = theme::of(ui).accent;
-    ui.painter().vline(x, axis.lane.top() + 8.0..=rows.bottom(), Stroke::new(1.5, color));
+    ui.painter().vline(x, axis.lane.top() + 8.0..=bottom, Stroke::new(1.5, color));
     let top = pos2(x, axis.lane.top() + 10.0);
     let points =
         [vec2(-6.0, -8.0), vec2(6.0, -8.0), vec2(6.0, -2.0), vec2(0.0, 5.0), vec2(-6.0, -2.0)];

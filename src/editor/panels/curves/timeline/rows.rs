@@ -224,7 +224,7 @@ fn paint(ui: &Ui, owned: OwnedKeys<'_>, axis: Axis, lane: Rect, track: &TimeKeys
     let width = graph::width(track).unwrap_or(1);
     let shown = track.keys.iter().step_by((track.keys.len() / 2000).max(1));
     let numbers =
-        shown.flat_map(|key| (0..width).filter_map(move |at| graph::number(&key.value, at)));
+        shown.flat_map(|key| (0..width).filter_map(move |at| graph::drawn(track, &key.value, at)));
     let (low, high) =
         numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
     if !low.is_finite() {
@@ -239,7 +239,7 @@ fn paint(ui: &Ui, owned: OwnedKeys<'_>, axis: Axis, lane: Rect, track: &TimeKeys
         let line: Vec<Pos2> = graph::places(lane)
             .filter_map(|x| {
                 let value = Track::of(track).at(axis.time(x))?;
-                Some(pos2(x, y(graph::number(&value, at)?)))
+                Some(pos2(x, y(graph::drawn(track, &value, at)?)))
             })
             .collect();
         painter.add(PathShape::line(line, Stroke::new(1.5, color)));

@@ -2,8 +2,8 @@
 
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{
-    Button, ComboBox, DragValue, Key, Label, Modifiers, PopupCloseBehavior, Rect, RichText, Role,
-    Stroke, Ui, WidgetInfo,
+    Button, ComboBox, DragValue, Event, Key, Label, Modifiers, PointerButton, PopupCloseBehavior,
+    Rect, RichText, Role, Stroke, Ui, WidgetInfo,
 };
 
 use super::Timeline;
@@ -127,6 +127,13 @@ pub(super) fn ways(
     });
     combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Speed"));
     combo.response.on_hover_text("Speed, as a factor of the frame rate");
+    if clock.part.is_some() {
+        let help = "Plays the whole range again. A drag on the ruler with Shift chooses a part; I \
+                    and O over this panel set its ends";
+        if ui.button("Whole range").on_hover_text(help).clicked() {
+            clock.part = None;
+        }
+    }
     let playback = tools.playback();
     if !playback.can_draw() {
         return;
@@ -136,13 +143,6 @@ pub(super) fn ways(
                 left out";
     if ui.checkbox(&mut waits, "Every frame").on_hover_text(help).changed() {
         clock.pace = if waits { PlayPace::EveryFrame } else { PlayPace::RealTime };
-    }
-    if clock.part.is_some() {
-        let help = "Plays the whole range again. A drag on the ruler with Shift chooses a part; I \
-                    and O over this panel set its ends";
-        if ui.button("Whole range").on_hover_text(help).clicked() {
-            clock.part = None;
-        }
     }
     ui.separator();
     kept(ui, playback, out);
@@ -250,24 +250,35 @@ pub(super) fn band(timeline: &Timeline, ui: &Ui, axis: Axis, playback: &Playback
 }
 
 /// Takes a drag on the ruler with Shift, which chooses the part of the range that is played; true
-/// while it does.
+/// while it does. Shift counts as it was at the press: in a window that draws slowly, the key may
+/// be let go in the same frame in which the drag begins.
 pub(super) fn choose_part(
     timeline: &mut Timeline,
     ui: &Ui,
     axis: Axis,
     response: &eframe::egui::Response,
 ) -> bool {
-    if response.drag_started() && ui.input(|input| input.modifiers.shift) {
-        timeline.part_from = ui.input(|input| input.pointer.press_origin()).map(|at| at.x);
+    let press = |event: &Event| match event {
+        Event::PointerButton { pos, button: PointerButton::Primary, pressed: true, modifiers }
+            if axis.lane.contains(*pos) =>
+        {
+            Some((pos.x, modifiers.shift))
+        }
+        _ => None,
+    };
+    if let Some((from, is_with_shift)) = ui.input(|input| input.events.iter().find_map(press)) {
+        timeline.part_from = is_with_shift.then_some(from);
     }
-    let Some(from) = timeline.part_from else { return false };
+    let is_dragged = response.dragged() || response.drag_stopped();
+    let from = timeline.part_from.filter(|_| is_dragged);
+    if !ui.input(|input| input.pointer.any_down()) {
+        timeline.part_from = None;
+    }
+    let Some(from) = from else { return false };
     if let Some(at) = response.interact_pointer_pos() {
         let [a, b] = [from, at.x].map(|x| timeline.snapped(axis.time(x)));
         let [a, b] = [a.min(b), a.max(b)];
         timeline.clock.part = (b - a >= 1.0 / timeline.fps - 1e-6).then_some([a, b]);
-    }
-    if response.drag_stopped() || !ui.input(|input| input.pointer.any_down()) {
-        timeline.part_from = None;
     }
     true
 }

@@ -1,0 +1,294 @@
+//! Shots as people make them in the window: begun over a scene or a look, with markers, a frame
+//! around the picture, values of one use of a group, and the cells of a wedge's sheet.
+
+use std::path::PathBuf;
+
+use chiaro::document::{Edit, GraphId, Scene, SceneEdit, Shot, Value};
+use eframe::egui::{Key, Modifiers, Role, vec2};
+
+use crate::editor_support::User;
+use crate::editor_support::home::Home;
+
+const LOOK: &str = r#"{"chiaro": "look", "lights": {"key": {"direction": [0, 0, 1]}},
+ "markers": [{"time": 0.25, "name": "glint"}],
+ "nodes": [{"id": "base", "kind": "base"},
+  {"id": "layer", "kind": "light_layer", "values": {"light": "key", "opacity": 0.5}},
+  {"id": "output", "kind": "output"}],
+ "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}]}"#;
+
+const SCENE: &str = r#"{"chiaro": "scene",
+ "objects": [{"id": "ball", "mesh": "shape:sphere", "looks": "look.json"}],
+ "markers": [{"time": 1, "name": "door"}],
+ "lights": {"sun": {"direction": [0, 0.6, 0.8], "intensity": 0.8}},
+ "camera": {"eye": [0, 0, 6]}}"#;
+
+const SHOT: &str = r#"{"chiaro": "shot", "scene": "scene.json", "frames": [0, 48], "rate": 24,
+ "size": [1920, 1080], "markers": [{"frame": 12, "name": "turn"}]}"#;
+
+const FILES: [(&str, &str); 3] = [("look.json", LOOK), ("scene.json", SCENE), ("shot.json", SHOT)];
+
+fn opened(home: &Home, file: &str) -> User {
+    for (name, text) in FILES {
+        std::fs::write(home.file(name), text).unwrap();
+    }
+    let mut hand = home.window(Some(&home.file(file)));
+    hand.settle();
+    hand
+}
+
+fn shot(hand: &User) -> &Shot {
+    hand.app().session().shot().expect("one is open").shot()
+}
+
+fn scene(hand: &User) -> &Scene {
+    hand.app().session().open_scene().expect("one is open").scene()
+}
+
+fn intensity(hand: &User) -> f64 {
+    scene(hand).lights["sun"].intensity
+}
+
+fn set_intensity(hand: &mut User, intensity: f64) {
+    let mut light = scene(hand).lights["sun"].clone();
+    light.intensity = intensity;
+    let edit = SceneEdit::SetLight { id: "sun".into(), light };
+    hand.app_mut().session_mut().apply_to_scene(edit, None).unwrap();
+    hand.settle();
+}
+
+fn save(hand: &mut User) {
+    hand.key_with(Modifiers::COMMAND, Key::S);
+    hand.settle();
+}
+
+fn command(hand: &mut User, words: &str) {
+    hand.key_with(Modifiers::COMMAND, Key::P);
+    hand.type_text(words);
+    hand.key(Key::Enter);
+    hand.settle();
+}
+
+fn read(path: &PathBuf) -> String {
+    std::fs::read_to_string(path).unwrap()
+}
+
+#[test]
+fn markers_are_the_shots_and_those_under_it_are_seen() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Timeline");
+    let nothing = hand.empty_place();
+    hand.click(nothing);
+    // Those of the files lead there, and are not moved.
+    let door = hand.place_of(Role::Link, "Marker door of the scene scene.json").center();
+    hand.click(door);
+    hand.settle();
+    assert_eq!(hand.app().session().view().time(), 1.0);
+    hand.drag(door, door + vec2(60.0, 0.0));
+    hand.settle();
+    assert_eq!((scene(&hand).markers[0].time, hand.steps()), (1.0, 0));
+    assert!(hand.has("Marker glint of the look look.json"));
+    // The shot's own is dragged to a frame, and another is added at the playhead.
+    let turn = hand.place_of(Role::Slider, "Marker turn").center();
+    hand.drag(turn, turn + vec2(40.0, 0.0));
+    hand.settle();
+    let frame = shot(&hand).markers[0].frame;
+    assert!(frame > 12 && hand.steps() == 1, "{frame}");
+    hand.press("Add marker");
+    let named = |hand: &User| -> Vec<(i32, String)> {
+        shot(hand).markers.iter().map(|marker| (marker.frame, marker.name.clone())).collect()
+    };
+    let both = vec![(frame, "turn".to_owned()), (24, "Marker 1".to_owned())];
+    assert_eq!(named(&hand), both);
+    hand.undo();
+    assert_eq!(named(&hand), both[..1]);
+    hand.redo();
+    save(&mut hand);
+    assert_eq!(Shot::read(&read(&home.file("shot.json")), "").value.unwrap().markers.len(), 2);
+    assert_eq!(read(&home.file("scene.json")), SCENE);
+    assert_eq!(read(&home.file("look.json")), LOOK);
+}
+
+#[test]
+fn a_shot_is_begun_over_the_open_scene() {
+    let home = Home::new();
+    let mut hand = opened(&home, "scene.json");
+    command(&mut hand, "New shot");
+    assert_eq!((shot(&hand).frames, shot(&hand).size), (Some([1, 48]), Some([1920, 1080])));
+    assert!(hand.says("A new shot over scene.json, in no file yet"), "the panel tells of it");
+    assert_eq!(hand.app().session().path(), Some(home.file("look.json").as_path()));
+    assert!(!hand.app().session().is_dirty());
+    // What is changed is the shot's.
+    set_intensity(&mut hand, 2.0);
+    assert_eq!(shot(&hand).overrides[0].target, "lights.sun.intensity");
+    assert!(hand.has("Reset lights.sun.intensity"));
+    // It comes back after a crash, still without a file.
+    hand.app().session().wait_for_journal();
+    let later = home.after_a_crash();
+    let mut again = later.window(None);
+    again.settle();
+    again.press("Restore it");
+    assert_eq!(intensity(&again), 2.0);
+    assert!(!again.app().session().shot().unwrap().has_file());
+    drop(again);
+    // A save asks for the file.
+    let folder = home.file("shots");
+    std::fs::create_dir(&folder).unwrap();
+    hand.app_mut().answer_dialog(&folder.join("sh010.json"));
+    save(&mut hand);
+    assert!(!hand.app().session().is_dirty(), "{:?}", hand.app().message());
+    let written = Shot::read(&read(&folder.join("sh010.json")), "").value.unwrap();
+    assert_eq!((written.scene.as_str(), written.overrides.len()), ("../scene.json", 1));
+    assert_eq!(read(&home.file("scene.json")), SCENE);
+    // A shot over that one has what it says, and changes nothing of it.
+    command(&mut hand, "New shot");
+    assert_eq!((shot(&hand).scene.as_str(), shot(&hand).frames), ("sh010.json", None));
+    assert_eq!((intensity(&hand), hand.app().session().shot().unwrap().has_file()), (2.0, false));
+}
+
+#[test]
+fn a_shot_of_a_look_alone_saves_a_scene_first() {
+    let home = Home::new();
+    let mut hand = opened(&home, "look.json");
+    command(&mut hand, "New shot");
+    assert!(hand.app().session().shot().is_none() && hand.says("Save the scene first"));
+    hand.press("Cancel");
+    save(&mut hand);
+    assert!(hand.app().session().shot().is_none(), "given up is given up");
+    command(&mut hand, "New shot");
+    hand.app_mut().answer_dialog(&home.file("stage.json"));
+    hand.key(Key::Enter);
+    hand.settle();
+    assert_eq!(shot(&hand).scene, "stage.json", "{:?}", hand.app().message());
+    assert_eq!(hand.app().session().path(), Some(home.file("look.json").as_path()));
+    // A scene with changes is saved first, too.
+    hand.app_mut().open(&home.file("scene.json"));
+    hand.settle();
+    set_intensity(&mut hand, 0.5);
+    command(&mut hand, "New shot");
+    assert!(hand.says("Save scene.json first"));
+    hand.key(Key::Enter);
+    hand.settle();
+    assert_eq!((shot(&hand).scene.as_str(), intensity(&hand)), ("scene.json", 0.5));
+}
+
+#[test]
+fn the_frame_of_the_shot_has_its_form() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    let picture = |hand: &User| hand.app().viewport().rect().unwrap();
+    let framed = picture(&hand);
+    assert!(
+        framed.width() < 1.5 * framed.height() || (framed.aspect_ratio() - 16.0 / 9.0).abs() < 0.01
+    );
+    hand.press("Options");
+    hand.press_a(Role::CheckBox, "Frame of the shot");
+    hand.key(Key::Escape);
+    hand.settle();
+    let whole = picture(&hand);
+    assert!(whole.height() > framed.height() && whole.width() == framed.width());
+    assert!((framed.aspect_ratio() - 16.0 / 9.0).abs() < 0.01, "{framed:?} in {whole:?}");
+}
+
+#[test]
+fn a_value_of_one_use_of_a_group_is_changed() {
+    let home = Home::new();
+    let grouped = r#"{"chiaro": "look", "lights": {"key": {"direction": [0, 0, 1]}},
+     "nodes": [{"id": "base", "kind": "base"}, {"id": "one", "kind": "twice"},
+      {"id": "two", "kind": "twice"}, {"id": "output", "kind": "output"}],
+     "wires": [{"from": "base", "to": "one.below"}, {"from": "one", "to": "two.below"},
+      {"from": "two", "to": "output.color"}],
+     "definitions": {"twice": {"inputs": [{"name": "below"}],
+      "outputs": [{"name": "below"}],
+      "nodes": [{"id": "lit", "kind": "light_layer", "values": {"light": "key", "opacity": 0.5}}],
+      "wires": [{"from": "inputs.below", "to": "lit.below"}, {"from": "lit", "to": "outputs.below"}]
+     }}}"#;
+    let mut hand = opened(&home, "shot.json");
+    std::fs::write(home.file("look.json"), grouped).unwrap();
+    hand.app_mut().open(&home.file("shot.json"));
+    hand.settle();
+    let errors = hand.errors();
+    assert!(errors.is_empty(), "{errors:?}");
+    let set = |value: f64| Edit::SetValue {
+        graph: GraphId::Definition("twice".into()),
+        id: "lit".into(),
+        port: "opacity".into(),
+        value: Value::Number(value),
+        index: None,
+    };
+    // From outside nobody knows which one is meant.
+    let problem = hand.app_mut().session_mut().apply(set(0.25), None).unwrap_err();
+    assert!(problem.message.contains("`one`, `two`") && problem.message.contains("open the node"));
+    let session = hand.app_mut().session_mut();
+    session.open_graph(&["two".into()]);
+    session.apply(set(0.25), None).unwrap();
+    session.apply(set(0.75), None).unwrap();
+    hand.settle();
+    let told: Vec<(&str, Option<&Value>)> =
+        shot(&hand).overrides.iter().map(|it| (it.target.as_str(), it.value.as_ref())).collect();
+    assert_eq!(told, [("two/lit.opacity", Some(&Value::Number(0.75)))]);
+    // The row of the open copy is set as any other: it stays a value.
+    session_time(&mut hand, 1.0);
+    let keys = hand.look().time_keys[0].clone();
+    let mut keys = keys;
+    keys.keys[0].value = Value::Number(0.125);
+    let edit = Edit::SetTimeKeys { index: 0, keys };
+    hand.app_mut().session_mut().apply(edit, None).unwrap();
+    hand.settle();
+    assert_eq!(shot(&hand).overrides[0].value, Some(Value::Number(0.125)));
+    assert!(shot(&hand).overrides[0].keys.is_empty());
+}
+
+fn session_time(hand: &mut User, time: f64) {
+    hand.app_mut().session_mut().set_time(time);
+    hand.settle();
+}
+
+#[test]
+fn a_cell_is_taken_from_the_picture_of_its_sheet() {
+    let home = Home::new();
+    let mut hand = opened(&home, "scene.json");
+    let mut sheet = image::RgbImage::new(220, 80);
+    for x in 120..200 {
+        (20..60).for_each(|y| sheet.put_pixel(x, y, image::Rgb([255, 0, 0])));
+    }
+    sheet.save(home.file("wedge.png")).unwrap();
+    let cells = r##"{"chiaro": "wedge", "document": "scene.json", "cells": [
+        {"picture": "wedge/001.png", "place": [20, 20, 80, 40], "values": {"sun.intensity": 1.5}},
+        {"picture": "wedge/002.png", "place": [120, 20, 80, 40],
+         "values": {"sun.intensity": 3, "layer.opacity": 0.25}}]}"##;
+    std::fs::write(home.file("wedge.json"), cells).unwrap();
+    hand.app_mut().open(&home.file("wedge.png"));
+    hand.settle();
+    let name = "Cell 2: layer.opacity = 0.25, sun.intensity = 3";
+    let name =
+        if hand.has(name) { name } else { "Cell 2: sun.intensity = 3, layer.opacity = 0.25" };
+    let [first, second] = [hand.place("Cell 1: sun.intensity = 1.5"), hand.place(name)];
+    assert!(first.right() < second.left() && (first.height() - second.height()).abs() < 0.1);
+    let opacity = |hand: &User| hand.look().graph.nodes["layer"].values["opacity"].clone();
+    let before = (intensity(&hand), opacity(&hand));
+    hand.click(second.center());
+    hand.settle();
+    assert_eq!((intensity(&hand), opacity(&hand)), (3.0, Value::Number(0.25)));
+    // Look and scene were changed at once, and are at once as before.
+    assert_eq!(hand.steps(), 1);
+    assert_eq!(hand.app().session().steps().labels().count(), 1);
+    hand.undo();
+    assert_eq!((intensity(&hand), opacity(&hand)), before);
+    assert_eq!(hand.steps(), 0);
+    hand.redo();
+    assert_eq!((intensity(&hand), opacity(&hand)), (3.0, Value::Number(0.25)));
+    assert_eq!(hand.steps(), 1);
+    hand.undo();
+    assert_eq!((intensity(&hand), opacity(&hand)), before);
+    // Without its picture, the list is there.
+    std::fs::remove_file(home.file("wedge.png")).unwrap();
+    hand.app_mut().open(&home.file("wedge.json"));
+    hand.settle();
+    assert!(hand.says("wedge.png, the sheet, is not there") && !hand.has(name));
+    let row = hand.place_like("1  sun.intensity = 1.5").center();
+    hand.click(row);
+    hand.settle();
+    assert_eq!(intensity(&hand), 1.5);
+}
