@@ -1,4 +1,4 @@
-//! Fifteen journeys of an artist, each from an empty window to a look that is saved, opened again
+//! Sixteen journeys of an artist, each from an empty window to a look that is saved, opened again
 //! in another window, and exported. Every step is done by pointer and keys at widgets that have a
 //! name on the screen, and every journey ends with the same proof: the file holds the window's
 //! look, another window and the program without a window draw the same picture of it, and compilers
@@ -19,5 +19,6 @@ mod half_the_cost;
 mod keys_by_direction;
 mod keys_over_time;
 mod lights_of_a_scene;
+mod passes_by_name;
 mod picture;
 mod recovered_after_a_crash;

@@ -17,6 +17,7 @@ use crate::ids::NodeId;
 use crate::library::{CUSTOM_CODE, Fallback, Type};
 use crate::state::keying::KeyedBy;
 use crate::values;
+use crate::widgets::menu::scrolling;
 use crate::widgets::text::formed;
 use crate::widgets::theme;
 use crate::widgets::{color, curve, ramp};
@@ -51,7 +52,7 @@ pub(crate) fn marked(
             if marked.is_some() { egui::Sense::click() } else { egui::Sense::hover() },
         );
         if let Some(marked) = marked {
-            response.context_menu(|ui| marks::menu(ui, marked, out));
+            response.context_menu(|ui| scrolling(ui, |ui| marks::menu(ui, marked, out)));
         }
         add(ui, response.id, out);
     });
