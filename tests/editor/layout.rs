@@ -4,8 +4,8 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
-use eframe::egui::epaint::{ClippedShape, Shape};
-use eframe::egui::{Key, LayerId, Modifiers, Order, Rect, Vec2, WidgetRect, vec2};
+use eframe::egui::epaint::{ClippedShape, Shape, TextShape};
+use eframe::egui::{FontFamily, Key, LayerId, Modifiers, Order, Rect, Vec2, WidgetRect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
@@ -93,9 +93,13 @@ fn opened(home: &Home) -> User {
 }
 
 fn resize(hand: &mut User, (size, pixels): ([f32; 2], f32)) {
+    // A frame with another scale keeps the window's size in pixels, whatever size it is given.
     hand.harness.set_pixels_per_point(pixels);
+    hand.harness.run_steps(2);
     hand.harness.set_size(Vec2::from(size) / pixels);
     hand.harness.run_steps(4);
+    let window = hand.harness.ctx.content_rect();
+    assert_eq!(window.size(), Vec2::from(size) / pixels);
 }
 
 /// Brings a panel to the front by the command palette.
@@ -169,9 +173,25 @@ fn cut_off(hand: &User, found: &mut BTreeSet<String>, at: &str) {
     }
 }
 
+/// Panels that scroll to the sides, too.
+const SCROLLED_ACROSS: [&str; 2] = ["Light table", "Timeline"];
+
+/// Least width of a field of text, in points: a longer text is scrolled in it.
+const LEAST_FIELD: f32 = 48.0;
+
+/// Fields of text: a text that is longer is scrolled in them.
+fn fields(hand: &User) -> Vec<Rect> {
+    let fields = widgets(hand).into_iter().filter(|(_, name)| name.contains("TextInput"));
+    fields.map(|(widget, _)| widget.rect).filter(|rect| rect.width() >= LEAST_FIELD).collect()
+}
+
 /// Texts that end in the middle of a letter at the left or the right, or outside of the window.
 fn cut_texts(hand: &User, found: &mut BTreeSet<String>, at: &str) {
+    if SCROLLED_ACROSS.iter().any(|panel| at.ends_with(panel)) {
+        return;
+    }
     let window = hand.harness.ctx.content_rect();
+    let fields = fields(hand);
     for ClippedShape { clip_rect, shape, .. } in &hand.harness.output().shapes {
         let mut texts = Vec::new();
         collect(shape, &mut texts);
@@ -179,7 +199,8 @@ fn cut_texts(hand: &User, found: &mut BTreeSet<String>, at: &str) {
             let clip = clip_rect.intersect(window);
             // Rows of lists are cut where the list ends; that is what the wheel is for.
             let is_seen = clip.intersect(rect).height() > rect.height() * 0.6
-                && clip.intersect(rect).width() > 1.0;
+                && clip.intersect(rect).width() > 1.0
+                && !fields.iter().any(|field| field.expand(2.0).contains_rect(clip));
             if is_seen && (rect.left() < clip.left() - 1.5 || rect.right() > clip.right() + 1.5) {
                 found.insert(format!("{at}: the text {text:?} is cut off: {rect:?} in {clip:?}"));
             }
@@ -187,10 +208,16 @@ fn cut_texts(hand: &User, found: &mut BTreeSet<String>, at: &str) {
     }
 }
 
+/// True for code, which is scrolled in both directions.
+fn is_code(text: &TextShape) -> bool {
+    let first = text.galley.job.sections.first();
+    first.is_some_and(|first| first.format.font_id.family == FontFamily::Monospace)
+}
+
 fn collect(shape: &Shape, texts: &mut Vec<(Rect, String)>) {
     match shape {
         Shape::Vec(shapes) => shapes.iter().for_each(|shape| collect(shape, texts)),
-        Shape::Text(text) if !text.galley.is_empty() && text.angle == 0.0 => {
+        Shape::Text(text) if !text.galley.is_empty() && text.angle == 0.0 && !is_code(text) => {
             texts.push((text.visual_bounding_rect(), text.galley.text().to_owned()));
         }
         _ => {}
@@ -245,6 +272,11 @@ fn every_panel_has_room_at_every_size() {
             hand.harness.run_steps(3);
             look_at(&mut hand, &mut found, size, &format!("menu {menu}"));
             hand.key(Key::Escape);
+        }
+    }
+    if !found.is_empty() {
+        for (widget, name) in widgets(&hand) {
+            eprintln!("{name} {:?} {:?}", widget.rect, widget.interact_rect);
         }
     }
     assert!(found.is_empty(), "{}\n{}", found.len(), Vec::from_iter(found).join("\n"));

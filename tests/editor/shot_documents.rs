@@ -193,6 +193,13 @@ fn a_value_of_a_node_is_changed_in_the_shot_alone() {
     assert!(resolved(&home).looks[0].look.graph.nodes["layer"].muted);
 }
 
+/// Brings a panel to the front by the command palette.
+fn front(hand: &mut User, panel: &str) {
+    hand.key_with(Modifiers::COMMAND, Key::P);
+    hand.type_text(&format!("panel {panel}"));
+    hand.press(&format!("Panel: {panel}"));
+}
+
 #[test]
 fn what_a_shot_changes_is_marked_on_nodes_layers_lights_and_objects_and_reset_there() {
     let home = Home::new();
@@ -203,10 +210,10 @@ fn what_a_shot_changes_is_marked_on_nodes_layers_lights_and_objects_and_reset_th
     let brighter_sun = brighter(&hand, "sun", 2.5);
     edit(&mut hand, brighter_sun).unwrap();
 
-    hand.tab("Objects");
+    front(&mut hand, "Objects");
     assert!(hand.has("Object ball, changed by the shot"));
-    hand.tab("Lights");
-    hand.press("More of sun");
+    front(&mut hand, "Lights");
+    hand.press("More of sun of the scene");
     hand.press("Intensity, changed by the shot");
     hand.press("Reset to the scene's");
     assert_eq!(scene(&hand).lights["sun"].intensity, 0.8);
@@ -215,7 +222,7 @@ fn what_a_shot_changes_is_marked_on_nodes_layers_lights_and_objects_and_reset_th
 
     // On the canvas, and in the list of layers, whose menus have the way back.
     assert!(hand.says("changed by the shot"), "the node is marked");
-    hand.tab("Layers");
+    front(&mut hand, "Layers");
     let layer = hand.place_like("Layer Light layer, changed by the shot");
     assert!(layer.is_positive());
     hand.press("More of Light layer");

@@ -36,14 +36,14 @@ fn outputs_are_named_as_passes_and_rendered_by_their_names() {
     artist.show_all();
     let before = artist.picture();
 
-    // By the menu of an output; the suggestion is the node's name.
+    // By the menu of an output; the suggestion is made of the node's name and the output's.
     let socket = artist.place("Output Stack of Diffuse").center();
     right_click(&mut artist, socket);
     artist.press("Name as a pass (AOV)...");
     artist.key(Key::Enter);
     artist.settle();
-    assert_eq!(names(&artist), ["diffuse = diffuse.color"]);
-    assert!(artist.has("Output Stack of Diffuse, pass diffuse"), "its tag tells it");
+    assert_eq!(names(&artist), ["diffuse_stack = diffuse.below"]);
+    assert!(artist.has("Output Stack of Diffuse, pass diffuse_stack"), "its tag tells it");
 
     // Another output, by the command palette; names that cannot be are told, and kept to be mended.
     artist.press("Layer Diffuse");
@@ -56,7 +56,7 @@ fn outputs_are_named_as_passes_and_rendered_by_their_names() {
     for (wrong, why) in [
         ("2 rims", "is no name for a pass"),
         ("lights", "is the name of other layers"),
-        ("diffuse", "is another pass already: Diffuse"),
+        ("diffuse_stack", "is another pass already: Diffuse: Stack"),
     ] {
         type_name(&mut artist, wrong);
         assert!(artist.says(why), "{wrong}: {:?}", artist.app().message());
@@ -64,29 +64,29 @@ fn outputs_are_named_as_passes_and_rendered_by_their_names() {
         assert_eq!(names(&artist).len(), 1);
     }
     type_name(&mut artist, "paper");
-    assert_eq!(names(&artist), ["diffuse = diffuse.color", "paper = base.color"]);
+    assert_eq!(names(&artist), ["diffuse_stack = diffuse.below", "paper = base.below"]);
 
     // Renamed by the menu of the node, given up in the panel Export, and both undone.
     let socket = artist.place_like("Output Stack of Base").center();
     right_click(&mut artist, socket);
     artist.press("Rename the pass \"paper\"...");
     type_name(&mut artist, "ground");
-    assert_eq!(names(&artist)[1], "ground = base.color");
+    assert_eq!(names(&artist)[1], "ground = base.below");
     artist.undo();
-    assert_eq!(names(&artist)[1], "paper = base.color");
+    assert_eq!(names(&artist)[1], "paper = base.below");
     artist.key_with(Modifiers::COMMAND, Key::P);
     artist.type_text("panel export");
     artist.key(Key::Enter);
     artist.settle();
-    artist.bring(eframe::egui::Role::Button, "Remove the pass diffuse");
-    artist.press("Remove the pass diffuse");
-    assert_eq!(names(&artist), ["paper = base.color"]);
+    artist.bring(eframe::egui::Role::Button, "Remove the pass diffuse_stack");
+    artist.press("Remove the pass diffuse_stack");
+    assert_eq!(names(&artist), ["paper = base.below"]);
     artist.undo();
     assert_eq!(names(&artist).len(), 2);
 
     // The palette finds them, and shows the node of one.
     artist.key_with(Modifiers::COMMAND, Key::P);
-    artist.type_text("pass diffuse");
+    artist.type_text("pass diffuse_stack");
     artist.key(Key::Enter);
     artist.settle();
     assert_eq!(artist.selected(), ["diffuse"]);
@@ -100,5 +100,5 @@ fn outputs_are_named_as_passes_and_rendered_by_their_names() {
     let still = std::fs::read(studio.path("still.exr")).unwrap();
     let still = chiaro::film::StoredFrame::read(&still).unwrap();
     let names = still.names();
-    assert!(names.contains(&"paper.R") && names.contains(&"diffuse.R"), "{names:?}");
+    assert!(names.contains(&"paper.R") && names.contains(&"diffuse_stack.R"), "{names:?}");
 }
