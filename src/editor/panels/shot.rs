@@ -119,8 +119,7 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
         let follows = session.follows_shot();
         let help = "The picture as `chiaro render` draws it at this frame; a turn of the view \
                     leaves the camera";
-        let look =
-            ui.add_enabled(!follows, Button::new("Look through the shot's camera").truncate());
+        let look = ui.add_enabled(!follows, Button::new("Look through the shot's camera"));
         if look.on_hover_text(help).on_disabled_hover_text(help).clicked() {
             out.push(Command::View(ViewCommand::Reset));
         }
