@@ -151,7 +151,7 @@ impl Layers {
                                 ui.close();
                             }
                         }
-                    })
+                    });
                 });
                 spots::note(ui, Spot::AddLayer, menu.response.rect);
                 menu.response.on_hover_text("Puts a layer over the selected one, or on top of all");
