@@ -26,11 +26,11 @@ const SIZES: [([f32; 2], f32); 5] = [
 const ROUNDS: [&[&str]; 9] = [
     &["Timeline"],
     &["Light table"],
-    &["Picture", "Graph", "Inspector", "Layers", "Profile"],
-    &["Lights", "Keys"],
     &["Objects", "Code", "Mixer"],
     &["Shot", "Problems", "Links"],
     &["Library", "Effects", "Export"],
+    &["Picture", "Graph", "Inspector", "Layers", "Profile"],
+    &["Lights", "Keys"],
     &["History", "Cost and accuracy"],
     &["Probe"],
 ];
