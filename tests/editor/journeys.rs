@@ -21,5 +21,6 @@ mod half_the_cost;
 mod keys_by_direction;
 mod keys_over_time;
 mod lights_of_a_scene;
+mod passes_by_name;
 mod picture;
 mod recovered_after_a_crash;

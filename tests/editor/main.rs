@@ -13,6 +13,7 @@ mod journeys;
 mod keys;
 mod kills;
 mod layer_links;
+mod layout;
 mod light_panels;
 mod light_shots;
 mod monkey;

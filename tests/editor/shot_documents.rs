@@ -193,6 +193,48 @@ fn a_value_of_a_node_is_changed_in_the_shot_alone() {
     assert!(resolved(&home).looks[0].look.graph.nodes["layer"].muted);
 }
 
+/// Brings a panel to the front by the command palette.
+fn front(hand: &mut User, panel: &str) {
+    hand.key_with(Modifiers::COMMAND, Key::P);
+    hand.type_text(&format!("panel {panel}"));
+    hand.press(&format!("Panel: {panel}"));
+}
+
+#[test]
+fn what_a_shot_changes_is_marked_on_nodes_layers_lights_and_objects_and_reset_there() {
+    let home = Home::new();
+    let mut hand = opened(&home);
+    let mut object = scene(&hand).objects["ball"].clone();
+    object.transform.translate = [0.5, 0.0, 0.0];
+    edit(&mut hand, SceneEdit::SetObject { id: "ball".into(), object: Box::new(object) }).unwrap();
+    let brighter_sun = brighter(&hand, "sun", 2.5);
+    edit(&mut hand, brighter_sun).unwrap();
+
+    front(&mut hand, "Objects");
+    assert!(hand.has("Object ball, changed by the shot"));
+    front(&mut hand, "Lights");
+    hand.press("More of sun of the scene");
+    hand.press("Intensity, changed by the shot");
+    hand.press("Reset to the scene's");
+    assert_eq!(scene(&hand).lights["sun"].intensity, 0.8);
+    hand.key(Key::Escape);
+    hand.settle();
+
+    // On the canvas, and in the list of layers, whose menus have the way back.
+    assert!(hand.says("changed by the shot"), "the node is marked");
+    front(&mut hand, "Layers");
+    let layer = hand.place_like("Layer Light layer, changed by the shot");
+    assert!(layer.is_positive());
+    hand.press("More of Light layer");
+    hand.press("Opacity, changed by the shot");
+    hand.press("Reset to the look's");
+    assert_eq!(opacity(hand.look()), Some(&Value::Number(0.5)), "as the look's file has it");
+    assert!(hand.has("Layer Light layer"));
+    hand.undo();
+    assert_eq!(opacity(hand.look()), Some(&Value::Number(0.75)));
+    assert_assets_stay(&home);
+}
+
 #[test]
 fn what_no_shot_says_is_refused_with_the_file_that_has_it() {
     let home = Home::new();

@@ -235,7 +235,7 @@ impl TypedAov {
             }
             (AovSource::Wire(..) | AovSource::Copy(..), Some((node, output))) => {
                 let ty = graph.output_type(node, output);
-                if is_writable(&ty) {
+                if can_be_aov(&ty) {
                     return Ok(Some(Self { kind: TypedAovKind::Output(node, output), ty }));
                 }
                 Err(cannot_be_written(&ty).node(graph.nodes[node].path.clone()))
@@ -251,8 +251,8 @@ fn cannot_be_written(ty: &Type) -> Diagnostic {
     Diagnostic::error("aov-type", message).hint(hint)
 }
 
-/// True for types whose values are at most three numbers and a coverage.
-fn is_writable(ty: &Type) -> bool {
+/// True for types whose values can be a pass: at most three numbers and a coverage.
+pub fn can_be_aov(ty: &Type) -> bool {
     matches!(
         ty,
         Type::Float
@@ -413,7 +413,7 @@ impl TypedGraph {
             let ty = self.output_type(node, output);
             let name = self.nodes[node].group.as_ref().map(|group| group.name.clone());
             let name = name.unwrap_or_else(|| path.to_string());
-            let is_named = !port.as_str().is_empty() && is_writable(&ty);
+            let is_named = !port.as_str().is_empty() && can_be_aov(&ty);
             is_named.then(|| WireOutput { path: path.clone(), name, port: port.clone(), ty })
         };
         let mut wires: Vec<WireOutput> = outputs.filter_map(wire).collect();
@@ -481,7 +481,7 @@ impl TypedGraph {
             Some(light) => AovSource::Copy(path, port, light),
             None => AovSource::Wire(path, port),
         };
-        is_writable(&self.output_type(index, output)).then_some(source)
+        can_be_aov(&self.output_type(index, output)).then_some(source)
     }
 }
 
@@ -529,7 +529,7 @@ impl TypedGraph {
                 // A node that was not typed has problems of its own.
                 let is_typed = node.inputs.len() == node.def.inputs.len();
                 let ty = is_typed.then(|| self.output_type(index, output))?;
-                (!is_writable(&ty)).then(|| cannot_be_written(&ty).node(aov.from.node.clone()))
+                (!can_be_aov(&ty)).then(|| cannot_be_written(&ty).node(aov.from.node.clone()))
             }
         };
         let problems = look.aovs.iter().zip(found).map(problem).enumerate();
@@ -567,7 +567,7 @@ pub fn wire_outputs(look: &Look, library: &Library) -> Result<Vec<WireOutput>, V
         }
         for (output, port) in node.def.outputs.iter().enumerate() {
             let ty = graph.output_type(index, output);
-            if is_writable(&ty) && seen.insert((node.path.clone(), port.name.clone())) {
+            if can_be_aov(&ty) && seen.insert((node.path.clone(), port.name.clone())) {
                 let (path, name) = (node.path.clone(), node.name.clone());
                 found.push(WireOutput { path, name, port: port.name.clone(), ty });
             }

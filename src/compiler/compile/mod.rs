@@ -39,7 +39,7 @@ pub use crate::document::{LightValues, MAX_INTENSITY, MIN_LIGHT_DISTANCE};
 pub use crate::library::Stage;
 pub use aov::{
     AovSource, BentLights, ShadowOutput, StackPart, StackParts, StepId, TypedAov, WireOutput,
-    wire_outputs,
+    can_be_aov, wire_outputs,
 };
 use check::check_with;
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};

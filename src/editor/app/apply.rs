@@ -35,6 +35,7 @@ fn keeps_message(command: &Command) -> bool {
         | Command::Show(_)
         | Command::OpenGraph(_)
         | Command::OpenPalette
+        | Command::Scale(_)
         | Command::OpenShortcuts
         | Command::CopyShader(..)
         | Command::Graph(_)
@@ -76,6 +77,7 @@ impl App {
                 let gesture = self.gesture(ui, widget);
                 self.tell(|session| session.apply(edit, Some(gesture)));
             }
+            Command::Scale(scale) => scale.apply(ui.ctx()),
             Command::Select(ids) => self.session.select(ids),
             Command::Reveal(id) => {
                 self.session.select(vec![id.clone()]);

@@ -5,13 +5,14 @@ use eframe::egui::{self, RichText, Role, Ui, ViewportCommand, WidgetInfo};
 use super::App;
 use crate::app::dock;
 use crate::commands::table::{self, CommandRow, Menu};
-use crate::commands::{Command, PaintCommand, PanelId};
+use crate::commands::{Command, PaintCommand, PanelId, ScaleCommand};
 use crate::painter::{ShownPainting, shown};
 use crate::panels::{PANELS, problems};
 use crate::state::painting::work::OpenPainting;
 use crate::state::scene::OpenScene;
 use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown;
+use crate::widgets::menu;
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
 
@@ -54,7 +55,7 @@ impl App {
             button(ui, "Redo", &help, redo.is_some(), Command::Redo);
             ui.separator();
             commands.extend(recent.map(|path| Command::Open(Some(path))));
-            ui.menu_button("View", |ui| self.view_menu(ui))
+            ui.menu_button("View", |ui| menu::scrolling(ui, |ui| self.view_menu(ui)))
                 .response
                 .on_hover_text("Panels, theme and scale");
             let is_open = self.session.painting().is_some();
@@ -120,17 +121,16 @@ impl App {
         });
         ui.horizontal(|ui| {
             let zoom = ui.ctx().zoom_factor();
-            for percent in [100, 125, 150, 200] {
-                let factor = percent as f32 / 100.0;
-                let is_it = (zoom - factor).abs() < 0.01;
+            for percent in ScaleCommand::PERCENTS {
+                let is_it = (zoom * 100.0 - f32::from(percent)).abs() < 1.0;
                 let response = ui
                     .selectable_label(is_it, format!("{percent}%"))
-                    .on_hover_text("Scale of the window");
+                    .on_hover_text("Scale of the window (Ctrl and +, -, 0)");
                 let name =
                     || WidgetInfo::selected(Role::Button, true, is_it, format!("Scale {percent}%"));
                 response.widget_info(name);
                 if response.clicked() {
-                    ui.ctx().set_zoom_factor(factor);
+                    ScaleCommand::To(percent).apply(ui.ctx());
                 }
             }
         });
@@ -244,35 +244,38 @@ impl App {
 }
 
 /// Shows a menu of the rows that the table of commands has for it, with their keys.
-fn menu(ui: &mut Ui, named: (&str, &str), menu: Menu, commands: &mut Vec<Command>) {
-    menu_with(ui, named, menu, |_| None, |_, _| (), commands);
+fn menu(ui: &mut Ui, named: (&str, &str), list: Menu, commands: &mut Vec<Command>) {
+    menu_with(ui, named, list, |_| None, |_, _| (), commands);
 }
 
 /// Shows a menu, after the entries of `first`; rows for which `why` gives a reason are disabled.
 fn menu_with(
     ui: &mut Ui,
     (label, help): (&str, &str),
-    menu: Menu,
+    list: Menu,
     why: impl Fn(&CommandRow) -> Option<&'static str>,
     first: impl FnOnce(&mut Ui, &mut Vec<Command>),
     commands: &mut Vec<Command>,
 ) {
-    let menu = ui.menu_button(label, |ui| {
-        first(ui, commands);
-        for row in table::rows().filter(|row| row.menu == Some(menu)) {
-            let why = why(row);
-            let button = ui.add_enabled(
-                why.is_none(),
-                egui::Button::new(&*row.label).shortcut_text(row.text()),
-            );
-            button.widget_info(|| {
-                egui::WidgetInfo::labeled(egui::Role::MenuItem, why.is_none(), &*row.label)
-            });
-            if button.on_disabled_hover_text(why.unwrap_or_default()).clicked() {
-                commands.push(row.command.clone());
-                ui.close();
-            }
+    let entry = |ui: &mut Ui, row: &CommandRow, commands: &mut Vec<Command>| {
+        let why = why(row);
+        let button = egui::Button::new(&*row.label).shortcut_text(row.text());
+        let button = ui.add_enabled(why.is_none(), button);
+        button.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::Role::MenuItem, why.is_none(), &*row.label)
+        });
+        if button.on_disabled_hover_text(why.unwrap_or_default()).clicked() {
+            commands.push(row.command.clone());
+            ui.close();
         }
+    };
+    let menu = ui.menu_button(label, |ui| {
+        menu::scrolling(ui, |ui| {
+            first(ui, commands);
+            for row in table::rows().filter(|row| row.menu == Some(list)) {
+                entry(ui, row, commands);
+            }
+        });
     });
     menu.response.on_hover_text(help);
 }

@@ -7,6 +7,8 @@ use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, W
 use crate::commands::table::{self, CommandRow, KeyScope, LIGHT_TABLE, PAINTING_POINTER, POINTER};
 use crate::commands::{Command, GraphCommand};
 use crate::ids::NodeId;
+use crate::panels::PANELS;
+use crate::state::passes;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
@@ -248,6 +250,8 @@ fn entries(session: &Session, query: &str) -> Vec<Entry> {
     found(query)
         .into_iter()
         .map(command)
+        .chain(found_panels(query))
+        .chain(found_passes(session, query))
         .chain(found_nodes(session, query).into_iter().map(node))
         .collect()
 }
@@ -266,6 +270,41 @@ fn found(query: &str) -> Vec<&'static CommandRow> {
         !words.first().is_some_and(|word| row.label.to_lowercase().starts_with(word))
     });
     found
+}
+
+/// Panels, where the query has words of their names.
+fn found_panels(query: &str) -> impl Iterator<Item = Entry> {
+    let query = query.trim().to_lowercase();
+    let fits = move |label: &str| {
+        let text = format!("panel {label}").to_lowercase();
+        !query.is_empty() && query.split_whitespace().all(|word| text.contains(word))
+    };
+    PANELS.iter().filter(move |panel| fits(panel.label)).map(|panel| Entry {
+        label: format!("Panel {}", panel.label),
+        aside: String::new(),
+        name: format!("Panel: {}", panel.label),
+        command: Command::ShowPanel(panel.id),
+    })
+}
+
+/// Outputs that the look names as passes, where the query has words of their names.
+fn found_passes(session: &Session, query: &str) -> Vec<Entry> {
+    let query = query.trim().to_lowercase();
+    let words: Vec<&str> = query.split_whitespace().collect();
+    let fits = |name: &str, title: &str| {
+        let text = format!("pass aov {name} {title}").to_lowercase();
+        !words.is_empty() && words.iter().all(|word| text.contains(word))
+    };
+    let entry = |aov: &crate::document::NamedAov| {
+        let title = passes::title_of(session, &aov.from);
+        fits(aov.name.as_str(), &title).then(|| Entry {
+            label: format!("Pass {}", aov.name),
+            aside: title,
+            name: format!("Pass: {}", aov.name),
+            command: Command::Show(aov.from.node.clone()),
+        })
+    };
+    session.look().aovs.iter().filter_map(entry).collect()
 }
 
 /// Nodes of the open graph whose title or id has all words of the query, with their titles; exact

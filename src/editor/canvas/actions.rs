@@ -184,6 +184,10 @@ impl Canvas {
                 self.edit_when_there = self.item.clone();
             }
             _ if !chosen.is_empty() => self.run_on(command, &chosen, session, out),
+            GraphCommand::NamePass => {
+                let text = "Select the node of which an output is to be a pass";
+                out.push(Command::Tell(text.to_owned()));
+            }
             GraphCommand::Connect => self.fit(),
             GraphCommand::Layout => self.lay_out(&chosen, session, out),
             _ => {}
@@ -225,6 +229,11 @@ impl Canvas {
                 out.push(Command::Select(edits::stream(session, chosen, false)));
             }
             GraphCommand::Rename => self.edit_when_there = chosen.last().cloned().map(Item::Node),
+            GraphCommand::NamePass => {
+                if let Some(id) = chosen.last() {
+                    self.begin_pass(id, session, out);
+                }
+            }
             GraphCommand::Mute => {
                 let muted = chosen.iter().any(|id| !of.nodes[id].muted);
                 let mute =
@@ -436,6 +445,7 @@ fn changes(command: GraphCommand) -> bool {
             | GraphCommand::Upstream
             | GraphCommand::Downstream
             | GraphCommand::OpenGroup
+            | GraphCommand::NamePass
             | GraphCommand::LeaveGroup
             | GraphCommand::Connect
             | GraphCommand::ShowAll

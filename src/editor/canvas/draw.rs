@@ -221,6 +221,7 @@ impl Canvas {
         {
             glyphs(mesh, r.min + *offset * pen.zoom, tag, pen.uv, pen.pixels);
         }
+        self.draw_shot_mark(mesh, pen, index);
         if let Some(severity) = mark {
             self.draw_badge(mesh, pen, r, severity);
         }
@@ -291,6 +292,14 @@ impl Canvas {
         let corner = self.view.to_screen(row.rect.min);
         for (offset, galley) in &row.text.lines {
             glyphs(mesh, corner + *offset * pen.zoom, galley, pen.uv, pen.pixels);
+        }
+        for (offset, name) in &row.text.passes {
+            let size = vec2(name.size().x + 8.0 * pen.zoom, (ROW_HEIGHT - 5.0) * pen.zoom);
+            let left = corner + *offset * pen.zoom;
+            let tag = Rect::from_min_size(left - vec2(0.0, size.y / 2.0), size);
+            rounded(mesh, tag, 3.0 * pen.zoom, (true, true), pen.colors.accent);
+            let at = tag.center() - name.size() / 2.0;
+            glyphs(mesh, at, name, pen.uv, pen.pixels);
         }
         for (offset, color) in &row.text.swatches {
             let size = vec2(28.0, ROW_HEIGHT - 7.0) * pen.zoom;

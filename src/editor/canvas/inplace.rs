@@ -3,11 +3,15 @@
 use eframe::egui;
 use eframe::egui::{Area, Id, Key, Modifiers, Order, Rect, TextEdit, Ui, WidgetInfo, vec2};
 
+use super::passes::output_of;
 use super::{Canvas, edits};
 use crate::commands::Command;
-use crate::drawing::{NODE_WIDTH, TEXT_SIZE, TITLE_HEIGHT};
+use crate::document::Edit;
+use crate::drawing::{NODE_WIDTH, ROW_HEIGHT, TEXT_SIZE, TITLE_HEIGHT, row_center};
 use crate::ids::{FrameId, NodeId, NoteId};
+use crate::state::passes::OutputPass;
 use crate::state::session::Session;
+use crate::widgets::theme;
 
 /// Item of the canvas that has a text.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +19,8 @@ pub(crate) enum Item {
     Node(NodeId),
     Frame(FrameId),
     Note(NoteId),
+    /// Output of a node, by its index, that has or gets a name as a pass.
+    Pass(NodeId, usize),
 }
 
 /// Text that is being edited in place.
@@ -32,6 +38,11 @@ impl Canvas {
             Item::Node(id) => graph.nodes.get(id).map(|node| node.name.clone()),
             Item::Frame(id) => graph.frames.get(id).map(|frame| frame.title.clone()),
             Item::Note(id) => graph.notes.get(id).map(|note| note.text.clone()),
+            Item::Pass(node, index) => {
+                let output = output_of(session, node, *index)?;
+                let pass = OutputPass::of(session, &output);
+                Some(pass.name().map_or_else(|| pass.suggested(), ToString::to_string))
+            }
         }
     }
 
@@ -42,6 +53,11 @@ impl Canvas {
                 let rect = self.table.nodes[self.table.index_of(id)?].rect;
                 Rect::from_min_size(rect.min, vec2(NODE_WIDTH, TITLE_HEIGHT))
             }
+            Item::Pass(node, index) => {
+                let row = &self.table.nodes[self.table.index_of(node)?];
+                let below = if row.is_collapsed { 0.0 } else { row_center(*index) - 10.0 };
+                Rect::from_min_size(row.rect.min + vec2(0.0, below), vec2(NODE_WIDTH, ROW_HEIGHT))
+            }
             Item::Frame(id) => self.table.frames.iter().find(|row| row.id == *id)?.title_rect(),
             Item::Note(id) => self.table.notes.iter().find(|row| row.id == *id)?.rect,
         };
@@ -51,7 +67,9 @@ impl Canvas {
     /// Shows the text field of the item that is being edited.
     pub(super) fn edit_in_place(&mut self, ui: &Ui, session: &Session, out: &mut Vec<Command>) {
         if let Some(item) = self.edit_when_there.take() {
-            match Self::text_of(session, &item).filter(|_| !session.graph_view().is_read_only()) {
+            // The name of an output as a pass is the look's, whosever the group around it is.
+            let can_change = !session.graph_view().is_read_only() || matches!(item, Item::Pass(..));
+            match Self::text_of(session, &item).filter(|_| can_change) {
                 Some(text) => self.editing = Some(TextEditInPlace { item, text, is_new: true }),
                 // The item may have been made in this frame by a command that is not applied yet:
                 // look again in the next frame, and no longer than that.
@@ -68,14 +86,23 @@ impl Canvas {
             self.editing = None;
             return;
         }
-        let is_over = self.show_field(ui, place);
+        let is_entered = ui.input(|input| input.key_pressed(Key::Enter));
+        let is_over = self.show_field(ui, session, place);
         if is_over && let Some(TextEditInPlace { item, text, .. }) = self.editing.take() {
-            out.extend(Self::changed(session, item, text));
+            match Self::changed(session, item.clone(), text.clone()) {
+                Ok(edit) => out.extend(edit.map(Command::Edit)),
+                Err(problem) => {
+                    // The text stays to be mended; leaving it gives it up.
+                    let editing = TextEditInPlace { item, text, is_new: true };
+                    self.editing = is_entered.then_some(editing);
+                    out.push(Command::Tell(problem));
+                }
+            }
         }
     }
 
     /// Shows the text field at `place`; returns true once the edit is done.
-    fn show_field(&mut self, ui: &Ui, place: Rect) -> bool {
+    fn show_field(&mut self, ui: &Ui, session: &Session, place: Rect) -> bool {
         let Some(editing) = &mut self.editing else { return false };
         let is_note = matches!(editing.item, Item::Note(_));
         let size = TEXT_SIZE * self.view.zoom.clamp(0.8, 1.5);
@@ -86,7 +113,11 @@ impl Canvas {
             Item::Node(_) => "Name of the node",
             Item::Frame(_) => "Title of the frame",
             Item::Note(_) => "Text of the note",
+            Item::Pass(..) => "Name of the pass",
         };
+        let problem = Self::changed(session, editing.item.clone(), editing.text.clone()).err();
+        let colors = theme::of(ui);
+        let ink = if problem.is_some() { colors.error } else { colors.text };
         let shown = area.constrain_to(self.view.screen).show(ui.ctx(), |ui| {
             ui.set_width(width);
             let edit = if is_note {
@@ -95,11 +126,17 @@ impl Canvas {
                 TextEdit::singleline(&mut editing.text).char_limit(80)
             };
             let edit = edit.font(egui::FontId::proportional(size)).desired_width(width);
+            let edit = edit.text_color(ink);
             let response = ui.add(edit.id(Id::unique("text in place")));
             response.widget_info(|| WidgetInfo::labeled(egui::Role::TextInput, true, label));
             if std::mem::replace(&mut editing.is_new, false) {
                 response.request_focus();
                 select_all(ui, response.id, &editing.text);
+            }
+            if let Some(problem) = &problem {
+                egui::Frame::popup(ui.style()).show(ui, |ui| {
+                    ui.label(egui::RichText::new(problem).small().color(colors.error));
+                });
             }
             response
         });
@@ -108,16 +145,24 @@ impl Canvas {
         is_done || shown.inner.lost_focus()
     }
 
-    fn changed(session: &Session, item: Item, text: String) -> Option<Command> {
-        if Self::text_of(session, &item).as_deref() == Some(text.as_str()) {
-            return None;
+    /// Edit that gives an item its new text; `None` where nothing changes.
+    ///
+    /// # Errors
+    /// A sentence on what keeps it from being the text.
+    fn changed(session: &Session, item: Item, text: String) -> Result<Option<Edit>, String> {
+        if let Item::Pass(node, index) = &item {
+            let output = output_of(session, node, *index);
+            return output.map_or(Ok(None), |output| OutputPass::of(session, &output).named(&text));
         }
-        let edit = match item {
+        if Self::text_of(session, &item).as_deref() == Some(text.as_str()) {
+            return Ok(None);
+        }
+        Ok(match item {
             Item::Node(id) => Some(Self::rename(session, &id, text)),
             Item::Frame(id) => edits::set_frame(session, &id, |frame| frame.title = text),
             Item::Note(id) => edits::set_note(session, &id, |note| note.text = text),
-        };
-        edit.map(Command::Edit)
+            Item::Pass(..) => None,
+        })
     }
 }
 

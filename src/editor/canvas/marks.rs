@@ -6,6 +6,7 @@ use crate::compile::{Proof, Removal};
 use crate::diag::Severity;
 use crate::ids::NodeId;
 use crate::state::fixes::{self, Fix};
+use crate::state::problem_text::{labelled, sentence};
 use crate::state::session::Session;
 
 /// Problem of a node, as marked on the node.
@@ -28,7 +29,7 @@ pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
     for problem in session.all_problems().filter(|problem| problem.severity > Severity::Note) {
         let Some(path) = &problem.place.node else { continue };
         let Some(id) = session.graph_view().step_of(path) else { continue };
-        let text = crate::state::problem_text::sentence(problem);
+        let text = labelled(session.look_with_library(), &sentence(problem));
         let fixes = if path.last() == Some(id) { fixes::of(session, problem) } else { Vec::new() };
         match marks.get_mut(id) {
             // A group that is used several times reports the same problem for each use.

@@ -18,7 +18,9 @@ mod marks;
 mod mesh;
 mod overlay;
 mod palette;
+mod passes;
 mod preview;
+mod shot_marks;
 mod table;
 mod text;
 mod view;
@@ -41,6 +43,7 @@ use gesture::Gesture;
 use inplace::{Item, TextEditInPlace};
 use marks::{IdleReason, Mark};
 use palette::Palette;
+use shot_marks::ShotMark;
 use table::{CanvasItem, Socket, Table};
 use view::CanvasView;
 
@@ -65,6 +68,8 @@ pub struct Canvas {
     palette: Option<Palette>,
     marks: HashMap<NodeId, Mark>,
     marks_revision: Option<ProblemsRevision>,
+    /// Nodes with values that the open shot changes.
+    shot_marks: HashMap<NodeId, ShotMark>,
     /// Fill ratio of the font image, pixels per point, and true for a dark theme.
     fonts: (f32, f32, bool),
     document: Option<DocumentNumber>,
@@ -125,8 +130,10 @@ impl Canvas {
         if session.graph_view().is_read_only() {
             let is_edit =
                 |command: &Command| matches!(command, Command::Edit(_) | Command::EditHeld(..));
+            // Making the group the look's own, and naming its outputs, changes the look alone.
             let owns = |command: &Command| {
-                matches!(command, Command::Edit(crate::document::Edit::AddDefinition { .. }))
+                use crate::document::Edit;
+                matches!(command, Command::Edit(Edit::AddDefinition { .. } | Edit::SetAovs { .. }))
             };
             let count = commands.len();
             commands.retain(|command| !is_edit(command) || owns(command));
@@ -160,7 +167,9 @@ impl Canvas {
             // Indices in the table have changed, so that gestures that hold some must end.
             self.gesture = Gesture::Idle;
             self.menu_hit = None;
+            self.note_passes(session);
         }
+        self.shot_marks = shot_marks::shot_marks(session);
         self.measure_notes(ui);
         if self.document != Some(session.revisions().document) {
             self.document = Some(session.revisions().document);
@@ -243,8 +252,12 @@ impl Canvas {
                 let each = row.each_of.as_ref().map(|each| format!(", {each}")).unwrap_or_default();
                 let idle =
                     self.idle_of(row).map(|idle| format!(", {}", idle.word)).unwrap_or_default();
+                let changed = match self.shot_marks.contains_key(&row.id) {
+                    true => ", changed by the shot",
+                    false => "",
+                };
                 let name = format!(
-                    "Node {}{selected}{muted}{each}{idle}{}",
+                    "Node {}{selected}{muted}{each}{idle}{changed}{}",
                     row.title,
                     problem.unwrap_or_default()
                 );
@@ -285,10 +298,11 @@ impl Canvas {
                     true => ("Output", &kind.outputs[socket.port]),
                     false => ("Input", &kind.inputs[socket.port]),
                 };
+                let pass = self.pass_at(socket).map(|name| format!(", pass {name}"));
                 WidgetInfo::labeled(
                     Role::Label,
                     true,
-                    format!("{way} {} of {}", port.label, row.title),
+                    format!("{way} {} of {}{}", port.label, row.title, pass.unwrap_or_default()),
                 )
             });
         }
@@ -305,7 +319,7 @@ impl Canvas {
         }
         let text = match self.hovered {
             Some(CanvasItem::Socket(socket)) => self.socket_text(socket),
-            Some(CanvasItem::Node(index)) => self.node_text(index),
+            Some(CanvasItem::Node(index)) => self.node_text(session, index),
             Some(CanvasItem::Wire(index)) => self.wire_text(index),
             _ => None,
         };
@@ -332,11 +346,21 @@ impl Canvas {
             if socket.is_output { &kind.outputs[socket.port] } else { &kind.inputs[socket.port] };
         let ty = self.table.socket_type(socket);
         let help = if port.help.is_empty() { String::new() } else { format!("\n{}", port.help) };
-        Some(format!("{} ({ty}){help}", port.label))
+        let pass = self
+            .pass_at(socket)
+            .map(|name| format!("\nThe pass (AOV) \"{name}\": chiaro render --aov {name}"));
+        Some(format!("{} ({ty}){help}{}", port.label, pass.unwrap_or_default()))
     }
 
-    /// Problem of a node, or the reason why it adds nothing.
-    fn node_text(&self, index: usize) -> Option<String> {
+    /// Problem of a node, or the reason why it adds nothing, and what the open shot changes of it.
+    fn node_text(&self, session: &Session, index: usize) -> Option<String> {
+        let texts =
+            [self.problem_text(index), self.shot_text(session, &self.table.nodes[index].id)];
+        let texts: Vec<String> = texts.into_iter().flatten().collect();
+        (!texts.is_empty()).then(|| texts.join("\n"))
+    }
+
+    fn problem_text(&self, index: usize) -> Option<String> {
         let row = &self.table.nodes[index];
         if let Some(mark) = self.marks.get(&row.id) {
             let fixes = mark.fixes.iter().map(|fix| format!("\nRight-click to fix: {}", fix.label));

@@ -15,6 +15,7 @@ use crate::document::GraphId;
 use crate::ids::NodeId;
 use crate::library::Library;
 use crate::state::session::Session;
+use crate::widgets::menu;
 use crate::widgets::theme;
 
 /// Size of the map, in points of the screen.
@@ -145,11 +146,15 @@ impl Canvas {
         let mut chosen = None;
         response.context_menu(|ui| {
             ui.set_min_width(210.0);
-            match self.menu_hit {
+            menu::scrolling(ui, |ui| match self.menu_hit {
                 Some(CanvasItem::Node(index) | CanvasItem::Socket(Socket { node: index, .. }))
                     if index < self.table.nodes.len() =>
                 {
-                    chosen = self.node_menu(ui, index, session, out);
+                    let output = match self.menu_hit {
+                        Some(CanvasItem::Socket(socket)) if socket.is_output => Some(socket.port),
+                        _ => None,
+                    };
+                    chosen = self.node_menu(ui, (index, output), session, out);
                 }
                 Some(CanvasItem::Wire(index)) => self.wire_menu(ui, index, session, out),
                 Some(CanvasItem::Frame(_) | CanvasItem::Note(_)) => {
@@ -167,7 +172,7 @@ impl Canvas {
                         chosen = chosen.or(rows(ui, &[&[A::LeaveGroup]]));
                     }
                 }
-            }
+            });
         });
         if chosen == Some(GraphCommand::Paste) {
             ui.ctx().send_viewport_cmd(egui::ViewportCommand::RequestPaste);
@@ -177,9 +182,9 @@ impl Canvas {
     }
 
     fn node_menu(
-        &self,
+        &mut self,
         ui: &mut Ui,
-        index: usize,
+        (index, output): (usize, Option<usize>),
         session: &Session,
         out: &mut Vec<Command>,
     ) -> Option<GraphCommand> {
@@ -200,7 +205,13 @@ impl Canvas {
         if row.is_end {
             return rows(ui, &[&[A::LeaveGroup]]);
         }
-        let group: &[A] = if self.open(session, &row.id).is_some() {
+        let id = row.id.clone();
+        self.shot_menu(ui, session, &id, out);
+        if output.is_some() {
+            self.pass_menu(ui, (index, output), session, out);
+            ui.separator();
+        }
+        let group: &[A] = if self.open(session, &id).is_some() {
             &[A::OpenGroup, A::Group, A::Ungroup, A::ShareGroup]
         } else {
             &[A::Group]
@@ -221,6 +232,9 @@ impl Canvas {
                 &[A::Delete, A::Dissolve],
             ],
         );
+        if output.is_none() {
+            self.pass_menu(ui, (index, None), session, out);
+        }
         if session.selection.nodes.len() < 2 {
             return chosen;
         }
@@ -291,7 +305,7 @@ impl Canvas {
             let edit = match &item {
                 Item::Frame(id) => edits::set_frame(session, id, |frame| frame.color = tint),
                 Item::Note(id) => edits::set_note(session, id, |note| note.color = tint),
-                Item::Node(_) => None,
+                Item::Node(_) | Item::Pass(..) => None,
             };
             out.extend(edit.map(Command::Edit));
         }
@@ -304,7 +318,9 @@ impl Canvas {
             out.push(Command::Edit(match item {
                 Item::Frame(id) => crate::document::Edit::RemoveFrame { graph, id },
                 Item::Note(id) => crate::document::Edit::RemoveNote { graph, id },
-                Item::Node(id) => crate::document::Edit::RemoveNode { graph, id },
+                Item::Node(id) | Item::Pass(id, _) => {
+                    crate::document::Edit::RemoveNode { graph, id }
+                }
             }));
         }
     }

@@ -15,7 +15,7 @@ use crate::document::{Graph, LightSet};
 use crate::drawing::{
     FRAME_MARGIN, FRAME_TITLE, NODE_WIDTH, TITLE_HEIGHT, node_height, row_center, wire_reach,
 };
-use crate::ids::{FrameId, NodeId, NoteId};
+use crate::ids::{FrameId, NodeId, NoteId, PortName};
 use crate::library::Type;
 use crate::state::revision::{DocumentNumber, GraphNumber, LookRevision};
 
@@ -51,6 +51,8 @@ pub(crate) struct NodeRow {
     pub(crate) rect: Rect,
     /// For each input, true if a wire leads to it.
     pub(crate) is_wired: Vec<bool>,
+    /// Outputs that the look names as passes, by index.
+    pub(crate) named: Vec<(usize, PortName)>,
     /// Type that a reroute passes on.
     passes: Option<Type>,
     pub(crate) is_collapsed: bool,
@@ -158,6 +160,7 @@ impl Table {
                 title,
                 rect: Rect::from_min_size(pos2(x, y), vec2(NODE_WIDTH, height)),
                 is_wired: vec![false; kind.inputs.len()],
+                named: Vec::new(),
                 passes: None,
                 kind,
                 is_collapsed: node.collapsed,
@@ -201,6 +204,7 @@ impl Table {
                 title: kind.label.to_string(),
                 rect: Rect::from_min_size(corner, size),
                 is_wired: vec![false; kind.inputs.len()],
+                named: Vec::new(),
                 passes: None,
                 kind: Arc::new(kind),
                 is_collapsed: false,

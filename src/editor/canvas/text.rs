@@ -24,6 +24,8 @@ pub(crate) struct NodeText {
     pub(crate) lines: Vec<(Vec2, Arc<Galley>)>,
     /// Tag beside the title, such as the reason why the node adds nothing.
     pub(crate) tag: Option<(Vec2, Arc<Galley>)>,
+    /// Names of outputs as passes, on grounds of their own: the left end of each, in its middle.
+    pub(crate) passes: Vec<(Vec2, Arc<Galley>)>,
     /// Colors shown in rows: the center of each, and straight RGBA.
     pub(crate) swatches: Vec<(Vec2, [f64; 4])>,
 }
@@ -70,12 +72,19 @@ pub(crate) fn lay_out(
     }
     for (index, port) in row.kind.outputs.iter().enumerate() {
         let label = line(&port.label, NODE_WIDTH - 24.0, colors.text);
-        let x = NODE_WIDTH - 12.0 - label.size().x / zoom;
-        if let Some(value) = value.filter(|_| index == 0) {
+        let mut x = NODE_WIDTH - 12.0 - label.size().x / zoom;
+        let label_x = x;
+        if let Some((_, name)) = row.named.iter().find(|(named, _)| *named == index) {
+            let room = ((x - 26.0) * zoom).max(1.0);
+            let tag = one_line(painter, name.as_str(), size * 0.85, room, colors.panel);
+            x -= tag.size().x / zoom + 13.0;
+            text.passes.push((vec2(x, row_center(index)), tag));
+        }
+        if let Some(value) = value.filter(|_| index == 0 && x > 40.0) {
             let value = line(value, (x - 20.0).max(1.0), colors.second);
             text.lines.push((vec2(12.0, centered(&value, row_center(index))), value));
         }
-        text.lines.push((vec2(x, centered(&label, row_center(index))), label));
+        text.lines.push((vec2(label_x, centered(&label, row_center(index))), label));
     }
     for (index, port) in row.kind.inputs.iter().enumerate() {
         let y = row_center(row.kind.outputs.len() + index);

@@ -19,6 +19,8 @@ pub(crate) enum GraphCommand {
     Upstream,
     Downstream,
     Rename,
+    /// Gives an output a name as a pass (AOV).
+    NamePass,
     Mute,
     Collapse,
     Connect,

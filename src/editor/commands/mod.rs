@@ -15,6 +15,7 @@ mod panel_id;
 mod picture;
 mod placing;
 mod recovery;
+mod scale;
 mod scene;
 mod shot;
 pub(crate) mod table;
@@ -40,6 +41,7 @@ pub(crate) use panel_id::PanelId;
 pub(crate) use picture::{PictureExport, ViewCommand};
 pub(crate) use placing::{LightMark, PlacingCommand};
 pub(crate) use recovery::RecoveryCommand;
+pub(crate) use scale::ScaleCommand;
 pub(crate) use scene::SceneCommand;
 pub(crate) use shot::ShotCommand;
 pub(crate) use tour::TourTopic;
@@ -125,6 +127,8 @@ pub(crate) enum Command {
     /// Links the lights that are selected in the links' pane to the object under the pointer, or
     /// with `false` unlinks them.
     LinkPointed(bool),
+    /// Scales the window.
+    Scale(ScaleCommand),
     /// Brings a panel to the front.
     ShowPanel(PanelId),
     /// Takes steps back, or repeats them, until so many are done.

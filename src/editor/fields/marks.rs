@@ -14,6 +14,7 @@ use crate::ids::{PortName, is_slug, make_slug};
 use crate::library::Type;
 use crate::state::keying::{KeyPlace, KeyedBy, changes_in_time, has_between};
 use crate::state::session::Session;
+use crate::widgets::menu::scrolling;
 use crate::widgets::theme;
 
 /// Value with a mark: its target and type, and the edit that resets it to its default.
@@ -77,7 +78,7 @@ pub(crate) fn diamond(ui: &mut Ui, marked: Option<&FieldTarget<'_>>, out: &mut V
     if marked.by_shot().is_some() {
         shot::bar(ui, response.rect);
     }
-    egui::Popup::menu(&response).show(|ui| menu(ui, marked, out));
+    egui::Popup::menu(&response).show(|ui| scrolling(ui, |ui| menu(ui, marked, out)));
     response.on_hover_text(mark::help(marked.owned.keys, &marked.target));
 }
 

@@ -17,14 +17,21 @@ use crate::ids::NodeId;
 use crate::library::{CUSTOM_CODE, Fallback, Type};
 use crate::state::keying::KeyedBy;
 use crate::values;
+use crate::widgets::menu::scrolling;
 use crate::widgets::text::formed;
 use crate::widgets::theme;
 use crate::widgets::{color, curve, ramp};
 
 const MIXED: &str = "The selected nodes have different values; setting it sets all of them.";
 
-/// Width of the labels, in points.
+/// Width of the labels, in points, and the part of a narrow row that they take at most.
 const LABEL: f32 = 92.0;
+const LABEL_PART: f32 = 0.44;
+
+/// Width of the label of a row that begins here, in points.
+fn label_width(ui: &Ui) -> f32 {
+    (ui.available_width() * LABEL_PART).clamp(40.0, LABEL)
+}
 
 /// Shows a label with help, and a widget that is named by it.
 pub(crate) fn labelled(ui: &mut Ui, label: &str, help: &str, add: impl FnOnce(&mut Ui, Id)) {
@@ -51,7 +58,7 @@ pub(crate) fn marked(
             if marked.is_some() { egui::Sense::click() } else { egui::Sense::hover() },
         );
         if let Some(marked) = marked {
-            response.context_menu(|ui| marks::menu(ui, marked, out));
+            response.context_menu(|ui| scrolling(ui, |ui| marks::menu(ui, marked, out)));
         }
         add(ui, response.id, out);
     });
@@ -79,14 +86,17 @@ pub(crate) fn with_slot(
 /// Shows the label of a row, in the width that all labels have.
 fn name(ui: &mut Ui, label: RichText, help: &str, sense: egui::Sense) -> egui::Response {
     ui.spacing_mut().item_spacing.x = 6.0;
-    let size = vec2(LABEL, ui.spacing().interact_size.y);
+    let width = label_width(ui);
+    let size = vec2(width, ui.spacing().interact_size.y);
     let layout = egui::Layout::left_to_right(egui::Align::Center);
     let response = ui.allocate_ui_with_layout(size, layout, |ui| {
-        ui.set_min_width(LABEL);
-        ui.set_max_width(LABEL);
+        ui.set_min_width(width);
+        ui.set_max_width(width);
         // A long name takes a second line.
         ui.add(egui::Label::new(label).wrap().sense(sense))
     });
+    // What follows the label is shortened where a narrow row has no room for it.
+    ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Truncate);
     if help.is_empty() { response.inner } else { response.inner.on_hover_text(help) }
 }
 
@@ -136,7 +146,7 @@ pub(crate) fn show(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port, out: &
                 });
                 // The button is below the path, which takes the whole width.
                 if port.ty == Type::Hcbtf {
-                    let lead = marks::size(ui).x + LABEL + 9.0;
+                    let lead = marks::size(ui).x + label_width(ui) + 9.0;
                     ui.horizontal(|ui| {
                         ui.add_space(lead);
                         paint_button(ui, subject, port, shown, out);
@@ -221,6 +231,9 @@ fn held(subject: &InspectedNode<'_>, port: &Port, widget: Id, value: Value) -> C
     Command::EditHeld(widget, edit)
 }
 
+/// Room that the button of a wired input takes, in points.
+const UNWIRE: f32 = 50.0;
+
 /// Shows the source of a wired input.
 fn wired(
     ui: &mut Ui,
@@ -238,11 +251,14 @@ fn wired(
             (_, Some(kind)) => kind.label.to_string(),
             _ => node.to_string(),
         };
+        // A narrow row has room for the source alone; the canvas removes the wire too.
         if ui.link(format!("from {name}")).on_hover_text("Shows the node that feeds this").clicked()
         {
             out.push(Command::Reveal(node.clone()));
         }
-        if ui.small_button("Unwire").on_hover_text("Removes the wire").clicked() {
+        if ui.available_width() > UNWIRE
+            && ui.small_button("Unwire").on_hover_text("Removes the wire").clicked()
+        {
             out.push(Command::Edit(Edit::RemoveWire {
                 graph: subject.session.selection.graph_id().clone(),
                 wire: wire.clone(),

@@ -1,12 +1,15 @@
-//! Marks of values that the open shot changes: a bar beside the value, with what it was before, who
-//! changes it, and the way back.
+//! Marks of values that the open shot changes: a bar beside the value, and beside the row of what
+//! has such values, with what each was before, who changes it, and the way back.
 
 use eframe::egui;
 use eframe::egui::{Button, Popup, Rect, Role, Sense, Ui, Vec2, WidgetInfo, vec2};
 
 use crate::commands::{Command, SceneCommand, ShotCommand};
+use crate::document::Target;
 use crate::frame::ValueChange;
+use crate::ids::{LightId, NodePath, ObjectId};
 use crate::state::keying::Owner;
+use crate::state::reading::spoken;
 use crate::state::session::Session;
 use crate::state::session::shot::change_text;
 use crate::state::shot::ShotAddress;
@@ -23,6 +26,21 @@ impl<'s> ChangedValue<'s> {
     /// The change of a value of the open look or of the scene; `None` where no shot changes it.
     pub(crate) fn of(session: &'s Session, owner: Owner, target: &str) -> Option<Self> {
         Some(Self { session, change: session.change_by_shot(owner, target)? })
+    }
+
+    /// The changes of values of the open look, or of the scene, that stand.
+    pub(crate) fn all(session: &'s Session, owner: Owner) -> impl Iterator<Item = Self> {
+        let look = session.shot().and_then(|shot| shot.open_look());
+        let changes = session.shot().map(|shot| shot.resolved().changes.as_slice());
+        let is_of_owner = move |change: &&ValueChange| {
+            change.stands
+                && match owner {
+                    Owner::Look => look.is_some() && change.look == look,
+                    Owner::Scene => change.look.is_none(),
+                }
+        };
+        let changes = changes.unwrap_or_default().iter().filter(is_of_owner);
+        changes.map(move |change| Self { session, change })
     }
 
     /// The first of several values of the scene that a shot changes.
@@ -83,6 +101,94 @@ impl<'s> ChangedValue<'s> {
         if ui.button("Key at this frame of the shot").on_hover_text(help).clicked() {
             push(ShotCommand::Key(at));
             ui.close();
+        }
+    }
+}
+
+/// Values of one row, such as a node, a light or an object, that the open shot changes, each with
+/// its label.
+pub(crate) struct ChangedRow<'s>(Vec<(String, ChangedValue<'s>)>);
+
+impl<'s> ChangedRow<'s> {
+    /// Values of a node of the open look, and of the nodes within it.
+    pub(crate) fn of_node(session: &'s Session, path: &NodePath) -> Self {
+        let named = |changed: ChangedValue<'s>| {
+            // A node's own fields, such as its switch, are told beside its inputs.
+            if let Some(field) = changed.change.target.strip_prefix("nodes.") {
+                let (node, field) = field.rsplit_once('.')?;
+                return (NodePath::parse(node) == *path).then(|| (spoken(field), changed));
+            }
+            let target = Target::parse(&changed.change.target)?;
+            let Target::Input { node, .. } = &target else { return None };
+            let inner = node.ids().strip_prefix(path.ids())?;
+            let [owner, value] = session.look_with_library().names_of(&target);
+            Some((if inner.is_empty() { value } else { format!("{owner}: {value}") }, changed))
+        };
+        Self(ChangedValue::all(session, Owner::Look).filter_map(named).collect())
+    }
+
+    /// Values of a light of the open look or of the scene.
+    pub(crate) fn of_light(session: &'s Session, owner: Owner, id: &LightId) -> Self {
+        let prefix = format!("lights.{id}.");
+        let named = |changed: ChangedValue<'s>| {
+            let field = changed.change.target.strip_prefix(&prefix)?;
+            let port = Target::parse(&changed.change.target)
+                .and_then(|target| session.look_with_library().port_at(&target));
+            Some((port.map_or_else(|| spoken(field), |port| port.label.to_string()), changed))
+        };
+        Self(ChangedValue::all(session, owner).filter_map(named).collect())
+    }
+
+    /// Values of an object of the scene.
+    pub(crate) fn of_object(session: &'s Session, id: &ObjectId) -> Self {
+        let prefix = format!("objects.{id}.");
+        let named = |changed: ChangedValue<'s>| {
+            let field = changed.change.target.strip_prefix(&prefix)?;
+            let label = match field {
+                "transform.translate" => "Place".to_owned(),
+                "transform.rotate" => "Turn".to_owned(),
+                "transform.scale" => "Scale".to_owned(),
+                field => spoken(field),
+            };
+            Some((label, changed))
+        };
+        Self(ChangedValue::all(session, Owner::Scene).filter_map(named).collect())
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Addition to the row's name for screen readers.
+    pub(crate) fn word(&self) -> &'static str {
+        if self.is_empty() { "" } else { ", changed by the shot" }
+    }
+
+    /// Lines on all changes.
+    pub(crate) fn help(&self) -> String {
+        let line =
+            |(label, changed): &(String, ChangedValue<'_>)| format!("{label} {}", changed.help());
+        self.0.iter().map(line).collect::<Vec<_>>().join("\n")
+    }
+
+    /// Paints the bar at the left edge of the row, if anything of it is changed.
+    pub(crate) fn bar(&self, ui: &Ui, row: Rect) {
+        if !self.is_empty() {
+            bar(ui, row);
+        }
+    }
+
+    /// Shows an entry for each value in the row's menu, with the way back.
+    pub(crate) fn menu(&self, ui: &mut Ui, out: &mut Vec<Command>) {
+        for (index, (label, changed)) in self.0.iter().enumerate() {
+            ui.push_id(("changed by the shot", index), |ui| {
+                let text = format!("{label}, changed by the shot");
+                let entry = ui.menu_button(text, |ui| changed.menu(ui, out));
+                entry.response.on_hover_text(changed.help());
+            });
+        }
+        if !self.is_empty() {
+            ui.separator();
         }
     }
 }

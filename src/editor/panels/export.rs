@@ -14,6 +14,7 @@ use crate::export::package::{LookNeeds, PACKAGES, Package, PackageScene, export_
 use crate::export::{self, ExportOptions};
 use crate::frame::Assets;
 use crate::library::Library;
+use crate::state::passes::{self, OutputPass};
 use crate::state::session::Session;
 use crate::state::snapshot::{RenderSnapshot, Stamp};
 use crate::state::worker::{BackgroundJobs, Worker};
@@ -142,6 +143,8 @@ impl ExportCards {
             });
             ui.add_space(4.0);
             languages(ui, &mut commands);
+            ui.add_space(4.0);
+            named_passes(ui, session, &mut commands);
         });
         commands
     }
@@ -289,6 +292,50 @@ fn languages(ui: &mut Ui, commands: &mut Vec<Command>) {
             if button.on_hover_text(help).clicked() {
                 commands.push(Command::ExportLook(language.slug, None));
             }
+        }
+    });
+}
+
+/// Outputs that the look names as passes, with the command that writes them.
+fn named_passes(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
+    ui.spacing_mut().item_spacing = vec2(6.0, 4.0);
+    let aovs = &session.look().aovs;
+    if aovs.is_empty() {
+        let text = "No output of this look is named as a pass (AOV) for film. A right click on an \
+                    output of the graph names it";
+        return hint(ui, text);
+    }
+    ui.label(RichText::new("Passes (AOVs) that the look names").strong()).on_hover_text(
+        "Each is a layer of an EXR, and costs nothing in pictures that nobody asks for it",
+    );
+    for aov in aovs {
+        ui.horizontal(|ui| {
+            let title = passes::title_of(session, &aov.from);
+            let show = ui.link(aov.name.as_str()).on_hover_text("Shows the node");
+            if show.clicked() {
+                commands.push(Command::Show(aov.from.node.clone()));
+            }
+            ui.label(RichText::new(format!("from {title}")).color(theme::of(ui).dim));
+            let remove = ui.small_button("×").on_hover_text("Takes the name away");
+            remove.widget_info(|| {
+                let name = format!("Remove the pass {}", aov.name);
+                egui::WidgetInfo::labeled(egui::Role::Button, true, name)
+            });
+            if remove.clicked() {
+                let edit = OutputPass::of(session, &aov.from).named("");
+                commands.extend(edit.ok().flatten().map(Command::Edit));
+            }
+        });
+    }
+    ui.horizontal_wrapped(|ui| {
+        let document = session.path().and_then(|path| path.file_name());
+        let document = document.map_or("LOOK.json".into(), |name| name.to_string_lossy());
+        let command = format!("chiaro render {document} -o picture.exr --aov named");
+        ui.label(RichText::new(&command).monospace().color(theme::of(ui).dim));
+        let help =
+            "Copies the command that writes them beside the picture; --aov NAME asks for one";
+        if ui.small_button("Copy").on_hover_text(help).clicked() {
+            commands.push(Command::Copy(command));
         }
     });
 }

@@ -8,6 +8,7 @@ use eframe::egui::{
 
 use crate::commands::{Command, PanelId};
 use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::problem_text::step_labelled;
 use crate::state::revision::DocumentNumber;
 use crate::state::session::Session;
 use crate::widgets::rows::{leave_with_pointer, row_ground, undo_keys};
@@ -47,11 +48,11 @@ impl History {
         area.show_rows(ui, ROW, labels.len() + 1, |ui, rows| {
             for index in rows {
                 let label = match index.checked_sub(1) {
-                    Some(step) => labels[step],
-                    None if session.path().is_some() => "Opened",
-                    None => "New look",
+                    Some(step) => step_labelled(session.look_with_library(), labels[step]),
+                    None if session.path().is_some() => "Opened".to_owned(),
+                    None => "New look".to_owned(),
                 };
-                row(ui, index, place, label, labels.len(), &mut out);
+                row(ui, index, place, &label, labels.len(), &mut out);
             }
         });
         out

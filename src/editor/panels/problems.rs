@@ -10,8 +10,10 @@ use eframe::egui::{
 
 use crate::commands::{Command, PanelId};
 use crate::diag::{Diagnostic, Severity};
+use crate::document::Target;
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::fixes;
+use crate::state::problem_text::labelled;
 use crate::state::session::Session;
 use crate::widgets::text::hint;
 use crate::widgets::theme::{self, Colors};
@@ -76,12 +78,14 @@ fn row(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Comma
             ui.horizontal_wrapped(|ui| {
                 ui.spacing_mut().item_spacing.x = 5.0;
                 place(ui, session, problem, out);
-                ui.label(plain(&problem.message)).on_hover_text(format!("Code {}", problem.code));
+                let message = labelled(session.look_with_library(), &problem.message);
+                ui.label(message).on_hover_text(format!("Code {}", problem.code));
             });
             // A hint is left out where the button offers the same fix.
             let is_asked = |hint: &&String| mended.is_none() || !hint.starts_with("did you mean");
             for hint in problem.hints.iter().filter(is_asked) {
-                ui.label(RichText::new(plain(hint)).small().color(theme::of(ui).dim));
+                let hint = labelled(session.look_with_library(), hint);
+                ui.label(RichText::new(hint).small().color(theme::of(ui).dim));
             }
         });
         if let Some(fix) = mended {
@@ -101,20 +105,17 @@ fn row(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Comma
     ui.add_space(4.0);
 }
 
-/// Text without the marks of code, which are meant for terminals.
-fn plain(text: &str) -> String {
-    text.replace('`', "\"")
-}
-
 /// Shows the place of a problem: a node that a click leads to, or a line of a file.
 fn place(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Command>) {
     if let Some(path) = &problem.place.node
         && let Some(node) = path.outermost()
     {
-        let names: Vec<String> = path.ids().iter().map(ToString::to_string).collect();
-        let mut text = names.join(" / ");
+        let look = session.look_with_library();
+        let mut text = look.title_of_path(path);
         if let Some(port) = &problem.place.port {
-            text = format!("{text}.{port}");
+            let target = Target::Input { node: path.clone(), port: port.clone() };
+            let label = look.port_at(&target).map(|port| port.label.to_string());
+            text = format!("{text}: {}", label.unwrap_or_else(|| port.to_string()));
         }
         let title = session.look_with_library().title(node);
         let link = ui.link(RichText::new(text).color(theme::of(ui).accent));
@@ -198,11 +199,11 @@ pub(crate) fn status(ui: &mut Ui, session: &Session) -> Option<Command> {
     let shown = ui.scope(|ui| {
         ui.set_max_width(room);
         counts(ui, &problems);
-        let node = first.place.node.as_ref().and_then(|path| path.outermost());
-        let node = node
-            .map(|id| format!("{}: ", session.look_with_library().title(id)))
-            .unwrap_or_default();
-        ui.add(Label::new(format!("{node}{}", plain(&first.message))).selectable(false).truncate());
+        let look = session.look_with_library();
+        let node = first.place.node.as_ref();
+        let node = node.map(|path| format!("{}: ", look.title_of_path(path))).unwrap_or_default();
+        let text = format!("{node}{}", labelled(look, &first.message));
+        ui.add(Label::new(text).selectable(false).truncate());
     });
     let rect = shown
         .response

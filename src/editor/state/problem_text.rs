@@ -1,6 +1,9 @@
 //! Problems in words.
 
 use crate::diag::Diagnostic;
+use crate::document::Target;
+use crate::ids::NodePath;
+use crate::state::reading::LookWithLibrary;
 
 /// A problem with its hints, one a line, for people.
 pub(crate) fn sentence(problem: &Diagnostic) -> String {
@@ -10,4 +13,69 @@ pub(crate) fn sentence(problem: &Diagnostic) -> String {
         text += hint;
     }
     text
+}
+
+/// A text with the marks of code as quotes, in which nodes and their ports have the labels of the
+/// canvas: *Back-light / Blend* for `back_light/blend`.
+pub(crate) fn labelled(look: LookWithLibrary<'_>, text: &str) -> String {
+    let mut parts = text.split('`');
+    let mut told = parts.next().unwrap_or_default().to_owned();
+    for (index, part) in parts.enumerate() {
+        match index % 2 {
+            0 => told += &format!("\"{}\"", label_of(look, part).unwrap_or(part.to_owned())),
+            _ => told += part,
+        }
+    }
+    told
+}
+
+/// The label of a step of the history, in which ports have the labels of the canvas: *Back-light:
+/// Stack* for `back_light.below`.
+pub(crate) fn step_labelled(look: LookWithLibrary<'_>, label: &str) -> String {
+    let word = |word: &str| {
+        let label = word.contains('.').then(|| label_of(look, word)).flatten();
+        label.unwrap_or_else(|| word.to_owned())
+    };
+    label.split(' ').map(word).collect::<Vec<_>>().join(" ")
+}
+
+/// Label of a path of nodes, or of a port behind one; `None` for other words, and for nodes that
+/// are not there.
+fn label_of(look: LookWithLibrary<'_>, word: &str) -> Option<String> {
+    let whole = NodePath::parse(word);
+    if look.node_at(&whole).is_some() {
+        return Some(look.title_of_path(&whole));
+    }
+    let (path, port) = word.rsplit_once('.')?;
+    let node = NodePath::parse(path);
+    let kind = look.catalog.of(look.node_at(&node)?)?;
+    let input = look.port_at(&Target::Input { node: node.clone(), port: port.into() });
+    let output = || kind.outputs.get(kind.output(port)?).cloned();
+    let port = input.or_else(output)?;
+    Some(format!("{}: {}", look.title_of_path(&node), port.label))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalog::Catalog;
+    use crate::document::Look;
+    use crate::library::Library;
+
+    #[test]
+    fn paths_in_texts_have_the_labels_of_the_canvas() {
+        let look = r#"{"nodes": [{"id": "base", "kind": "base"},
+          {"id": "rim", "kind": "light_layer", "name": "Back-light"}]}"#;
+        let look = Look::read(look, "test").value.unwrap();
+        let library = Library::built_in();
+        let mut catalog = Catalog::new(library);
+        catalog.sync(&look, library);
+        let look = LookWithLibrary { look: &look, catalog: &catalog, library };
+        let told = labelled(look, "a ring: `rim.below` leads to `base.below`; `rim` is `a.b`, `x");
+        let expected = "a ring: \"Back-light: Below\" leads to \"Base: Stack\"; \"Back-light\" is \
+                        \"a.b\", \"x\"";
+        assert_eq!(told, expected);
+        let step = step_labelled(look, "wire base.below to rim.below");
+        assert_eq!(step, "wire Base: Stack to Back-light: Below");
+    }
 }

@@ -80,14 +80,32 @@ impl<'a> LookWithLibrary<'a> {
         }
     }
 
+    /// Display names along a path, *Back-light / Blend*; ids where there are no such nodes.
+    pub(crate) fn title_of_path(self, path: &NodePath) -> String {
+        let mut graph = Some(&self.look.graph);
+        let mut titles: Vec<String> = Vec::with_capacity(path.ids().len());
+        for id in path.ids() {
+            let node = graph.and_then(|graph| graph.nodes.get(id));
+            titles.push(node.map_or_else(|| id.to_string(), |node| self.title_of_node(id, node)));
+            let group = node.and_then(|node| self.definition_of(&node.kind));
+            graph = group.map(|definition| &definition.graph);
+        }
+        titles.join(" / ")
+    }
+
+    /// Display name of a node: its own, or that of its kind.
+    pub(crate) fn title_of_node(self, id: &NodeId, node: &Node) -> String {
+        let kind = || self.catalog.of(node).map(|kind| kind.label.to_string());
+        match node.name.is_empty() {
+            false => node.name.clone(),
+            true => kind().filter(|label| !label.is_empty()).unwrap_or_else(|| id.to_string()),
+        }
+    }
+
     /// Display name of a node of the look's own graph.
     pub(crate) fn title(self, id: &NodeId) -> String {
         let node = self.look.graph.nodes.get(id);
-        match (node, node.and_then(|node| self.catalog.of(node))) {
-            (Some(node), _) if !node.name.is_empty() => node.name.clone(),
-            (_, Some(kind)) => kind.label.to_string(),
-            _ => id.to_string(),
-        }
+        node.map_or_else(|| id.to_string(), |node| self.title_of_node(id, node))
     }
 
     /// Display name of a light.

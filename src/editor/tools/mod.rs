@@ -39,16 +39,22 @@ pub(crate) static TOOLS: &[ToolRow] = &[
     playback::TOOL,
 ];
 
+/// Largest width of a switch in the bar, in points.
+const SWITCH: f32 = 120.0;
+
 /// States of the picture's tools, each of a type of its own.
 pub(crate) struct PictureTools {
     states: Vec<Box<dyn Any>>,
+    /// Number of tools whose switch has no room in the bar, the last of them.
+    without_room: usize,
 }
 
 impl PictureTools {
     /// `wake` is called from other threads when they have results or progress.
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + Sync + 'static) -> Self {
         let parts = ToolParts::new(gpu, wake);
-        Self { states: TOOLS.iter().map(|tool| (tool.start)(&parts)).collect() }
+        let states = TOOLS.iter().map(|tool| (tool.start)(&parts)).collect();
+        Self { states, without_room: 0 }
     }
 
     /// State of this type, which the row of a tool starts.
@@ -87,9 +93,24 @@ impl PictureTools {
         TOOLS.iter().any(|tool| tool.takes_drags && (tool.is_on)(self))
     }
 
-    /// Shows the switches of the tools whose switch is at `place`.
+    /// Shows the switches of the tools whose switch is at `place`. Those that have no room in a
+    /// narrow bar are among the options.
     pub(crate) fn switches(&mut self, ui: &mut Ui, place: SwitchPlace, out: &mut Vec<Command>) {
-        for tool in TOOLS.iter().filter(|tool| tool.place == place) {
+        let of_bar = || TOOLS.iter().filter(|tool| tool.place == SwitchPlace::Bar);
+        if place == SwitchPlace::Bar {
+            self.without_room = 0;
+            for tool in of_bar() {
+                if self.without_room > 0 || ui.available_width() < SWITCH {
+                    self.without_room += 1;
+                } else {
+                    (tool.switch)(self, ui, out);
+                }
+            }
+            return;
+        }
+        let has_room = of_bar().count() - self.without_room;
+        let others = TOOLS.iter().filter(|tool| tool.place == place);
+        for tool in of_bar().skip(has_room).chain(others) {
             (tool.switch)(self, ui, out);
         }
     }

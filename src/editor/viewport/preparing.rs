@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use eframe::egui::{self, Align2, FontId, Rect, Role, Sense, Spinner, Ui, Vec2, WidgetInfo, vec2};
 
+use crate::diag::has_errors;
 use crate::state::session::Session;
 use crate::viewport::picture::{MissingPicture, ViewportPicture};
 use crate::widgets::theme;
@@ -72,9 +73,29 @@ impl PictureDelay {
                     "until what is listed below is mended",
                 );
             }
+            None if has_errors(session.compilation().problems()) => stale(ui, rect),
             None => {}
         }
     }
+}
+
+/// Says over the picture that it is of the graph before its error.
+fn stale(ui: &Ui, rect: Rect) {
+    let text = "Of the graph before the error";
+    let colors = theme::of(ui);
+    let painter = ui.painter().with_clip_rect(rect);
+    let font = FontId::proportional(theme::TEXT_SIZE);
+    let galley = painter.layout_no_wrap(text.to_owned(), font, colors.error);
+    let size = galley.size() + vec2(20.0, 10.0);
+    // Other tools lie along the edges of the picture.
+    let middle = egui::pos2(rect.center().x, rect.top() + rect.height() * 0.2);
+    let room = Rect::from_center_size(middle, size);
+    painter.rect_filled(room, 4.0, colors.panel.gamma_multiply(0.92));
+    let edge = egui::Stroke::new(1.0, colors.error);
+    painter.rect_stroke(room, 4.0, edge, egui::StrokeKind::Inside);
+    painter.galley(room.min + vec2(10.0, 5.0), galley, colors.error);
+    let response = ui.interact(room, ui.scope_id().with("of before"), Sense::empty());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
 }
 
 fn sign(ui: &mut Ui, rect: Rect, strength: f32, turns: bool, text: &str, more: &str) {

@@ -5,6 +5,7 @@ pub(crate) mod confirm;
 pub(crate) mod curve;
 pub(crate) mod handle;
 pub(crate) mod icon;
+pub(crate) mod menu;
 pub(crate) mod picker;
 pub(crate) mod ramp;
 pub(crate) mod rows;

@@ -76,6 +76,10 @@ fn edits() -> Vec<CommandRow> {
 fn groups() -> Vec<CommandRow> {
     vec![
         graph(G::Rename, "Rename", &[(NONE, Key::F2)]),
+        graph(G::NamePass, "Name an output as a pass (AOV)...", &[]).help(
+            "Films ask for the output by this name: chiaro render --aov NAME. It costs nothing \
+             where nobody asks",
+        ),
         graph(G::Mute, "Mute or unmute", &[(NONE, Key::M)]),
         graph(G::Collapse, "Collapse or expand", &[(NONE, Key::H)]),
         graph(G::Ungroup, "Dissolve the group", &[(CTRL_SHIFT, Key::G)]),

@@ -156,6 +156,8 @@ fn key_text(modifiers: Modifiers, key: Key) -> String {
         Key::CloseBracket => "]",
         Key::Questionmark => "?",
         Key::Period => ".",
+        Key::Plus => "+",
+        Key::Minus => "-",
         other => other.name(),
     };
     text

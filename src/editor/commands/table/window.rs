@@ -5,8 +5,8 @@ use eframe::egui::Key;
 use super::KeyScope::{self, Window};
 use super::{ALT, CTRL, CTRL_SHIFT, CommandRow, Menu, NONE, SHIFT, row};
 use crate::commands::{
-    Command as C, FitCommand, GridPreset, PaintCommand as P, PanelId, SceneCommand, ShotCommand,
-    Switch, TourTopic,
+    Command as C, FitCommand, GridPreset, PaintCommand as P, PanelId, ScaleCommand, SceneCommand,
+    ShotCommand, Switch, TourTopic,
 };
 use crate::document::Storage;
 use crate::hcbtf::exchange::ExchangeFormat;
@@ -68,6 +68,22 @@ pub(super) fn rows() -> Vec<CommandRow> {
             Window,
         )
         .in_menu(Menu::Help),
+        row(
+            C::Scale(ScaleCommand::Larger),
+            "Scale up: everything larger",
+            &[(CTRL, Key::Plus), (CTRL, Key::Equals), (CTRL_SHIFT, Key::Plus)],
+            Window,
+        ),
+        row(
+            C::Scale(ScaleCommand::Smaller),
+            "Scale down: everything smaller",
+            &[(CTRL, Key::Minus)],
+            Window,
+        ),
+        row(C::Scale(ScaleCommand::To(100)), "Scale 100%", &[(CTRL, Key::Num0)], Window),
+        row(C::Scale(ScaleCommand::To(125)), "Scale 125%", &[], Window),
+        row(C::Scale(ScaleCommand::To(150)), "Scale 150%", &[], Window),
+        row(C::Scale(ScaleCommand::To(200)), "Scale 200%", &[], Window),
         row(
             C::Fit(FitCommand::Turn(Switch::Toggle)),
             "Paint light on the picture",

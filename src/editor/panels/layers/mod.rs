@@ -17,6 +17,7 @@ use eframe::egui::{
 use super::thumbs::{Shot, Thumbs, key_on, surroundings_key};
 use crate::commands::{Command, PanelId};
 use crate::document::{Edit, Endpoint, GraphId, Node, Wire};
+use crate::fields::shot::ChangedRow;
 use crate::ids::{NodeId, NodePath, make_slug};
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::revision::{DocumentNumber, LookRevision};
@@ -24,6 +25,7 @@ use crate::state::session::Session;
 use crate::state::stack::{BELOW, Stack};
 use crate::state::worker::BackgroundJobs;
 use crate::viewport::solo_bar;
+use crate::widgets::menu::scrolling;
 use crate::widgets::rows::{NameEdit, leave_with_pointer, undo_keys};
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::text::hint;
@@ -134,21 +136,23 @@ impl Layers {
         ui.horizontal(|ui| {
             ui.add_enabled_ui(self.stack.has_output(), |ui| {
                 let menu = ui.menu_button("Add layer", |ui| {
-                    for preset in &PRESETS {
-                        let button = ui.button(preset.name).on_hover_text(preset.help);
-                        let name = || {
-                            egui::WidgetInfo::labeled(
-                                egui::Role::MenuItem,
-                                true,
-                                format!("Add {}", preset.name),
-                            )
-                        };
-                        button.widget_info(name);
-                        if button.clicked() {
-                            add(&self.stack, session, preset, out);
-                            ui.close();
+                    scrolling(ui, |ui| {
+                        for preset in &PRESETS {
+                            let button = ui.button(preset.name).on_hover_text(preset.help);
+                            let name = || {
+                                egui::WidgetInfo::labeled(
+                                    egui::Role::MenuItem,
+                                    true,
+                                    format!("Add {}", preset.name),
+                                )
+                            };
+                            button.widget_info(name);
+                            if button.clicked() {
+                                add(&self.stack, session, preset, out);
+                                ui.close();
+                            }
                         }
-                    }
+                    });
                 });
                 spots::note(ui, Spot::AddLayer, menu.response.rect);
                 menu.response.on_hover_text("Puts a layer over the selected one, or on top of all");
@@ -196,6 +200,7 @@ impl Layers {
     /// Shows the menu of a layer.
     fn menu(&mut self, ui: &mut Ui, session: &Session, id: &NodeId, out: &mut Vec<Command>) {
         let Some(index) = self.stack.index_of(id) else { return };
+        ChangedRow::of_node(session, &NodePath::root(id.clone())).menu(ui, out);
         let entry = |ui: &mut Ui, label: &str, help: &str, is_on: bool| {
             ui.add_enabled(is_on, egui::Button::new(label)).on_hover_text(help).clicked()
         };

@@ -11,6 +11,7 @@ use super::MODES;
 use crate::catalog::{NodeKind, Port};
 use crate::commands::Command;
 use crate::document::{Edit, GraphId, Node, Target, Value};
+use crate::fields::shot::ChangedRow;
 use crate::ids::{NodeId, NodePath};
 use crate::library::Type;
 use crate::state::session::Session;
@@ -68,6 +69,11 @@ impl Row<'_> {
         self.kind.input(name).map(|index| &self.kind.inputs[index])
     }
 
+    /// Values of the layer that the open shot changes.
+    pub(super) fn changed_by_shot(&self) -> ChangedRow<'_> {
+        ChangedRow::of_node(self.session, &NodePath::root(self.id.clone()))
+    }
+
     fn title(&self) -> String {
         if self.node.name.is_empty() { self.kind.label.to_string() } else { self.node.name.clone() }
     }
@@ -85,11 +91,14 @@ impl Row<'_> {
         let title = self.title();
         let is_selected = super::is_selected(self.session, self.id);
         let whole = ui.interact(rect, focus_id(self.id), Sense::click_and_drag());
+        let changed = self.changed_by_shot();
         whole.widget_info(|| {
-            WidgetInfo::selected(Role::ListItem, true, is_selected, format!("Layer {title}"))
+            let name = format!("Layer {title}{}", changed.word());
+            WidgetInfo::selected(Role::ListItem, true, is_selected, name)
         });
         spots::note(ui, Spot::Layer(self.id.clone()), rect);
         card_ground(ui, rect, &whole, is_selected || is_dragged);
+        changed.bar(ui, rect);
         self.select(ui, &whole, out);
         // The buttons at the right end lie in the same column here as in the lists of lights and
         // objects.
@@ -130,7 +139,9 @@ impl Row<'_> {
         self.blending(&mut below, &title, out);
         self.mask(&mut below, &title, out);
         self.opacity(&mut below, &title, out);
-        let help = "Click selects its node too · drag to reorder · right click for more";
+        let mut help = changed.help();
+        help += if help.is_empty() { "" } else { "\n" };
+        help += "Click selects its node too · drag to reorder · right click for more";
         RowResponse { whole: if whole.dragged() { whole } else { whole.on_hover_text(help) }, more }
     }
 
@@ -147,9 +158,12 @@ impl Row<'_> {
         let is_selected = super::is_selected(self.session, self.id);
         let whole = ui.interact(rect, focus_id(self.id), Sense::click());
         let name = if is_base { format!("Base {title}") } else { format!("Branch {title}") };
+        let changed = self.changed_by_shot();
+        let name = name + changed.word();
         whole.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, &name));
         spots::note(ui, Spot::Layer(self.id.clone()), rect);
         card_ground(ui, rect, &whole, is_selected);
+        changed.bar(ui, rect);
         self.select(ui, &whole, out);
         let builder = UiBuilder::new().id_salt(self.id).max_rect(rect.shrink2(vec2(4.0, 3.0)));
         let mut child = ui.new_child(builder.layout(Layout::left_to_right(Align::Center)));

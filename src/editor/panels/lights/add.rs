@@ -22,7 +22,7 @@ pub(super) fn bar(
     shared: &IndexMap<LightId, SharedLight>,
     out: &mut Vec<Command>,
 ) {
-    ui.horizontal(|ui| menus(ui, session, shared, out));
+    ui.horizontal_wrapped(|ui| menus(ui, session, shared, out));
     ui.add_space(2.0);
 }
 

@@ -19,6 +19,7 @@ use crate::document::{Light, Value};
 use crate::fields::layer;
 use crate::fields::lighting::{OwnedLight, Owner};
 use crate::fields::mix::{MixedLights, SceneMix};
+use crate::fields::shot::ChangedRow;
 use crate::ids::LightId;
 use crate::library::Type;
 use crate::panels::table::{PanelPlace, PanelRow};
@@ -191,6 +192,8 @@ impl Lights {
         let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
         ui.painter().rect_filled(rect, 3.0, swatch(owned_light.light, session.look().color_space));
         picture_frame(ui, rect);
+        let changed = ChangedRow::of_light(session, owned_light.owner, owned_light.id);
+        changed.bar(ui, rect.translate(vec2(-4.0, 0.0)));
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let more = icon(
                 ui, Icon::More, true, &format!("More of {title}"), "Rename, duplicate, remove"
@@ -216,7 +219,7 @@ impl Lights {
                 let here = solo.is_dark(owned_light.id).then(|| "Out in this window".to_owned());
                 let why_dark = here.or_else(|| self.mixed.told(owned_light.id));
                 let is_at_hand = layer::light_at_hand(session).as_ref() == Some(owned_light.id);
-                self.title(ui, owned_light, (why_dark, is_replaced, is_at_hand), out);
+                self.title(ui, owned_light, (why_dark, is_replaced, is_at_hand), &changed, out);
             });
         });
     }
@@ -270,6 +273,7 @@ impl Lights {
         ui: &mut Ui,
         owned_light: &OwnedLight<'_>,
         (why_dark, is_replaced, is_at_hand): (Option<String>, bool, bool),
+        changed: &ChangedRow<'_>,
         out: &mut Vec<Command>,
     ) {
         if let Some(field) = self
@@ -304,7 +308,10 @@ impl Lights {
         } else if response.clicked() {
             out.push(Command::ChooseLight(owned_light.id.clone()));
         }
-        let why = why_dark.map_or_else(String::new, |why| format!("{why}.\n"));
+        let mut why = why_dark.map_or_else(String::new, |why| format!("{why}.\n"));
+        if !changed.is_empty() {
+            why += &format!("{}\n", changed.help());
+        }
         response.on_hover_text(format!(
             "{why}A click chooses it: its handles, placing and looking through are of it then. \
              Double click to rename"
@@ -325,6 +332,7 @@ impl Lights {
         owned_light: &OwnedLight<'_>,
         out: &mut Vec<Command>,
     ) {
+        ChangedRow::of_light(session, owned_light.owner, owned_light.id).menu(ui, out);
         if ui.button("Rename light").on_hover_text("Or double click on the name").clicked() {
             self.rename(owned_light);
         }

@@ -16,6 +16,7 @@ use eframe::egui::{
 
 use crate::commands::{Command, PanelId, SceneCommand};
 use crate::document::{Object, SceneEdit};
+use crate::fields::shot::ChangedRow;
 use crate::geometry::SHAPES;
 use crate::ids::ObjectId;
 use crate::panels::table::{PanelPlace, PanelRow};
@@ -71,7 +72,7 @@ impl Objects {
             }
             ui.spacing_mut().item_spacing.y = 2.0;
             for (id, object) in &open_scene.scene().objects {
-                let row = self.row(ui, open_scene, id, object, &mut out, &mut commands);
+                let row = self.row(ui, session, (id, object), &mut out, &mut commands);
                 if goal.as_ref() == Some(id) {
                     // The row is scrolled into view with the beginning of the fields below it.
                     ui.scroll_to_rect(row.with_max_y(row.max.y + 3.0 * ROW), None);
@@ -100,25 +101,28 @@ impl Objects {
     fn row(
         &mut self,
         ui: &mut Ui,
-        open_scene: &OpenScene,
-        id: &ObjectId,
-        object: &Object,
+        session: &Session,
+        (id, object): (&ObjectId, &Object),
         out: &mut Vec<SceneCommand>,
         commands: &mut Vec<Command>,
     ) -> Rect {
+        let Some(open_scene) = session.open_scene() else { return Rect::NOTHING };
+        let changed = ChangedRow::of_object(session, id);
         let is_selected = open_scene.selected().is_some_and(|(selected, _)| selected == id);
         let (rect, response) =
             ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
         response.widget_info(|| {
-            WidgetInfo::selected(Role::ListItem, true, is_selected, format!("Object {id}"))
+            let name = format!("Object {id}{}", changed.word());
+            WidgetInfo::selected(Role::ListItem, true, is_selected, name)
         });
         card_ground(ui, rect, &response, is_selected);
+        changed.bar(ui, rect);
         // The buttons at the right end lie in the same column here as in the lists of layers and
         // lights.
         let inner = egui::Rect::from_min_max(rect.min + vec2(6.0, 2.0), rect.max - vec2(0.0, 2.0));
         let builder = UiBuilder::new().id_salt(("object", id.as_str())).max_rect(inner);
         let mut inner = ui.new_child(builder.layout(Layout::left_to_right(egui::Align::Center)));
-        self.head(&mut inner, open_scene, id, object, out);
+        self.head(&mut inner, session, (id, object), out, commands);
         if response.clicked() {
             response.request_focus();
             out.push(SceneCommand::Pick(id.clone(), None));
@@ -134,20 +138,25 @@ impl Objects {
             }
             undo_keys(ui, commands);
         }
-        let help = "A click selects it and opens its look; a double click renames it";
-        Popup::context_menu(&response.on_hover_text(help))
-            .show(|ui| self.menu(ui, open_scene, id, out));
+        let mut help = changed.help();
+        help += if help.is_empty() { "" } else { "\n" };
+        help += "A click selects it and opens its look; a double click renames it";
+        Popup::context_menu(&response.on_hover_text(help)).show(|ui| {
+            changed.menu(ui, commands);
+            self.menu(ui, open_scene, id, out);
+        });
         rect
     }
 
     fn head(
         &mut self,
         ui: &mut Ui,
-        open_scene: &OpenScene,
-        id: &ObjectId,
-        object: &Object,
+        session: &Session,
+        (id, object): (&ObjectId, &Object),
         out: &mut Vec<SceneCommand>,
+        commands: &mut Vec<Command>,
     ) {
+        let Some(open_scene) = session.open_scene() else { return };
         ui.spacing_mut().item_spacing.x = 6.0;
         let help = "Shows the object, or hides it";
         if icon(ui, Icon::Eye, object.visible, &format!("Object {id} is seen"), help).clicked() {
@@ -160,7 +169,10 @@ impl Objects {
         ui.with_layout(Layout::right_to_left(egui::Align::Center), |ui| {
             let help = "Frame, duplicate, rename, remove";
             let more = icon(ui, Icon::More, true, &format!("More of {id}"), help);
-            Popup::menu(&more).show(|ui| self.menu(ui, open_scene, id, out));
+            Popup::menu(&more).show(|ui| {
+                ChangedRow::of_object(session, id).menu(ui, commands);
+                self.menu(ui, open_scene, id, out);
+            });
             ui.with_layout(Layout::top_down(egui::Align::LEFT), |ui| {
                 ui.spacing_mut().item_spacing.y = 1.0;
                 self.title(ui, open_scene, id, object, out);

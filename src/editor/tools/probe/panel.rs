@@ -6,6 +6,7 @@ use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2,
 use super::{Probe, lights};
 use crate::commands::Command;
 use crate::ids::NodePath;
+use crate::library::Type;
 use crate::progress::Interruption;
 use crate::reference::WireValue;
 use crate::state::problem_text::sentence;
@@ -183,6 +184,7 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
         FontId::proportional(theme::TEXT_SIZE),
         ink,
     );
+    let meaning = Meaning::of(session, wire);
     for (index, numbers) in [(1, &wire.single), (2, &wire.double)] {
         let mut place = column(rect, index);
         if let Some(color) = color_of(numbers) {
@@ -193,7 +195,12 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
             ui.painter().rect_stroke(swatch, 2.0, edge, egui::StrokeKind::Inside);
             place.min.x += 16.0;
         }
-        cell(ui, place, &short(numbers), FontId::monospace(11.0), ink);
+        let text = match meaning {
+            Meaning::Angle => degrees(numbers).unwrap_or_else(|| short(numbers)),
+            Meaning::Profile if wire.is_finite() => format!("{} numbers", numbers.len()),
+            Meaning::Numbers | Meaning::Profile => short(numbers),
+        };
+        cell(ui, place, &text, FontId::monospace(11.0), ink);
     }
     let difference = wire.difference();
     let far = difference > 1.0 / 255.0;
@@ -239,6 +246,40 @@ pub(crate) fn wire_name(session: &Session, path: &NodePath) -> String {
         name += id.as_str();
     }
     name
+}
+
+/// Meaning of a wire's numbers, by which they are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Meaning {
+    Numbers,
+    /// Sine and cosine of half an angle.
+    Angle,
+    /// Numbers of a profile, which say little to people.
+    Profile,
+}
+
+impl Meaning {
+    /// Meaning of a node's value, where its one output tells it.
+    fn of(session: &Session, wire: &WireValue) -> Self {
+        let node = node_at(session.look(), &session.project.library, wire.node.ids());
+        let kind = node.and_then(|node| session.project.catalog.of(node));
+        let output = kind.and_then(|kind| match kind.outputs.as_slice() {
+            [output] => Some(&output.ty),
+            _ => None,
+        });
+        match output {
+            Some(Type::Angle) => Self::Angle,
+            Some(Type::Prepared(_)) if wire.double.len() > 5 => Self::Profile,
+            _ => Self::Numbers,
+        }
+    }
+}
+
+/// An angle in degrees, from the sine and the cosine of its half; `None` for other numbers.
+fn degrees(numbers: &[f64]) -> Option<String> {
+    let [sine, cosine] = *numbers else { return None };
+    let angle = (2.0 * sine.atan2(cosine)).to_degrees();
+    angle.is_finite().then(|| format!("{}°", number_text(angle, 4)))
 }
 
 /// Color of four or five scalars, which are a color with its alpha; `None` for other numbers.

@@ -1,0 +1,310 @@
+//! Every panel and menu from 800x600 to 4K, at 100% and 200%: nothing that can be operated lies
+//! over anything else or is cut off, and no text ends in the middle of a letter.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+use eframe::egui::epaint::{ClippedShape, Shape, TextShape};
+use eframe::egui::{FontFamily, Key, LayerId, Modifiers, Order, Rect, Vec2, WidgetRect};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+
+use crate::editor_support::User;
+use crate::editor_support::home::Home;
+
+/// Sizes of windows in pixels, with the pixels of a point.
+const SIZES: [([f32; 2], f32); 5] = [
+    ([800.0, 600.0], 1.0),
+    ([1280.0, 720.0], 1.0),
+    ([1600.0, 1000.0], 2.0),
+    ([1920.0, 1080.0], 1.0),
+    ([3840.0, 2160.0], 2.0),
+];
+
+/// Panels that are looked at together, as the command palette lists them: those of one row lie in
+/// stacks of their own.
+const ROUNDS: [&[&str]; 9] = [
+    &["Timeline"],
+    &["Light table"],
+    &["Objects", "Code", "Mixer"],
+    &["Shot", "Problems", "Links"],
+    &["Library", "Effects", "Export"],
+    &["Picture", "Graph", "Inspector", "Layers", "Profile"],
+    &["Lights", "Keys"],
+    &["History", "Cost and accuracy"],
+    &["Probe"],
+];
+
+/// Menus of the bar.
+const MENUS: [&str; 5] = ["View", "Paint", "Export", "Copy as", "Help"];
+
+const LOOK: &str = r#"{"chiaro": "look", "name": "Nightfall on the old harbor",
+ "lights": {"key": {"name": "Key light of the lantern", "direction": [0, 0, 1]},
+            "rim": {"type": "point", "position": [2, 1, 1]}, "fill": {"direction": [1, 0, 0]}},
+ "nodes": [{"id": "base", "kind": "base"},
+  {"id": "layer", "kind": "light_layer", "name": "Cartoon of the key light",
+   "values": {"light": "key", "opacity": 0.5}},
+  {"id": "back", "kind": "light_layer", "values": {"light": "rim"}},
+  {"id": "output", "kind": "output"}],
+ "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "back.below"},
+           {"from": "back", "to": "output.color"}],
+ "aovs": [{"name": "key_alone", "from": "layer"}],
+ "time_keys": [{"target": "layer.cutoff", "keys": [{"time": 0, "value": 1},
+                                                    {"time": 1, "value": 1.2}]}],
+ "direction_keys": [{"name": "By the eye", "by": "view",
+   "keys": [{"direction": [0, 0, 1], "values": {"back.opacity": 0.4}}]}]}"#;
+
+const SCENE: &str = r#"{"chiaro": "scene",
+ "objects": [{"id": "ball_of_the_harbor", "mesh": "shape:sphere", "looks": "look.json"},
+             {"id": "knot", "mesh": "shape:torus", "looks": "look.json"}],
+ "lights": {"sun": {"direction": [0, 0.6, 0.8], "intensity": 0.8}},
+ "groups": {"rims": {"label": "Rims of all"}},
+ "camera": {"eye": [0, 0, 6]}}"#;
+
+const SHOT: &str = r#"{"chiaro": "shot", "scene": "scene.json", "rate": 24, "frames": [1, 96],
+ "overrides": [{"target": "lights.sun.intensity", "value": 0.25},
+   {"look": "look.json", "target": "layer.opacity", "value": 0.75}]}"#;
+
+/// Folder into which pictures of all panels are written; none where nobody asks.
+fn pictures() -> Option<PathBuf> {
+    std::env::var_os("CHIARO_PANEL_PICTURES").map(PathBuf::from)
+}
+
+/// A window with a shot, on files of its own.
+fn opened(home: &Home) -> User {
+    for (name, text) in [("look.json", LOOK), ("scene.json", SCENE), ("shot.json", SHOT)] {
+        std::fs::write(home.file(name), text).unwrap();
+    }
+    let mut hand = match pictures() {
+        Some(_) => User::drawing_with(|app, _| app.without_dialogs()),
+        None => User::with(|ctx| chiaro::editor::App::new(ctx, None).without_dialogs()),
+    };
+    hand.app_mut().open(&home.file("shot.json"));
+    hand.settle();
+    hand
+}
+
+fn resize(hand: &mut User, (size, pixels): ([f32; 2], f32)) {
+    // A frame with another scale keeps the window's size in pixels, whatever size it is given.
+    hand.harness.set_pixels_per_point(pixels);
+    hand.harness.step();
+    hand.harness.set_size(Vec2::from(size) / pixels);
+    hand.harness.run_steps(3);
+    let window = hand.harness.ctx.content_rect();
+    assert_eq!(window.size(), Vec2::from(size) / pixels);
+}
+
+/// Brings a panel to the front by the command palette.
+fn show(hand: &mut User, panel: &str) {
+    hand.key_with(Modifiers::COMMAND, Key::P);
+    hand.type_text(&format!("panel {panel}"));
+    let entry = format!("Panel: {panel}");
+    assert!(hand.has(&entry), "the palette has no {entry}");
+    hand.key(Key::Enter);
+}
+
+/// Widgets of a layer that can be operated, with their names.
+fn widgets(hand: &User) -> Vec<(WidgetRect, String)> {
+    hand.harness.ctx.viewport(|viewport| {
+        let all = &viewport.prev_pass.widgets;
+        let name = |widget: &WidgetRect| {
+            let info = all.info(widget.id)?;
+            let text = info.label.clone().or_else(|| info.current_text_value.clone());
+            Some(format!("{:?} {:?}", info.role, text.unwrap_or_default()))
+        };
+        let is_operated = |widget: &&WidgetRect| {
+            (widget.sense.senses_click() || widget.sense.senses_drag())
+                && widget.interact_rect.is_positive()
+        };
+        let all_widgets = all.layers().flat_map(|(_, widgets)| widgets.iter());
+        all_widgets
+            .filter(is_operated)
+            .filter_map(|widget| Some((*widget, name(widget)?)))
+            .collect()
+    })
+}
+
+/// True for areas that are drawn on, and for handles on the object: other widgets lie over them.
+fn is_ground(name: &str) -> bool {
+    ["Canvas", "Image", "ListItem", "Unknown", "Splitter"].iter().any(|role| name.starts_with(role))
+        || name.contains("Handle")
+}
+
+/// Widgets of which one covers a part of another.
+fn overlapping(hand: &User, found: &mut BTreeSet<String>, at: &str) {
+    let widgets = widgets(hand);
+    let is_in = |a: Rect, b: Rect| b.expand(1.5).contains_rect(a);
+    for (index, (a, name)) in widgets.iter().enumerate() {
+        for (b, other) in &widgets[index + 1..] {
+            let shared = a.interact_rect.intersect(b.interact_rect);
+            if a.layer_id != b.layer_id
+                || shared.width() < 2.0
+                || shared.height() < 2.0
+                || is_ground(name)
+                || is_ground(other)
+                || is_in(a.interact_rect, b.interact_rect)
+                || is_in(b.interact_rect, a.interact_rect)
+            {
+                continue;
+            }
+            found.insert(format!("{at}: {name} and {other} lie over each other at {shared:?}"));
+        }
+    }
+}
+
+/// Widgets that their panel or the window cuts off at the left or the right, or that a panel
+/// without room leaves in half.
+fn cut_off(hand: &User, found: &mut BTreeSet<String>, at: &str) {
+    for (widget, name) in widgets(hand) {
+        let [whole, seen] = [widget.rect, widget.interact_rect];
+        if whole.width() - seen.width() > 2.0 && !is_ground(&name) && !name.starts_with("Tab") {
+            found.insert(format!("{at}: {name} is cut off at its side: {seen:?} of {whole:?}"));
+        }
+    }
+}
+
+/// Panels that scroll to the sides, too.
+const SCROLLED_ACROSS: [&str; 2] = ["Light table", "Timeline"];
+
+/// Panels whose rows need more than the least room.
+const WIDE: [&str; 1] = ["Shot"];
+
+/// Least width of a field of text, in points: a longer text is scrolled in it.
+const LEAST_FIELD: f32 = 48.0;
+
+/// True for the text of a field of one line, which is scrolled in it.
+fn is_in_field(text: Rect, clip: Rect) -> bool {
+    let begins = (0.0..3.0).contains(&(text.left() - clip.left()));
+    begins && clip.height() < 20.0 && clip.width() >= LEAST_FIELD
+}
+
+/// Texts that end in the middle of a letter at the left or the right, or outside of the window.
+fn cut_texts(hand: &User, found: &mut BTreeSet<String>, at: &str) {
+    let window = hand.harness.ctx.content_rect();
+    let is_of = |panels: &[&str]| panels.iter().any(|panel| at.contains(panel));
+    if is_of(&SCROLLED_ACROSS) || window.width() < 1000.0 && is_of(&WIDE) {
+        return;
+    }
+    for ClippedShape { clip_rect, shape, .. } in &hand.harness.output().shapes {
+        let mut texts = Vec::new();
+        collect(shape, &mut texts);
+        for (rect, text) in texts {
+            let clip = clip_rect.intersect(window);
+            // Rows of lists are cut where the list ends; that is what the wheel is for.
+            let is_seen = clip.intersect(rect).height() > rect.height() * 0.6
+                && clip.intersect(rect).width() > 1.0
+                && !is_in_field(rect, clip);
+            if is_seen && (rect.left() < clip.left() - 1.5 || rect.right() > clip.right() + 1.5) {
+                found.insert(format!("{at}: the text {text:?} is cut off: {rect:?} in {clip:?}"));
+            }
+        }
+    }
+}
+
+/// True for code, which is scrolled in both directions.
+fn is_code(text: &TextShape) -> bool {
+    let first = text.galley.job.sections.first();
+    first.is_some_and(|first| first.format.font_id.family == FontFamily::Monospace)
+}
+
+fn collect(shape: &Shape, texts: &mut Vec<(Rect, String)>) {
+    match shape {
+        Shape::Vec(shapes) => shapes.iter().for_each(|shape| collect(shape, texts)),
+        Shape::Text(text) if !text.galley.is_empty() && text.angle == 0.0 && !is_code(text) => {
+            texts.push((text.visual_bounding_rect(), text.galley.text().to_owned()));
+        }
+        _ => {}
+    }
+}
+
+/// Menus and other areas above the window that reach out of it.
+fn outside(hand: &User, found: &mut BTreeSet<String>, at: &str) {
+    let window = hand.harness.ctx.content_rect().expand(1.0);
+    let above = |layer: &LayerId| matches!(layer.order, Order::Foreground | Order::Middle);
+    for (widget, name) in widgets(hand).iter().filter(|(widget, _)| above(&widget.layer_id)) {
+        if !window.contains_rect(widget.interact_rect) {
+            found.insert(format!("{at}: {name} is outside: {:?}", widget.interact_rect));
+        }
+    }
+}
+
+fn look_at(hand: &mut User, found: &mut BTreeSet<String>, size: ([f32; 2], f32), what: &str) {
+    let ([width, height], pixels) = size;
+    let at = format!("{width}x{height}@{pixels} {what}");
+    overlapping(hand, found, &at);
+    cut_off(hand, found, &at);
+    cut_texts(hand, found, &at);
+    outside(hand, found, &at);
+    if let Some(folder) = pictures() {
+        picture(&mut hand.harness, &folder, &at);
+    }
+}
+
+fn picture<S>(harness: &mut Harness<'_, S>, folder: &std::path::Path, name: &str) {
+    let image = harness.render().unwrap();
+    let file = format!("{}.png", name.replace([' ', '@'], "-"));
+    image.save(folder.join(file)).unwrap();
+}
+
+#[test]
+fn every_panel_has_room_at_every_size() {
+    let home = Home::new();
+    let mut hand = opened(&home);
+    hand.app_mut().session_mut().select(vec!["layer".into()]);
+    let mut found = BTreeSet::new();
+    for round in ROUNDS {
+        for panel in round {
+            show(&mut hand, panel);
+        }
+        for size in SIZES {
+            resize(&mut hand, size);
+            look_at(&mut hand, &mut found, size, &round.join(", "));
+        }
+    }
+    for size in [SIZES[0], SIZES[2]] {
+        resize(&mut hand, size);
+        for menu in MENUS {
+            let button = hand.harness.get_all_by_label(menu).next().expect("a menu of the bar");
+            let at = button.rect().center();
+            hand.click(at);
+            look_at(&mut hand, &mut found, size, &format!("menu {menu}"));
+            hand.key(Key::Escape);
+        }
+    }
+    assert!(found.is_empty(), "{}\n{}", found.len(), Vec::from_iter(found).join("\n"));
+}
+
+#[test]
+fn a_menu_that_is_higher_than_the_window_scrolls_to_its_end() {
+    let mut hand = User::new();
+    resize(&mut hand, ([1600.0, 1000.0], 2.0));
+    hand.press("View");
+    let scale = |hand: &User| hand.place("Scale 125%");
+    let window = hand.harness.ctx.content_rect();
+    assert!(!window.contains_rect(scale(&hand)), "more than the window has room for");
+    let view = hand.place("Graph").center();
+    hand.hover(view);
+    for _ in 0..12 {
+        hand.wheel(view, -120.0);
+    }
+    assert!(window.contains_rect(scale(&hand)), "{:?}", scale(&hand));
+    hand.press("Scale 125%");
+    assert!((hand.harness.ctx.zoom_factor() - 1.25).abs() < 1e-3);
+}
+
+#[test]
+fn the_scale_is_on_keys_and_in_the_palette() {
+    let mut hand = User::new();
+    let scale = |hand: &User| (hand.harness.ctx.zoom_factor() * 100.0).round();
+    hand.key_with(Modifiers::COMMAND, Key::Plus);
+    assert_eq!(scale(&hand), 110.0);
+    hand.key_with(Modifiers::COMMAND, Key::Minus);
+    hand.key_with(Modifiers::COMMAND, Key::Minus);
+    assert_eq!(scale(&hand), 90.0);
+    hand.key_with(Modifiers::COMMAND, Key::Num0);
+    assert_eq!(scale(&hand), 100.0);
+    hand.key_with(Modifiers::COMMAND, Key::P);
+    hand.type_text("scale 150");
+    hand.key(Key::Enter);
+    assert_eq!(scale(&hand), 150.0);
+}
