@@ -118,7 +118,7 @@ const NAMED: usize = 3;
 /// frames that are there.
 fn not_frames(path: &Path) -> Option<Diagnostic> {
     let is_document = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
-    if !path.is_dir() && !(is_document && path.is_file()) {
+    if !(path.is_dir() || is_document && path.is_file()) {
         return None;
     }
     let what = if is_document { "a document" } else { "a folder" };

@@ -233,7 +233,7 @@ fn list_text(groups: &[ListedGroup]) -> String {
             match rows.last_mut().filter(|row| is_word && row[0] == format!("--aov {asked}")) {
                 Some(row) => row[2] = format!("{}, {name}", row[2]),
                 None if is_word => {
-                    rows.push([format!("--aov {asked}"), String::new(), name.clone()])
+                    rows.push([format!("--aov {asked}"), String::new(), name.clone()]);
                 }
                 None => rows.push([asked.clone(), ty.clone(), name.clone()]),
             }

@@ -111,10 +111,8 @@ impl App {
                 }
             }
             Command::ShowOn(Some(path)) => self.show_on(&path.to_string_lossy()),
+            Command::ShowOn(None) => self.ask_for_mesh(),
             Command::StandUp(z_is_up) => self.stand_up(z_is_up),
-            Command::ShowOn(None) => {
-                self.dialogs.ask(FilePurpose::Mesh, Some(Path::new(&self.session.view.orbit.mesh)));
-            }
             Command::Probe(switch) => {
                 let on = switch.turned(self.probe().is_on());
                 self.turn_probe(ui, on);
@@ -172,6 +170,11 @@ impl App {
             Command::Recovery(command) => self.apply_to_recovery(command),
             Command::Tell(text) => self.message = Some(text),
         }
+    }
+
+    /// Asks for a mesh to show the look on.
+    fn ask_for_mesh(&mut self) {
+        self.dialogs.ask(FilePurpose::Mesh, Some(Path::new(&self.session.view.orbit.mesh)));
     }
 
     /// Bounds the memory of kept frames from now on, in MiB.

@@ -307,7 +307,10 @@ mod tests {
         let (to_write, drawn) = sync_channel(1);
         let mut told = Vec::new();
         let result = std::thread::scope(|scope| {
-            scope.spawn(move || frames.into_iter().try_for_each(|frame| to_write.send(frame)));
+            scope.spawn(move || {
+                // Until nobody takes them.
+                frames.into_iter().all(|frame| to_write.send(frame).is_ok())
+            });
             write_by(5, (format, None), outputs, drawn, |frame| told.push(frame.frame))
         });
         (told, result)

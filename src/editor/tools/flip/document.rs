@@ -83,9 +83,9 @@ pub(super) struct DocumentDrawer {
 }
 
 impl DocumentDrawer {
-    pub(super) fn new(gpu: Option<Gpu>) -> Self {
+    pub(super) fn new(gpu: Option<&Gpu>) -> Self {
         Self {
-            drawer: gpu.as_ref().map(PictureDrawer::new),
+            drawer: gpu.map(PictureDrawer::new),
             planner: Planner::default().culling(CullMode::Objects),
             read: None,
         }

@@ -33,7 +33,7 @@ use version::{
 
 pub(super) const TOOL: ToolRow = ToolRow::new(
     SwitchPlace::Bar,
-    |parts| Box::new(FlipBook::new(parts.gpu.clone(), parts.wake())),
+    |parts| Box::new(FlipBook::new(parts.gpu.as_ref(), parts.wake())),
     |tools| tools.of::<FlipBook>().is_open(),
     // The choice is one with that of the comparison.
     |_, _, _| {},
@@ -98,7 +98,7 @@ pub(crate) struct FlipBook {
 }
 
 impl FlipBook {
-    fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Self {
+    fn new(gpu: Option<&Gpu>, wake: impl Fn() + Send + 'static) -> Self {
         let mut thread = FlipThread::new(gpu);
         let run = async move |request| thread.run(request).await;
         Self {
@@ -121,14 +121,15 @@ impl FlipBook {
         }
     }
 
-    /// Shows the light of files by a view, as the frames beside them are; kept frames stay as they
+    /// Shows the light of files and documents by a view, as the frames beside them are; kept frames stay as they
     /// were.
     pub(crate) fn show_by(&mut self, display: Option<&PictureDisplay>) {
         if self.display.as_ref() == display {
             return;
         }
         self.display = display.cloned();
-        if let Some(version) = self.version.as_mut().filter(|version| version.files.is_some()) {
+        let is_kept = |version: &OtherVersion| matches!(version.source, VersionSource::Kept);
+        if let Some(version) = self.version.as_mut().filter(|version| !is_kept(version)) {
             version.frames.clear();
             self.deltas.clear();
             // Answers on their way are of the former view.

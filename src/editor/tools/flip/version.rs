@@ -149,7 +149,7 @@ pub(super) struct FlipThread {
 }
 
 impl FlipThread {
-    pub(super) fn new(gpu: Option<Gpu>) -> Self {
+    pub(super) fn new(gpu: Option<&Gpu>) -> Self {
         Self { documents: DocumentDrawer::new(gpu) }
     }
 

@@ -60,6 +60,7 @@ fn snapshot(look: Look, mesh: &str) -> RenderSnapshot {
         orbit,
         time: 0.0,
         by_camera: false,
+        display: None,
         scene: None,
         painting: None,
         assets: AssetStore::default(),
