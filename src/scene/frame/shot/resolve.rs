@@ -40,6 +40,7 @@ pub(in crate::frame) fn open_shot(
     if has_errors(&problems) {
         return Err(problems);
     }
+    shot.hold_tracks(&mut setup);
     setup.shot = Some(Arc::new(shot));
     Ok(WithWarnings::new(setup, problems))
 }
