@@ -1,9 +1,10 @@
 //! Keys of a shot in the window: set where they are meant, held on twos, seen at the frames of
 //! `render`, and kept as pictures while its camera moves.
 
+use chiaro::compile::Live;
 use chiaro::document::{Camera, FrameRate, SceneEdit, Shot, Value};
 use chiaro::film::PlanHasher;
-use chiaro::frame::{Assets, Live, PlanOptions, Planner, open};
+use chiaro::frame::{Assets, PlanOptions, Planner, open};
 use chiaro::library::Library;
 use eframe::egui::{Pos2, Role, pos2};
 use egui_kittest::kittest::Queryable as _;
@@ -48,6 +49,8 @@ fn opened(home: &Home, overrides: &[&str]) -> User {
     let mut hand = home.window(Some(&home.file("shot.json")));
     hand.settle();
     show_timeline(&mut hand);
+    hand.press("All panels of this stack");
+    hand.press_a(Role::MenuItem, "Show Lights");
     hand
 }
 
@@ -84,7 +87,6 @@ fn go(hand: &mut User, frame: i32) {
 
 /// Types an intensity into the row of a light.
 fn type_intensity(hand: &mut User, light: &str, text: &str) {
-    hand.tab("Lights");
     let row = hand.place_like(&format!("Light {light} of the scene"));
     let fields = hand.harness.get_all_by_role(Role::SpinButton).map(|node| node.rect());
     let field = fields
