@@ -33,6 +33,7 @@ mod scene;
 mod scene_light_keys;
 mod scene_parts;
 mod shot_documents;
+mod shot_keys;
 mod shot_window;
 mod shots;
 mod stack;

@@ -21,6 +21,10 @@ pub struct FrameRate {
     pub seconds: u32,
 }
 
+/// Greatest distance of a time from a frame's that counts as the frame's, in frames: files and
+/// fields round times to microseconds.
+const ON_FRAME: f64 = 1e-4;
+
 impl FrameRate {
     /// The rate of film.
     pub const FILM: Self = Self { frames: 24, seconds: 1 };
@@ -39,7 +43,21 @@ impl FrameRate {
     /// that frame, whatever its last digits.
     pub fn frame_at(self, time: f64) -> i32 {
         // As floats become whole numbers, those that are too great become the greatest.
-        (time * self.per_second() + 1e-6).floor() as i32
+        (self.frame_within(time) + 1e-6).floor() as i32
+    }
+
+    /// The frame at a time in seconds, or the place between two: a whole number for a time that was
+    /// computed from a frame and then rounded to microseconds.
+    pub fn frame_within(self, time: f64) -> f64 {
+        let frame = time * self.per_second();
+        if (frame - frame.round()).abs() < ON_FRAME { frame.round() } else { frame }
+    }
+
+    /// The exact time of the frame whose rounded time is given, in seconds; times between two
+    /// frames stay.
+    pub fn exact(self, time: f64) -> f64 {
+        let frame = self.frame_within(time);
+        if frame.fract() == 0.0 { self.time_within(frame) } else { time }
     }
 
     /// Frames per second.
@@ -137,6 +155,19 @@ mod tests {
         for wrong in ["0", "-24", "24/0", "fast", "24.5", "1e3"] {
             assert!(rate(wrong).is_err(), "{wrong}");
         }
+    }
+
+    #[test]
+    fn times_in_microseconds_are_those_of_their_frames() {
+        for rate in ["24", "25", "23.976", "30", "59.94", "120"] {
+            let rate = rate.parse::<FrameRate>().unwrap();
+            for frame in -240..=240 {
+                let rounded = (rate.time(frame) * 1e6).round() / 1e6;
+                assert_eq!(rate.exact(rounded), rate.time(frame), "{frame} at {rate}");
+                assert_eq!(rate.frame_at(rounded), frame, "{frame} at {rate}");
+            }
+        }
+        assert_eq!(FrameRate::FILM.exact(0.123), 0.123, "between two frames");
     }
 
     #[test]

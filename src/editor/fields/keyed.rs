@@ -11,6 +11,7 @@ use crate::commands::Command;
 use crate::document::{DirectionKeys, KeyDirection, Value};
 use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::library::Type;
+use crate::state::keying::retime::SAME_TIME;
 use crate::state::keying::{KeyPlace, KeyedBy, KeyedLook, said};
 use crate::values;
 use crate::widgets::color;
@@ -21,7 +22,7 @@ pub(crate) fn show(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
     match marked.owned.keys.keyed_by(&marked.target) {
         KeyedBy::Nothing => {}
         KeyedBy::Direction(set) => by_direction(ui, marked, set, out),
-        KeyedBy::Time(track) => in_time(ui, marked.owned, track),
+        KeyedBy::Time(track) => in_time(ui, marked, track),
     }
 }
 
@@ -153,17 +154,61 @@ fn one_key(
     });
 }
 
-fn in_time(ui: &mut Ui, owned: OwnedKeys<'_>, track: usize) {
+fn in_time(ui: &mut Ui, marked: &FieldTarget<'_>, track: usize) {
+    let owned = marked.owned;
     let Some(track) = owned.look().time_keys.get(track) else { return };
     let now = owned.session.view.time;
-    let here = track.keys.iter().position(|key| (key.time - now).abs() < 1e-6);
-    let count = track.keys.len();
-    let what = match here {
-        Some(key) => format!("sets key {} of {count}", key + 1),
-        None => format!("setting it adds a key to {count}"),
+    let here = track.keys.iter().position(|key| (key.time - now).abs() < SAME_TIME);
+    let text = match owned.session.shot() {
+        Some(shot) => {
+            let frame = |time: f64| values::number_text(shot.rate().frame_within(time), 2);
+            let count = track.keys.len();
+            let what = match here {
+                Some(key) => format!("sets key {} of {count}", key + 1),
+                None => format!("adds a {} key", ordinal(count + 1)),
+            };
+            let step = marked.by_shot().map_or(1, |changed| changed.change.step);
+            let held = shot.resolved().held_time(now, step);
+            let holds = match held == now {
+                true => String::new(),
+                false => format!("; the picture holds frame {}", frame(held)),
+            };
+            format!("Frame {}: {what}{holds}", frame(now))
+        }
+        None => {
+            let count = track.keys.len();
+            let what = match here {
+                Some(key) => format!("sets key {} of {count}", key + 1),
+                None => format!("setting it adds a key to {count}"),
+            };
+            format!("At {} s: {what}", values::number_text(now, 2))
+        }
     };
-    let text = format!("At {} s: {what}", values::number_text(now, 2));
     line(ui, |ui| {
         ui.label(quiet(ui, text)).on_hover_text("The value above is the one at the playhead");
     });
+}
+
+/// A place in words, as in "a 2nd key".
+fn ordinal(number: usize) -> String {
+    let end = match (number % 10, number % 100) {
+        (_, 11..=13) => "th",
+        (1, _) => "st",
+        (2, _) => "nd",
+        (3, _) => "rd",
+        _ => "th",
+    };
+    format!("{number}{end}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ordinal;
+
+    #[test]
+    fn places_are_said_as_they_are_spoken() {
+        let said = [1, 2, 3, 4, 11, 12, 13, 21, 102, 111].map(ordinal);
+        let spoken = ["1st", "2nd", "3rd", "4th", "11th", "12th", "13th", "21st", "102nd", "111th"];
+        assert_eq!(said, spoken);
+    }
 }

@@ -120,6 +120,14 @@ impl Owner {
         }
     }
 
+    /// The edit of the document that changes nothing.
+    fn nothing(self) -> Change {
+        match self {
+            Self::Look => Change::Look(Edit::Group { edits: Vec::new() }),
+            Self::Scene => Change::Scene(SceneEdit::Group { edits: Vec::new() }),
+        }
+    }
+
     /// Document whose keys move a field of a light: the scene's stand over the look's.
     pub(crate) fn of_keys(session: &Session, target: &Target) -> Option<Self> {
         let moves = |owner: &Self| {
@@ -193,9 +201,12 @@ impl<'s> OwnedLight<'s> {
             |light: &Light| (light.kind, light.space, light.groups.clone(), light.aimed_at.clone());
         if is_about(new) == is_about(old) && !fields.is_empty() {
             let values = fields.iter().map(|field| (self.target(field.name()), field.get(new)));
-            let edit = self.owner.keys(session).map(|keys| keys.set_all_at(values));
-            let change = edit.and_then(|edit| self.owner.change(session, edit));
-            return change.unwrap_or_else(|| self.set(new.clone()));
+            // Where the keys have these values already there is nothing to change: the light itself
+            // would be another thing.
+            return match self.owner.keys(session).map(|keys| keys.set_all_at(values)) {
+                Some(edit) => self.owner.change(session, edit).unwrap_or(self.owner.nothing()),
+                None => self.set(new.clone()),
+            };
         }
         let (kind, space, groups, aimed_at) = is_about(new);
         self.set(Light { kind, space, groups, aimed_at, ..self.light.clone() })
@@ -257,7 +268,7 @@ pub(crate) fn set_light_at(session: &Session, id: &LightId, field: &str, value: 
             let keys = Owner::Scene.keys(session);
             let edit = keys.map(|keys| keys.set_at(&target, value));
             let change = edit.and_then(|edit| Owner::Scene.change(session, edit));
-            change.unwrap_or(Change::Scene(SceneEdit::Group { edits: Vec::new() }))
+            change.unwrap_or(Owner::Scene.nothing())
         }
         (None, Some(light)) => {
             let mut light = light.clone();

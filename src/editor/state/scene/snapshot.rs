@@ -112,6 +112,9 @@ impl SceneSnapshot {
         let shot = self.shot.clone();
         let mut setup =
             Setup { scene, shot, looks: worn.looks, objects, assets, ..Setup::default() };
+        if let Some(shot) = &self.shot {
+            shot.hold_tracks(&mut setup);
+        }
         if self.is_alone {
             setup.looks.truncate(1);
             for object in &mut setup.objects {

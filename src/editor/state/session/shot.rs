@@ -16,6 +16,10 @@ use crate::state::revision::GestureId;
 use crate::state::scene::{LookToOpen, OpenScene};
 use crate::state::shot::{LookUnderShot, OpenShot, ShotAddress, ShotWriter};
 
+/// Greatest distance from a frame at which the playhead is on it, in frames: fields round times to
+/// milliseconds.
+const NEAR_FRAME: f64 = 0.05;
+
 impl Session {
     /// The shot over the scene, if one is open.
     pub fn shot(&self) -> Option<&OpenShot> {
@@ -102,8 +106,18 @@ impl Session {
 
     /// Moves the playhead, in seconds.
     pub fn set_time(&mut self, time: f64) {
-        self.view.time = time;
+        self.view.time = self.exact_time(time);
         self.show_shot_at_time(false);
+    }
+
+    /// A time as the open shot's frames have it, in seconds: the timeline and its fields round
+    /// times.
+    pub(crate) fn exact_time(&self, time: f64) -> f64 {
+        let Some(shot) = self.shot() else { return time };
+        let rate = shot.rate();
+        let frame = (time * rate.per_second()).round();
+        let is_near = (time * rate.per_second() - frame).abs() < NEAR_FRAME;
+        if is_near { rate.time_within(frame) } else { time }
     }
 
     /// Brings scene and looks up to date with the shot over them.

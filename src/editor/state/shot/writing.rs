@@ -5,12 +5,11 @@ use serde_json::Value as Json;
 use super::{OpenShot, ShotAddress};
 use crate::diag::Diagnostic;
 use crate::document::{
-    ChangedTo, Extrapolation, FrameRate, Override, Scene, ShotEdit, ShotKey, Target,
-    TimeInterpolation, TimeKey, TimeKeys, TimeRange, Value, ValueDifference, json_of_value,
-    keyed_target,
+    ChangedTo, Extrapolation, FrameRate, Override, Scene, ShotEdit, ShotKey, TimeInterpolation,
+    TimeKey, TimeKeys, TimeRange, Value, ValueDifference, json_of_value,
 };
 
-/// Greatest distance of a key from a frame that counts as on it, in frames.
+/// Greatest distance of two keys that counts as one place, in frames.
 const ON_FRAME: f64 = 1e-4;
 
 /// Writer of overrides, at a time.
@@ -27,7 +26,7 @@ impl<'s> ShotWriter<'s> {
     /// A writer of values of a look, by its path as changes tell it, or of the scene. `time` is in
     /// seconds.
     pub(crate) fn new(shot: &'s OpenShot, look: Option<String>, time: f64) -> Self {
-        Self { shot, look, frame: on_frame(shot.rate(), time), edits: Vec::new() }
+        Self { shot, look, frame: shot.rate().frame_within(time), edits: Vec::new() }
     }
 
     /// The edit of the shot; `None` where nothing is to be changed.
@@ -53,8 +52,14 @@ impl<'s> ShotWriter<'s> {
         differences: Vec<ValueDifference>,
         value_of: &dyn Fn(&str) -> Option<Value>,
     ) -> Result<(), Diagnostic> {
+        // A value beside keys, or without them any more, is what the keys leave.
+        let of_keys =
+            |it: &ValueDifference| matches!(it.to, ChangedTo::Keys(_) | ChangedTo::Unkeyed);
+        let keyed: Vec<String> =
+            differences.iter().filter(|it| of_keys(it)).map(|it| it.target.clone()).collect();
         for ValueDifference { target, to } in differences {
             match to {
+                ChangedTo::Value(_) if keyed.contains(&target) => {}
                 ChangedTo::Value(value) => self.set(&target, value),
                 ChangedTo::Keys(keys) => match self.set_within_group(&target, &keys) {
                     Some(value) => self.set(&target, value),
@@ -70,7 +75,11 @@ impl<'s> ShotWriter<'s> {
                         let message = format!("`{target}` without a value is nothing of a shot");
                         return Err(Diagnostic::error("not-of-a-shot", message));
                     };
-                    self.set(&target, value);
+                    if is_default {
+                        self.set(&target, value);
+                    } else {
+                        self.set_for_all(&target, value);
+                    }
                 }
             }
         }
@@ -87,16 +96,19 @@ impl<'s> ShotWriter<'s> {
 
     /// Sets a value: at the present frame where it moves, else for all frames.
     pub(crate) fn set(&mut self, target: &str, value: Value) {
-        let at = self.at(target);
-        let standing = self.shot.resolved().change_of(at.look.as_deref(), target);
-        // Keys of lights and of looks are edited as keys; what else moves is at the present frame.
-        let is_in_tracks =
-            at.look.is_some() || matches!(keyed_target(target), Some(Target::Light { .. }));
-        if standing.is_some_and(|change| change.is_keyed) && !is_in_tracks {
-            return self.key_here(target, value);
+        let standing = self.shot.resolved().change_of(self.look.as_deref(), target);
+        match standing.is_some_and(|change| change.is_keyed) {
+            true => self.key_here(target, value),
+            false => self.set_for_all(target, value),
         }
+    }
+
+    /// Sets a value for all frames, in place of keys.
+    fn set_for_all(&mut self, target: &str, value: Value) {
+        let at = self.at(target);
         // A value as it is without this shot needs no override.
         let own = self.shot.own(&at);
+        let standing = self.shot.resolved().change_of(at.look.as_deref(), target);
         let under = own.and(standing).map(|change| &change.from);
         if under.is_some_and(|under| same_json(under, &json_of_value(&value))) {
             return self.take_back(target);
@@ -109,13 +121,7 @@ impl<'s> ShotWriter<'s> {
     /// Sets a key at the present frame, beside those that stand.
     pub(crate) fn key_here(&mut self, target: &str, value: Value) {
         let at = self.at(target);
-        let standing = self.shot.own(&at).or_else(|| self.farther(&at));
-        let mut change = match standing {
-            Some(standing) => Override { look: None, ..standing.clone() },
-            None => self.new_override(target),
-        };
-        change.look = self.new_override(target).look;
-        change.value = None;
+        let mut change = self.keyed_override(&at);
         let keys = &mut change.keys;
         let place = keys.iter().position(|key| key.frame > self.frame - ON_FRAME);
         let place = place.unwrap_or(keys.len());
@@ -130,12 +136,20 @@ impl<'s> ShotWriter<'s> {
         self.edits.push(ShotEdit::set_override(change));
     }
 
+    /// The override that is to have keys: this shot's own, with the keys and the step of the one
+    /// that stands.
+    fn keyed_override(&self, at: &ShotAddress) -> Override {
+        let fresh = self.new_override(&at.target);
+        match self.shot.own(at).or_else(|| self.farther(at)) {
+            Some(standing) => Override { look: fresh.look, value: None, ..standing.clone() },
+            None => fresh,
+        }
+    }
+
     /// Sets all keys of a value, in seconds.
     fn key_all(&mut self, target: &str, track: &TimeKeys) {
         let rate = self.shot.rate();
-        let own = self.shot.own(&self.at(target)).cloned();
-        let mut change = own.unwrap_or_else(|| self.new_override(target));
-        change.value = None;
+        let mut change = self.keyed_override(&self.at(target));
         let in_frames = |handles: &[[f64; 2]]| {
             handles.iter().map(|[time, value]| [time * rate.per_second(), *value]).collect()
         };
@@ -143,7 +157,7 @@ impl<'s> ShotWriter<'s> {
             incoming: in_frames(&key.incoming),
             outgoing: in_frames(&key.outgoing),
             handles: key.handles,
-            ..ShotKey::new(on_frame(rate, key.time), key.value.clone(), key.interpolation)
+            ..ShotKey::new(rate.frame_within(key.time), key.value.clone(), key.interpolation)
         };
         change.keys = track.keys.iter().map(key).collect();
         (change.before, change.after) = (track.before, track.after);
@@ -170,8 +184,8 @@ impl<'s> ShotWriter<'s> {
                 rate
             }
         };
-        let first = on_frame(rate, after.start).round() as i32;
-        let last = (on_frame(rate, after.end).round() as i32).max(first);
+        let first = rate.frame_within(after.start).round() as i32;
+        let last = (rate.frame_within(after.end).round() as i32).max(first);
         self.edits.push(ShotEdit::SetFrames { frames: Some([first, last]) });
     }
 
@@ -211,12 +225,6 @@ impl<'s> ShotWriter<'s> {
             unknown: Default::default(),
         }
     }
-}
-
-/// The frame at a time in seconds, or the place between two.
-fn on_frame(rate: FrameRate, time: f64) -> f64 {
-    let frame = time * rate.per_second();
-    if (frame - frame.round()).abs() < ON_FRAME { frame.round() } else { frame }
 }
 
 /// The rate of so many frames per second.

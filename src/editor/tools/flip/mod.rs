@@ -343,7 +343,8 @@ impl FlipBook {
                 }
                 (None, VersionSource::Document(path, view)) => {
                     let view = view.as_deref()?;
-                    let frame = view.frame(path, session, transport.time(frame));
+                    let frame =
+                        view.frame(path, session, session.exact_time(transport.time(frame)));
                     OtherPicture::Document(Box::new(frame))
                 }
                 (None, VersionSource::Kept) => return None,

@@ -423,7 +423,7 @@ impl Playback {
         };
         let Some(showing) = session.showing() else { return };
         let mut snapshot = session.snapshot_of(showing.look.clone());
-        snapshot.time = transport.time(frame);
+        snapshot.time = session.exact_time(transport.time(frame));
         snapshot.by_camera = self.view(session).by_camera;
         let basis = self.basis_number;
         worker.request(|_| FrameRequest { basis, frame, showing, snapshot, size });

@@ -8,7 +8,7 @@ use crate::document::{
     BlendKind, Extrapolation, HandlePair, Override, ShotKey, Target, TimeInterpolation, TimeKey,
     TimeKeys, TrackEnds, UnknownFields, Value, json_of_value,
 };
-use crate::frame::keys::{Track, is_direction};
+use crate::frame::keys::Track;
 
 /// Most frames over which a value is held by steps.
 const MOST_HELD: i64 = 100_000;
@@ -17,8 +17,6 @@ const MOST_HELD: i64 = 100_000;
 pub(super) struct TimedKeys {
     pub(super) keys: Vec<TimeKey>,
     pub(super) ends: TrackEnds,
-    /// The frames of the first and of the last key.
-    range: [f64; 2],
     step: u32,
 }
 
@@ -68,9 +66,7 @@ pub(super) fn timed_keys(
             unknown: UnknownFields::new(),
         });
     }
-    let at = |key: Option<&ShotKey>| key.map_or(0.0, |key| key.frame);
-    let range = [at(changed.keys.first()), at(changed.keys.last())];
-    Ok(TimedKeys { keys, ends: changed.ends(), range, step: changed.step })
+    Ok(TimedKeys { keys, ends: changed.ends(), step: changed.step })
 }
 
 /// True if numbers between two quaternions are the rotations of the longer way.
@@ -87,48 +83,71 @@ fn turn_sign(value: &mut Value) {
 }
 
 impl TimedKeys {
-    /// The track of a target that holds its value for so many frames as the override says.
+    /// The track of a target, whose value is not held yet.
     ///
     /// # Errors
     /// Keys that reach over more frames than are held.
     pub(super) fn track(self, clock: FrameClock, target: Target) -> Result<TimeKeys, Diagnostic> {
-        let (keys, TrackEnds { before, after }) = self.held(clock, is_direction(&target))?;
-        Ok(TimeKeys { before, after, keys, ..TimeKeys::new(target) })
+        let (keys, TrackEnds { before, after }) = (self.keys, self.ends);
+        let track = TimeKeys { before, after, keys, ..TimeKeys::new(target) };
+        if self.step > 1 {
+            held_frames(clock, Track::of(&track), self.step)?;
+        }
+        Ok(track)
     }
+}
 
-    /// Keys that hold the value for so many frames as the override says, and what holds beyond
-    /// them. Values that go on beyond the keys are held within the shot's frames.
-    ///
-    /// # Errors
-    /// Keys that reach over more frames than are held.
-    fn held(self, clock: FrameClock, turns: bool) -> Result<(Vec<TimeKey>, TrackEnds), Diagnostic> {
-        if self.step <= 1 {
-            return Ok((self.keys, self.ends));
-        }
-        // Frames are bounded by the format.
-        let goes_on = |side: Extrapolation| side != Extrapolation::Hold;
-        let [mut first, mut last] = [self.range[0].floor() as i32, self.range[1].ceil() as i32];
-        if goes_on(self.ends.before) {
-            first = first.min(clock.first);
-        }
-        if goes_on(self.ends.after) {
-            last = last.max(clock.last);
-        }
-        let first = clock.held_frame(first, self.step);
-        let track = Track { keys: &self.keys, ends: self.ends, turns };
-        let count = (i64::from(last) - i64::from(first)) / i64::from(self.step) + 2;
-        if count > MOST_HELD {
-            let message =
-                format!("the keys reach over {count} steps; at most {MOST_HELD} are held");
-            return Err(Diagnostic::error("too-many", message)
-                .hint("write a greater step, or interpolation `stepped` for the keys"));
-        }
-        let held = |index: i64| {
-            let time = clock.rate.time(first + index as i32 * self.step as i32);
-            Some(TimeKey::new(time, track.at(time)?, TimeInterpolation::Stepped))
-        };
-        Ok(((0..count).filter_map(held).collect(), TrackEnds::default()))
+/// The track that holds the values of a track for so many frames. Values that go on beyond the keys
+/// are held within the shot's frames; `None` for keys that reach over more frames than are held.
+pub(super) fn held_track(clock: FrameClock, track: &TimeKeys, step: u32) -> Option<TimeKeys> {
+    let (keys, TrackEnds { before, after }) = held(clock, Track::of(track), step).ok()?;
+    Some(TimeKeys { before, after, keys, ..track.clone() })
+}
+
+/// Keys that hold the values of a track, and what holds beyond them.
+///
+/// # Errors
+/// Keys that reach over more frames than are held.
+fn held(
+    clock: FrameClock,
+    track: Track<'_>,
+    step: u32,
+) -> Result<(Vec<TimeKey>, TrackEnds), Diagnostic> {
+    if step <= 1 {
+        return Ok((track.keys.to_vec(), track.ends));
     }
+    let (first, count) = held_frames(clock, track, step)?;
+    let held = |index: i64| {
+        let time = clock.rate.time(first + index as i32 * step as i32);
+        Some(TimeKey::new(time, track.at(time)?, TimeInterpolation::Stepped))
+    };
+    Ok(((0..count).filter_map(held).collect(), TrackEnds::default()))
+}
+
+/// The first frame that is held, and the number of those.
+///
+/// # Errors
+/// Keys that reach over more frames than are held.
+fn held_frames(clock: FrameClock, track: Track<'_>, step: u32) -> Result<(i32, i64), Diagnostic> {
+    let goes_on = |side: Extrapolation| side != Extrapolation::Hold;
+    let frame = |key: Option<&TimeKey>| key.map_or(0.0, |key| clock.rate.frame_within(key.time));
+    // Frames are bounded by the format.
+    let mut first = frame(track.keys.first()).floor() as i32;
+    let mut last = frame(track.keys.last()).ceil() as i32;
+    if goes_on(track.ends.before) {
+        first = first.min(clock.first);
+    }
+    if goes_on(track.ends.after) {
+        last = last.max(clock.last);
+    }
+    let first = clock.held_frame(first, step);
+    let count = (i64::from(last) - i64::from(first)) / i64::from(step) + 2;
+    if count > MOST_HELD {
+        let message = format!("the keys reach over {count} steps; at most {MOST_HELD} are held");
+        return Err(Diagnostic::error("too-many", message)
+            .hint("write a greater step, or interpolation `stepped` for the keys"));
+    }
+    Ok((first, count))
 }
 
 /// Keys as files have them.
@@ -177,13 +196,18 @@ mod tests {
         }
     }
 
+    /// The keys with their values held.
+    fn of(clock: FrameClock, of: &TimedKeys) -> Result<(Vec<TimeKey>, TrackEnds), Diagnostic> {
+        held(clock, Track { keys: &of.keys, ends: of.ends, turns: false }, of.step)
+    }
+
     #[test]
     fn a_value_is_held_from_the_shots_first_frame_on() {
         let clock = FrameClock { first: 1, last: 20, rate: FrameRate::FILM, shading_step: 1 };
         let keys = |step| {
             let changed = changed(&[(1.0, 0.0), (10.0, 9.0)], step);
             let keys = timed_keys(clock, &changed, BlendKind::Numbers, &|_| Ok(())).ok().unwrap();
-            keys.held(clock, false).unwrap().0
+            of(clock, &keys).unwrap().0
         };
         let at = |keys: &[TimeKey], frame| {
             let track = Track { keys, ends: TrackEnds::default(), turns: false };
@@ -208,7 +232,7 @@ mod tests {
         let mut changed = changed(&[(1.0, 0.0), (6.0, 5.0)], 2);
         changed.after = Extrapolation::Cycle;
         let keys = timed_keys(clock, &changed, BlendKind::Numbers, &|_| Ok(())).ok().unwrap();
-        let (keys, ends) = keys.held(clock, false).unwrap();
+        let (keys, ends) = of(clock, &keys).unwrap();
         let track = Track { keys: &keys, ends, turns: false };
         for frame in 7..=40 {
             let held = clock.held_frame(frame, 2);
@@ -235,6 +259,6 @@ mod tests {
         let clock = FrameClock { first: 1, last: 20, rate: FrameRate::FILM, shading_step: 1 };
         let changed = changed(&[(-9e7, 0.0), (9e7, 9.0)], 2);
         let keys = timed_keys(clock, &changed, BlendKind::Numbers, &|_| Ok(())).ok().unwrap();
-        assert_eq!(keys.held(clock, false).unwrap_err().code, "too-many");
+        assert_eq!(of(clock, &keys).unwrap_err().code, "too-many");
     }
 }

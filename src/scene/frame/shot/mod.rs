@@ -16,9 +16,10 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use serde_json::Value as Json;
 
-use super::setup::SetupLook;
+use super::setup::{Setup, SetupLook};
 use crate::diag::Diagnostic;
-use crate::document::{FrameRate, Scene, Value, value_address};
+use crate::document::{FrameRate, Scene, TimeKeys, Value, value_address};
+use keys::held_track;
 use moving::MovingValue;
 
 pub use resolve::ShotResolver;
@@ -94,6 +95,34 @@ impl ResolvedShot {
         self.clock.held(time, self.clock.shading_step)
     }
 
+    /// The time of the frame that is held at a time where a value is held for so many frames, as the
+    /// picture shows it. In seconds.
+    pub fn held_time(&self, time: f64, step: u32) -> f64 {
+        self.clock.held(self.shading_time(time), step)
+    }
+
+    /// Holds the values of tracks of a setup's lights and looks, as the shot says.
+    pub fn hold_tracks(&self, setup: &mut Setup) {
+        self.hold_those_of(None, &mut setup.scene.time_keys);
+        for worn in &mut setup.looks {
+            if self.changes_look(worn) {
+                let name = Self::name_of_look(worn.source.file().as_ref());
+                self.hold_those_of(Some(&name), &mut worn.look.time_keys);
+            }
+        }
+    }
+
+    fn hold_those_of(&self, look: Option<&str>, tracks: &mut [TimeKeys]) {
+        for track in tracks {
+            let change = self.change_of(look, &track.target.to_string());
+            if let Some(change) = change.filter(|change| change.is_keyed && change.step > 1)
+                && let Some(held) = held_track(self.clock, track, change.step)
+            {
+                *track = held;
+            }
+        }
+    }
+
     /// The change of a value that stands; `look` by its path as changes tell it.
     pub fn change_of(&self, look: Option<&str>, target: &str) -> Option<&ValueChange> {
         let is_it = |change: &&ValueChange| {
@@ -165,10 +194,10 @@ pub(super) struct FrameClock {
 
 impl FrameClock {
     /// The time of the frame that is held at a time, of `step` frames counted from the shot's
-    /// first. In seconds.
+    /// first. In seconds. A time that was rounded in between is that of its frame.
     pub(super) fn held(self, time: f64, step: u32) -> f64 {
         if step <= 1 {
-            return time;
+            return self.rate.exact(time);
         }
         let frame = self.rate.frame_at(time);
         self.rate.time(self.held_frame(frame, step))
@@ -194,6 +223,13 @@ mod tests {
         assert_eq!(held(2), [-1, 1, 1, 3, 3, 5]);
         assert_eq!(held(3), [-2, 1, 1, 1, 4, 4]);
         assert_eq!(clock.held(FrameRate::FILM.time(4), 2), FrameRate::FILM.time(3));
+        for frame in 1..10 {
+            let rounded = (FrameRate::FILM.time(frame) * 1e6).round() / 1e6;
+            for step in [1, 2, 3] {
+                let held = FrameRate::FILM.time(clock.held_frame(frame, step));
+                assert_eq!(clock.held(rounded, step), held, "{frame} by {step}");
+            }
+        }
         assert_eq!(clock.held(0.123, 1), 0.123, "on ones nothing is held, between frames either");
     }
 }

@@ -40,6 +40,7 @@ pub fn open_shot(
     if has_errors(&problems) {
         return Err(problems);
     }
+    shot.hold_tracks(&mut setup);
     setup.shot = Some(Arc::new(shot));
     Ok(WithWarnings::new(setup, problems))
 }

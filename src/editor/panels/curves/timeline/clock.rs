@@ -3,6 +3,7 @@
 //! The clock counts steps of a round over the range. In real time a step lasts as long as a frame,
 //! whether the frame is ready or not; playing every frame, the clock waits for the next one.
 
+use crate::state::keying::retime::SAME_TIME;
 use crate::tools::playback::order::{LoopMode, PlayOrder, Round};
 use crate::tools::playback::{PlayPace, Transport, time_of};
 
@@ -107,7 +108,7 @@ impl PlayClock {
     ) -> ClockTick {
         let Some(RunningClock { step, then }) = self.running else { return ClockTick::default() };
         // Somebody else has moved the playhead.
-        let moved = !self.asked.is_nan() && self.asked != present;
+        let moved = (self.asked - present).abs() > SAME_TIME;
         let step =
             if moved { f64::from(round.step_of((present * fps).round() as i32)) } else { step };
         let rate = fps * self.speed;

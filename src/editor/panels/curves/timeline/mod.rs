@@ -257,7 +257,7 @@ impl Timeline {
             .filter(|_| !is_part && (response.dragged() || response.clicked()))
         {
             let time = self.snapped(axis.time(pointer.x));
-            if time != session.view.time {
+            if session.exact_time(time) != session.view.time {
                 self.go(time, out);
             }
         }

@@ -15,7 +15,7 @@ use crate::commands::Command;
 use crate::document::{Edit, TimeInterpolation, TimeKeys};
 use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::fields::mark;
-use crate::frame::Track;
+use crate::frame::{ResolvedShot, Track};
 use crate::library::Type;
 use crate::state::keying::retime;
 use crate::state::session::Session;
@@ -234,15 +234,44 @@ fn paint(ui: &Ui, owned: OwnedKeys<'_>, axis: Axis, lane: Rect, track: &TimeKeys
         let t = if high > low { (x - low) / (high - low) } else { 0.5 };
         lane.bottom() - 7.0 - (lane.height() - 14.0) * t.clamp(-1.0, 2.0) as f32
     };
+    let holds = Holds::of(owned, track);
     for at in 0..width {
         let color = if width == 1 { colors.second } else { graph::ink(ui, width, at) };
-        let line: Vec<Pos2> = graph::places(lane)
-            .filter_map(|x| {
-                let value = Track::of(track).at(axis.time(x))?;
+        let line = |time: &dyn Fn(f64) -> f64| -> Vec<Pos2> {
+            let point = |x: f32| {
+                let value = Track::of(track).at(time(axis.time(x)))?;
                 Some(pos2(x, y(graph::drawn(track, &value, at)?)))
-            })
-            .collect();
-        painter.add(PathShape::line(line, Stroke::new(1.5, color)));
+            };
+            graph::places(lane).filter_map(point).collect()
+        };
+        let Some(holds) = holds else {
+            painter.add(PathShape::line(line(&|time| time), Stroke::new(1.5, color)));
+            continue;
+        };
+        // What the picture shows stands over what the keys say.
+        painter.add(PathShape::line(line(&|time| time), Stroke::new(1.0, colors.dim)));
+        painter.add(PathShape::line(line(&|time| holds.time(time)), Stroke::new(1.5, color)));
+    }
+}
+
+/// Frames that a shot holds the values of a track for.
+#[derive(Clone, Copy)]
+struct Holds<'s> {
+    shot: &'s ResolvedShot,
+    step: u32,
+}
+
+impl<'s> Holds<'s> {
+    /// The frames for which the open shot holds a track; `None` where each frame has its value.
+    fn of(owned: OwnedKeys<'s>, track: &TimeKeys) -> Option<Self> {
+        let shot = owned.session.shot()?;
+        let change = owned.session.change_by_shot(owned.owner, &track.target.to_string())?;
+        (change.step > 1).then(|| Self { shot: shot.resolved(), step: change.step })
+    }
+
+    /// The time whose value is seen at a time, in seconds.
+    fn time(self, time: f64) -> f64 {
+        self.shot.held_time(time, self.step)
     }
 }
 
@@ -255,9 +284,11 @@ pub(super) fn is_color(owned: OwnedKeys<'_>, track: &TimeKeys) -> bool {
 /// Draws the colors of a track over time.
 pub(super) fn color_bar(ui: &Ui, owned: OwnedKeys<'_>, axis: Axis, bar: Rect, track: &TimeKeys) {
     let space = owned.session.look().color_space;
+    let holds = Holds::of(owned, track);
     let mut mesh = Mesh::default();
     for (i, x) in graph::places(bar).enumerate() {
-        let value = Track::of(track).at(axis.time(x));
+        let time = axis.time(x);
+        let value = Track::of(track).at(holds.map_or(time, |holds| holds.time(time)));
         let color = value.and_then(|value| value.color_in(space)).unwrap_or_default();
         let byte = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
         let [r, g, b, _] = color.map(byte);
