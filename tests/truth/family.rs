@@ -94,10 +94,6 @@ fn mixed(i: SampleInputs<'_>, blended: [f64; 3]) -> Vec<f64> {
     (0..3).map(|k| (1.0 - t) * i[0][k] + t * blended[k]).chain([i[0][3]]).collect()
 }
 
-fn each(i: SampleInputs<'_>, f: impl Fn(f64, f64) -> f64) -> [f64; 3] {
-    [0, 1, 2].map(|k| f(i[0][k], i[1][k]))
-}
-
 fn steps(x: f64, count: f64) -> f64 {
     let n = count.max(2.0);
     (x * n).floor().min(n - 1.0) / (n - 1.0)
