@@ -44,7 +44,7 @@ pub fn draw(title: &str, cells: &[SheetCell], columns: usize) -> Result<Picture,
     Ok(draw_with_places(title, cells, columns)?.0)
 }
 
-/// As [`draw`], with the place of each cell's picture on the sheet: its left and upper edge, its
+/// Sheet of a title and cells, with the place of each cell's picture on it: left and upper edge,
 /// width and height, in pixels.
 ///
 /// # Errors

@@ -158,10 +158,8 @@ fn a_shot_of_a_look_alone_saves_a_scene_first() {
     assert!(hand.app().session().shot().is_none(), "given up is given up");
     command(&mut hand, "New shot");
     hand.app_mut().answer_dialog(&home.file("stage.json"));
-    hand.press_a(Role::Button, "Save");
-    for _ in 0..3 {
-        hand.settle();
-    }
+    hand.key(Key::Enter);
+    hand.settle();
     assert_eq!(shot(&hand).scene, "stage.json", "{:?}", hand.app().message());
     assert_eq!(hand.app().session().path(), Some(home.file("look.json").as_path()));
     // A scene with changes is saved first, too.

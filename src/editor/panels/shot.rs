@@ -175,6 +175,10 @@ fn stack(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
         ui.horizontal(|ui| {
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             let color = if is_open { theme::of(ui).text } else { theme::of(ui).dim };
+            if is_open && !shot.has_file() {
+                ui.label(RichText::new("this shot, in no file yet").color(color));
+                return;
+            }
             ui.label(RichText::new(format!("{text} {name}")).color(color))
                 .on_hover_text(path.display().to_string());
             if is_open {
@@ -190,12 +194,7 @@ fn stack(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
     };
     row(ui, &stack.scene_path, "scene", false);
     for (index, file) in stack.shots.iter().enumerate().rev() {
-        let text = match index {
-            0 if !shot.has_file() => "new shot,",
-            0 => "shot",
-            _ => "over it",
-        };
-        row(ui, &file.path, text, index == 0);
+        row(ui, &file.path, if index == 0 { "shot" } else { "over it" }, index == 0);
     }
 }
 

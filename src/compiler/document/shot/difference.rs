@@ -108,8 +108,8 @@ impl Look {
         self.differences_in(after, &[])
     }
 
-    /// As [`differences`](Self::differences); a value within a group that is used several times is
-    /// of the use that `open` leads to or into, the nodes of groups that were opened.
+    /// Values that `after` has otherwise; one within a group that is used several times is of the
+    /// use that `open` leads to or into, the nodes of groups that were opened.
     ///
     /// # Errors
     /// A difference that no address says, or one of several uses of which none is open.

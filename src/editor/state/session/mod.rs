@@ -435,8 +435,8 @@ impl Session {
         self.apply_at(edit, gesture, self.revisions.step.next())
     }
 
-    /// As [`apply`](Self::apply), at a time that may be that of a step of the scene: undo takes
-    /// both back at once.
+    /// Applies an edit at a time, which may be that of a step of the scene: undo takes both back at
+    /// once.
     pub(super) fn apply_at(
         &mut self,
         edit: Edit,

@@ -1,5 +1,5 @@
-//! Another look, scene or shot as the other version: drawn on the fly, at the times, in the size and
-//! in the view of the present frames.
+//! Another look, scene or shot as the other version: drawn on the fly, at the times, in the size
+//! and in the view of the present frames.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

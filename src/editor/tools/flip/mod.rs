@@ -1,7 +1,7 @@
 //! Flip book: the frames as they are now against those of another version, kept before an edit,
-//! rendered to files, or of another document, which is drawn on the fly. A key shows the other version while it is held, a divider wipes between both,
-//! or their difference is shown; each frame that both have is compared, so that the one that is
-//! wrong is found.
+//! rendered to files, or of another document, which is drawn on the fly. A key shows the other
+//! version while it is held, a divider wipes between both, or their difference is shown; each frame
+//! that both have is compared, so that the one that is wrong is found.
 //!
 //! While a flip book is open the present frames are drawn in the size of the other version, and
 //! both share the memory.

@@ -15,6 +15,9 @@ use crate::tools::playback::Playback;
 use crate::widgets::rows::whole;
 use crate::widgets::theme;
 
+/// Height of the list of what to compare with, in points: all of it.
+const LIST: f32 = 400.0;
+
 /// Shows the choice of what the picture is compared with: the same in another tier, or frames of
 /// another version.
 pub(super) fn choice(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Command>) {
@@ -29,7 +32,8 @@ pub(super) fn choice(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Comman
         (Some(version), _) => version.clone(),
         (None, against) => against.map_or("Compare with", ComparisonTarget::label).to_owned(),
     };
-    let combo = egui::ComboBox::from_id_salt("against").selected_text(text).show_ui(ui, |ui| {
+    let combo = egui::ComboBox::from_id_salt("against").selected_text(text);
+    let combo = combo.height(LIST).show_ui(ui, |ui| {
         let (flip, playback) = tools.pair::<FlipBook, Playback>();
         let mut chosen = None;
         if ui.selectable_label(is_none, "Nothing").clicked() {

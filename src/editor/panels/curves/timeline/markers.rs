@@ -133,7 +133,7 @@ impl MarkerOwner {
         }
     }
 
-    /// As [`set`](Self::set), in order of time and as one step.
+    /// Command that sets the markers in order of time, as one step.
     fn set_in_order(self, session: &Session, mut markers: Vec<Marker>) -> Command {
         markers.sort_by(|a, b| a.time.total_cmp(&b.time));
         self.set(session, markers, None)

@@ -127,6 +127,13 @@ pub(super) fn ways(
     });
     combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Speed"));
     combo.response.on_hover_text("Speed, as a factor of the frame rate");
+    if clock.part.is_some() {
+        let help = "Plays the whole range again. A drag on the ruler with Shift chooses a part; I \
+                    and O over this panel set its ends";
+        if ui.button("Whole range").on_hover_text(help).clicked() {
+            clock.part = None;
+        }
+    }
     let playback = tools.playback();
     if !playback.can_draw() {
         return;
@@ -136,13 +143,6 @@ pub(super) fn ways(
                 left out";
     if ui.checkbox(&mut waits, "Every frame").on_hover_text(help).changed() {
         clock.pace = if waits { PlayPace::EveryFrame } else { PlayPace::RealTime };
-    }
-    if clock.part.is_some() {
-        let help = "Plays the whole range again. A drag on the ruler with Shift chooses a part; I \
-                    and O over this panel set its ends";
-        if ui.button("Whole range").on_hover_text(help).clicked() {
-            clock.part = None;
-        }
     }
     ui.separator();
     kept(ui, playback, out);
