@@ -65,12 +65,14 @@ fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32,
 
 fn blend_screen(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, screened(straight(below).xyz, color.xyz), tone, opacity, clamped);
+    return blend_painted(below, color, screened(straight(below).xyz, color.xyz),
+        tone, opacity, clamped);
 }
 
 fn blend_overlay(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, hard_lit(color.xyz, straight(below).xyz), tone, opacity, clamped);
+    return blend_painted(below, color, hard_lit(color.xyz, straight(below).xyz),
+        tone, opacity, clamped);
 }
 
 fn blend_darken(below: Composite, color: Color, tone: f32, opacity: f32,
@@ -85,50 +87,60 @@ fn blend_lighten(below: Composite, color: Color, tone: f32, opacity: f32,
 
 fn blend_soft_light(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, soft_lit(straight(below).xyz, color.xyz), tone, opacity, clamped);
+    return blend_painted(below, color, soft_lit(straight(below).xyz, color.xyz),
+        tone, opacity, clamped);
 }
 
 fn blend_hard_light(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, hard_lit(straight(below).xyz, color.xyz), tone, opacity, clamped);
+    return blend_painted(below, color, hard_lit(straight(below).xyz, color.xyz),
+        tone, opacity, clamped);
 }
 
 fn blend_color_dodge(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, dodged_by(straight(below).xyz, color.xyz), tone, opacity, clamped);
+    return blend_painted(below, color, dodged_by(straight(below).xyz, color.xyz),
+        tone, opacity, clamped);
 }
 
 fn blend_color_burn(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, burned_by(straight(below).xyz, color.xyz), tone, opacity, clamped);
+    return blend_painted(below, color, burned_by(straight(below).xyz, color.xyz),
+        tone, opacity, clamped);
 }
 
 fn blend_difference(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, abs(straight(below).xyz - color.xyz), tone, opacity, clamped);
+    return blend_painted(below, color, abs(straight(below).xyz - color.xyz),
+        tone, opacity, clamped);
 }
 
 fn blend_exclusion(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, excluded(straight(below).xyz, color.xyz), tone, opacity, clamped);
+    return blend_painted(below, color, excluded(straight(below).xyz, color.xyz),
+        tone, opacity, clamped);
 }
 
 fn blend_hue(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, hued(straight(below).xyz, color.xyz), tone, opacity, clamped);
+    return blend_painted(below, color, hued(straight(below).xyz, color.xyz),
+        tone, opacity, clamped);
 }
 
 fn blend_saturation(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, saturated(straight(below).xyz, color.xyz), tone, opacity, clamped);
+    return blend_painted(below, color, saturated(straight(below).xyz, color.xyz),
+        tone, opacity, clamped);
 }
 
 fn blend_color(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, tinted(straight(below).xyz, color.xyz), tone, opacity, clamped);
+    return blend_painted(below, color, tinted(straight(below).xyz, color.xyz),
+        tone, opacity, clamped);
 }
 
 fn blend_luminosity(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, tinted(color.xyz, straight(below).xyz), tone, opacity, clamped);
+    return blend_painted(below, color, tinted(color.xyz, straight(below).xyz),
+        tone, opacity, clamped);
 }

@@ -587,7 +587,7 @@ fn a_problem_in_a_group_leads_into_it() {
     let at = hand.harness.get_by_label("Open the list of problems").rect().center();
     hand.click(at);
     hand.settle();
-    let at = hand.harness.get_all_by_label("group / bad").next().unwrap().rect().center();
+    let at = hand.harness.get_all_by_label_contains(" / bad").next().unwrap().rect().center();
     hand.click(at);
     hand.settle();
     assert_eq!(hand.app().session().selection().open_groups(), ["group".into()]);

@@ -283,7 +283,6 @@ fn compare(hand: &mut User, list: &str) {
 }
 
 #[test]
-#[ignore = "its last change was not run: run it, then take this line away"]
 fn another_document_is_drawn_to_be_compared() {
     let mut hand = moving();
     let folder = tempfile::tempdir().unwrap();

@@ -222,7 +222,6 @@ fn times_have_names() {
 }
 
 #[test]
-#[ignore = "its last change was not run: run it, then take this line away"]
 fn shift_on_the_ruler_chooses_the_part_that_is_played() {
     let mut hand = keyed();
     go(&mut hand, 0.0);

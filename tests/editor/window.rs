@@ -395,7 +395,7 @@ fn a_click_on_a_problem_selects_its_node() {
     hand.settle();
     let at = hand
         .harness
-        .get_by_role_and_label(eframe::egui::accesskit::Role::Link, "output.color")
+        .get_by_role_and_label(eframe::egui::accesskit::Role::Link, "Output: Color")
         .rect()
         .center();
     hand.click(at);

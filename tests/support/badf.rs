@@ -165,7 +165,7 @@ pub fn blend(
         Mode::Alpha => under + rho * (over - under),
         Mode::Shade => under * ((1.0 - rho) * DVec3::ONE + rho * over),
         Mode::Painted(word) => {
-            // Section 5, with the layer's alpha 1: co = (1 - αb) Cs + αb B(Cb, Cs), within the tone.
+            // Section 5 with the layer's alpha 1: co = (1 - αb) Cs + αb B(Cb, Cs).
             let mixed = painted(word, straight(below).truncate().to_array(), over.to_array());
             let paint = (1.0 - below.w) * over + below.w * DVec3::from_array(mixed);
             (1.0 - rho) * under + rho * paint

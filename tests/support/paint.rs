@@ -1,4 +1,5 @@
-//! Paint modes in f64, after W3C Compositing and Blending 1, sections 10.1 and 10.2, as it has them.
+//! Paint modes in f64, after W3C Compositing and Blending 1, sections 10.1 and 10.2, as it has
+//! them.
 
 /// Result of a paint mode: `cs` laid on `cb`, straight and whole. The modes from `color_dodge` on
 /// are meant for colors from 0 to 1.

@@ -1,8 +1,8 @@
 //! `chiaro render --frames`: many frames, each in a file of its own.
 //!
 //! One plans the next frame and one draws, while others write the last frames and read them back:
-//! as many as there are cores and memory for. What is whole from a run before is kept, and a frame that would be the same
-//! picture as another is not drawn.
+//! as many as there are cores and memory for. What is whole from a run before is kept, and a frame
+//! that would be the same picture as another is not drawn.
 
 mod writers;
 

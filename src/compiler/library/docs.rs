@@ -25,14 +25,14 @@
 //! A `@bypass` gives the conditions under which the node may be left out, and its replacement: an
 //! input or a number. Its conditions compare an input with a number, with another input, with words
 //! of a choice (`mode = add|alpha`; `mode != add|alpha` for all others), or with `black` (first
-//! three numbers 0), `unit` (all numbers known to lie in [0, 1]) or `unit_alpha` (the fourth number,
-//! if there is one). Beside `=` there are `<=` and `>=`, against a number or another input: they
-//! hold where constants or ranges show that they hold at every fragment. `@unit` says when the
+//! three numbers 0), `unit` (all numbers known to lie in [0, 1]) or `unit_alpha` (the fourth
+//! number, if there is one). Beside `=` there are `<=` and `>=`, against a number or another input:
+//! they hold where constants or ranges show that they hold at every fragment. `@unit` says when the
 //! result is known to lie in [0, 1], apart from a card's rounding error, and `@unit alpha` that the
-//! alpha of a color does. `@opaque` says that the color is opaque where the node's image, all colors
-//! that the node takes and all stops of its ramps are. A test holds that a bypassed node equals one
-//! that is not. An `@error` bounds the difference of a cheaper tier from the exact one; a test holds
-//! that too.
+//! alpha of a color does. `@opaque` says that the color is opaque where the node's image, all
+//! colors that the node takes and all stops of its ramps are. A test holds that a bypassed node
+//! equals one that is not. An `@error` bounds the difference of a cheaper tier from the exact one;
+//! a test holds that too.
 //!
 //! A `@bound` names an input that is a share, with the choices for which it is one: the compiler
 //! clamps the input (of a color its alpha) to [0, 1] before the node's functions see it, and adds

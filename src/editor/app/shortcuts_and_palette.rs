@@ -6,9 +6,9 @@ use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, W
 
 use crate::commands::table::{self, CommandRow, KeyScope, LIGHT_TABLE, PAINTING_POINTER, POINTER};
 use crate::commands::{Command, GraphCommand};
+use crate::fields::passes;
 use crate::ids::NodeId;
 use crate::panels::PANELS;
-use crate::state::passes;
 use crate::state::session::Session;
 use crate::widgets::theme;
 

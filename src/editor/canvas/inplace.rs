@@ -8,8 +8,8 @@ use super::{Canvas, edits};
 use crate::commands::Command;
 use crate::document::Edit;
 use crate::drawing::{NODE_WIDTH, ROW_HEIGHT, TEXT_SIZE, TITLE_HEIGHT, row_center};
+use crate::fields::passes::OutputPass;
 use crate::ids::{FrameId, NodeId, NoteId};
-use crate::state::passes::OutputPass;
 use crate::state::session::Session;
 use crate::widgets::theme;
 

@@ -8,8 +8,8 @@ use super::inplace::Item;
 use super::table::Socket;
 use crate::commands::Command;
 use crate::document::OutputPort;
+use crate::fields::passes::{OutputPass, can_be_named};
 use crate::ids::{NodeId, PortName};
-use crate::state::passes::{OutputPass, can_be_named};
 use crate::state::session::Session;
 
 /// Output of a node of the open graph by its index.

@@ -10,6 +10,7 @@ pub(crate) mod mark;
 pub(crate) mod marks;
 pub(crate) mod mix;
 pub(crate) mod node_links;
+pub(crate) mod passes;
 pub(crate) mod path;
 pub(crate) mod row;
 pub(crate) mod shot;

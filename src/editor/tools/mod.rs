@@ -39,14 +39,13 @@ pub(crate) static TOOLS: &[ToolRow] = &[
     playback::TOOL,
 ];
 
-/// Largest width of a switch in the bar, in points.
-const SWITCH: f32 = 120.0;
-
 /// States of the picture's tools, each of a type of its own.
 pub(crate) struct PictureTools {
     states: Vec<Box<dyn Any>>,
     /// Number of tools whose switch has no room in the bar, the last of them.
     without_room: usize,
+    /// Widths of the switches in the bar, as they were shown last, in points.
+    widths: Vec<f32>,
 }
 
 impl PictureTools {
@@ -54,7 +53,7 @@ impl PictureTools {
     pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + Sync + 'static) -> Self {
         let parts = ToolParts::new(gpu, wake);
         let states = TOOLS.iter().map(|tool| (tool.start)(&parts)).collect();
-        Self { states, without_room: 0 }
+        Self { states, without_room: 0, widths: vec![0.0; TOOLS.len()] }
     }
 
     /// State of this type, which the row of a tool starts.
@@ -99,11 +98,13 @@ impl PictureTools {
         let of_bar = || TOOLS.iter().filter(|tool| tool.place == SwitchPlace::Bar);
         if place == SwitchPlace::Bar {
             self.without_room = 0;
-            for tool in of_bar() {
-                if self.without_room > 0 || ui.available_width() < SWITCH {
+            for (index, tool) in of_bar().enumerate() {
+                if self.without_room > 0 || ui.available_width() < self.widths[index] {
                     self.without_room += 1;
                 } else {
+                    let start = ui.cursor().left();
                     (tool.switch)(self, ui, out);
+                    self.widths[index] = ui.cursor().left() - start - ui.spacing().item_spacing.x;
                 }
             }
             return;

@@ -8,5 +8,7 @@ const MARGIN: f32 = 44.0;
 /// Shows the contents of a menu, with a scroll bar where the window is too low for all of them.
 pub(crate) fn scrolling<R>(ui: &mut Ui, add: impl FnOnce(&mut Ui) -> R) -> R {
     let height = (ui.ctx().content_rect().height() - MARGIN).max(MARGIN);
-    ScrollArea::vertical().max_height(height).show(ui, add).inner
+    // A popup tells no height that it may take; without a least one it takes a few rows.
+    let area = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
+    area.show(ui, add).inner
 }

@@ -7,7 +7,6 @@ use eframe::egui::{Key, Modifiers, pos2};
 use super::artist::Studio;
 
 #[test]
-#[ignore = "its last change was not run: run it, then take this line away"]
 fn a_shot_is_begun_keyed_saved_and_drawn() {
     let studio = Studio::new();
     studio.chiaro(&["new", "stage", "--template", "scene"]);

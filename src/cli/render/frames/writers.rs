@@ -31,7 +31,7 @@ const COPIES: usize = 3;
 /// Form of the files: their format, and the view by which light is shown.
 type Form<'a> = (PictureFormat, Option<&'a DisplayView>);
 
-/// What writers know of one another.
+/// State that writers share.
 #[derive(Debug, Default)]
 struct Progress {
     /// Files that were written, or could not be.
@@ -44,13 +44,13 @@ struct Progress {
 
 /// Frames that are still to be written, and how far the writers are.
 struct Desk {
-    drawn: Mutex<Waiting>,
+    drawn: Mutex<FrameQueue>,
     progress: Mutex<Progress>,
     changed: Condvar,
 }
 
 /// Frames as they are drawn, each with its place in the order.
-struct Waiting {
+struct FrameQueue {
     drawn: Receiver<DrawnFrame>,
     next: usize,
 }
@@ -100,7 +100,7 @@ fn write_by(
     tell: impl FnMut(&DrawnFrame),
 ) -> Result<(), Diagnostic> {
     let desk = Desk {
-        drawn: Mutex::new(Waiting { drawn, next: 0 }),
+        drawn: Mutex::new(FrameQueue { drawn, next: 0 }),
         progress: Mutex::default(),
         changed: Condvar::new(),
     };

@@ -130,7 +130,7 @@ fn tone_of(look: &Look, catalog: &Catalog, layer: &NodeId) -> Option<Endpoint> {
 }
 
 impl Stack {
-    /// Layers whose tone can mask another one, from the top, each with the output.
+    /// Layers below whose tone can mask a layer, from the top, each with the output.
     pub(crate) fn tones(
         &self,
         look: &Look,
@@ -138,8 +138,7 @@ impl Stack {
         layer: &NodeId,
     ) -> Vec<(NodeId, Endpoint)> {
         let others = self.layers.iter().filter(|other| other.id != *layer);
-        // What depends on the layer itself would close a ring; tones do not depend on stacks, but
-        // what is wired into a plain layer may.
+        // What depends on the layer itself would close a ring.
         let found = others.filter_map(|other| {
             let tone = tone_of(look, catalog, &other.id)?;
             (!depends_on(look, &tone.node, layer)).then(|| (other.id.clone(), tone))
@@ -160,7 +159,7 @@ impl Stack {
 
     /// Masks a layer by a source. Returns the new mask's id with the edit.
     pub(crate) fn mask(&self, look: &Look, layer: &NodeId, source: &MaskSource) -> (NodeId, Edit) {
-        let mut making = Making::new(look, layer);
+        let mut making = MaskEdits::new(look, layer);
         let mut from = source.is_of_stack.then(|| self.below(layer)).flatten();
         let count = source.chain.len();
         for (place, part) in source.chain.iter().enumerate() {
@@ -177,7 +176,7 @@ impl Stack {
 
     /// Masks a layer by an output.
     pub(crate) fn mask_by(look: &Look, layer: &NodeId, from: Endpoint) -> (NodeId, Edit) {
-        Making::new(look, layer).finish(Some(from))
+        MaskEdits::new(look, layer).finish(Some(from))
     }
 
     /// Takes a layer's mask away, with what feeds it and nothing else, and gives the layer its
@@ -224,7 +223,7 @@ fn depends_on(look: &Look, node: &NodeId, other: &NodeId) -> bool {
 }
 
 /// Edits that make a mask.
-struct Making<'a> {
+struct MaskEdits<'a> {
     look: &'a Look,
     layer: &'a NodeId,
     at: [f64; 2],
@@ -232,7 +231,7 @@ struct Making<'a> {
     edits: Vec<Edit>,
 }
 
-impl<'a> Making<'a> {
+impl<'a> MaskEdits<'a> {
     fn new(look: &'a Look, layer: &'a NodeId) -> Self {
         let [x, y] = look.graph.nodes.get(layer).map_or([0.0; 2], |node| node.position);
         Self { look, layer, at: [x - STEP, y + DROP], added: Vec::new(), edits: Vec::new() }
@@ -336,13 +335,14 @@ mod tests {
         let (_, edit) = Stack::mask_by(&look, &"b".into(), tone);
         look.apply(edit).unwrap();
         assert_eq!(problems(&look), [""; 0]);
-        // The tone of `c` comes from `b`, and would feed itself.
+        // Nodes are fed as a whole: what lies above a layer depends on it.
         let ids = |layer: &str| {
             let tones = stack.tones(&look, &catalog, &layer.into());
             tones.into_iter().map(|(id, _)| id.to_string()).collect::<Vec<_>>()
         };
         assert_eq!(ids("b"), ["a"]);
-        assert_eq!(ids("a"), ["c", "b"]);
+        assert_eq!(ids("a"), [""; 0]);
+        assert_eq!(ids("c"), ["b", "a"]);
         assert!(stack.clipping(&look, &catalog, &"a".into()).is_none(), "nothing is below");
     }
 }

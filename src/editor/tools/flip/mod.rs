@@ -121,8 +121,8 @@ impl FlipBook {
         }
     }
 
-    /// Shows the light of files and documents by a view, as the frames beside them are; kept frames stay as they
-    /// were.
+    /// Shows the light of files and documents by a view, as the frames beside them are; kept frames
+    /// stay as they were.
     pub(crate) fn show_by(&mut self, display: Option<&PictureDisplay>) {
         if self.display.as_ref() == display {
             return;

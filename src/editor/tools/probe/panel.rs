@@ -184,7 +184,7 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
         FontId::proportional(theme::TEXT_SIZE),
         ink,
     );
-    let meaning = Meaning::of(session, wire);
+    let meaning = ValueMeaning::of(session, wire);
     for (index, numbers) in [(1, &wire.single), (2, &wire.double)] {
         let mut place = column(rect, index);
         if let Some(color) = color_of(numbers) {
@@ -196,9 +196,9 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
             place.min.x += 16.0;
         }
         let text = match meaning {
-            Meaning::Angle => degrees(numbers).unwrap_or_else(|| short(numbers)),
-            Meaning::Profile if wire.is_finite() => format!("{} numbers", numbers.len()),
-            Meaning::Numbers | Meaning::Profile => short(numbers),
+            ValueMeaning::Angle => degrees(numbers).unwrap_or_else(|| short(numbers)),
+            ValueMeaning::Profile if wire.is_finite() => format!("{} numbers", numbers.len()),
+            ValueMeaning::Numbers | ValueMeaning::Profile => short(numbers),
         };
         cell(ui, place, &text, FontId::monospace(11.0), ink);
     }
@@ -248,9 +248,9 @@ pub(crate) fn wire_name(session: &Session, path: &NodePath) -> String {
     name
 }
 
-/// Meaning of a wire's numbers, by which they are written.
+/// ValueMeaning of a wire's numbers, by which they are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Meaning {
+enum ValueMeaning {
     Numbers,
     /// Sine and cosine of half an angle.
     Angle,
@@ -258,8 +258,8 @@ enum Meaning {
     Profile,
 }
 
-impl Meaning {
-    /// Meaning of a node's value, where its one output tells it.
+impl ValueMeaning {
+    /// ValueMeaning of a node's value, where its one output tells it.
     fn of(session: &Session, wire: &WireValue) -> Self {
         let node = node_at(session.look(), &session.project.library, wire.node.ids());
         let kind = node.and_then(|node| session.project.catalog.of(node));

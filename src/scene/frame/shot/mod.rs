@@ -95,8 +95,8 @@ impl ResolvedShot {
         self.clock.held(time, self.clock.shading_step)
     }
 
-    /// The time of the frame that is held at a time where a value is held for so many frames, as the
-    /// picture shows it. In seconds.
+    /// The time of the frame that is held at a time where a value is held for so many frames, as
+    /// the picture shows it. In seconds.
     pub fn held_time(&self, time: f64, step: u32) -> f64 {
         self.clock.held(self.shading_time(time), step)
     }
