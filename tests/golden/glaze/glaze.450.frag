@@ -195,6 +195,15 @@ vec3 lit_as(vec3 rgb, vec3 other) {
     return vec3(light) + (clipped - vec3(light)) * lowered;
 }
 
+/// Hue of b with the saturation and lightness of a; both counted from 0 to 1.
+vec3 hued(vec3 a, vec3 b) {
+    vec3 below = clamp(bounded_vec3(a), vec3(0.0), vec3(1.0));
+    vec3 lit_as_value = lit_as((b - vec3(b.y))
+        * ((max(max(below.x, below.y), below.z) - min(min(below.x, below.y), below.z))
+        / (b.x - b.y)), below);
+    return lit_as_value;
+}
+
 vec4 mix_colors_screen(vec4 a, vec4 b, float factor) {
     return vec4(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(a.xyz + b.xyz - a.xyz * b.xyz),
         factor), 1.0);
@@ -205,14 +214,6 @@ vec4 mix_colors_soft_light(vec4 a, vec4 b, float factor) {
     float soft_light_value_1 = soft_light(a.y, b.y);
     return color_mixed(a, vec3(soft_light_value, soft_light_value_1, a.z - (1.0 - 2.0 * b.z) * a.z
         * (1.0 - a.z)), factor);
-}
-
-vec4 mix_colors_hue(vec4 a, vec4 b, float factor) {
-    vec3 below = clamp(bounded_vec3(a.xyz), vec3(0.0), vec3(1.0));
-    vec3 lit_as_value = lit_as((b.xyz - vec3(b.y))
-        * ((max(max(below.x, below.y), below.z) - min(min(below.x, below.y), below.z))
-        / (b.x - b.y)), below);
-    return vec4(mixed_vec3(bounded_vec3(a.xyz), lit_as_value, max(factor, 0.0)), 1.0);
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
@@ -335,8 +336,10 @@ vec4 shade(Surface surface) {
     float bulge = 0.5 + 0.5 * (1.0 - 2.0
         / (1.0 + exp2(2.88539 * clamp(curvature * 0.06, -20.0, 20.0))));
     float hollows = mix(0.6, 0.0, min((bulge - 0.0) / 0.55, 1.0));
-    vec4 wine_in_the_hollows = mix_colors_hue(warm_light, vec4(0.4902, 0.2471, 0.3608, 1.0),
-        hollows);
+    vec3 mixed_vec3_value = mixed_vec3(bounded_vec3(warm_light.xyz),
+        hued(warm_light.xyz, vec3(0.4902, 0.2471, 0.3608)), max(hollows, 0.0));
+    // Mix colors
+    vec4 wine_in_the_hollows = vec4(mixed_vec3_value, 1.0);
     float rim_2 = rim(u_look.back, surface.normal, surface.view, 0.3, 0.6, 1.0);
     vec4 cool_edge = mix_colors_screen(wine_in_the_hollows, vec4(0.4353, 0.5294, 0.6588, 1.0),
         rim_2);

@@ -254,6 +254,16 @@ float3 lit_as(float3 rgb, float3 other)
     return (light).xxx + (clipped - (light).xxx) * lowered;
 }
 
+/// Hue of b with the saturation and lightness of a; both counted from 0 to 1.
+float3 hued(float3 a, float3 b)
+{
+    float3 below = clamp(bounded_vec3(a), (0.0).xxx, (1.0).xxx);
+    const float3 lit_as_value = lit_as((b - (b.y).xxx)
+        * ((max(max(below.x, below.y), below.z) - min(min(below.x, below.y), below.z))
+        / (b.x - b.y)), below);
+    return lit_as_value;
+}
+
 float4 mix_colors_screen(float4 a, float4 b, float factor)
 {
     return float4(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(a.xyz + b.xyz - a.xyz * b.xyz),
@@ -266,15 +276,6 @@ float4 mix_colors_soft_light(float4 a, float4 b, float factor)
     const float soft_light_value_1 = soft_light(a.y, b.y);
     return color_mixed(a, float3(soft_light_value, soft_light_value_1, a.z - (1.0 - 2.0 * b.z)
         * a.z * (1.0 - a.z)), factor);
-}
-
-float4 mix_colors_hue(float4 a, float4 b, float factor)
-{
-    float3 below = clamp(bounded_vec3(a.xyz), (0.0).xxx, (1.0).xxx);
-    const float3 lit_as_value = lit_as((b.xyz - (b.y).xxx)
-        * ((max(max(below.x, below.y), below.z) - min(min(below.x, below.y), below.z))
-        / (b.x - b.y)), below);
-    return float4(mixed_vec3(bounded_vec3(a.xyz), lit_as_value, max(factor, 0.0)), 1.0);
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
@@ -424,8 +425,10 @@ float4 shade(Surface surface)
     float bulge = 0.5 + 0.5 * (1.0 - 2.0
         / (1.0 + exp2(2.88539 * clamp(curvature * 0.06, -20.0, 20.0))));
     float hollows = lerp(0.6, 0.0, min((bulge - 0.0) / 0.55, 1.0));
-    const float4 wine_in_the_hollows = mix_colors_hue(warm_light,
-        float4(0.4902, 0.2471, 0.3608, 1.0), hollows);
+    const float3 mixed_vec3_value = mixed_vec3(bounded_vec3(warm_light.xyz),
+        hued(warm_light.xyz, float3(0.4902, 0.2471, 0.3608)), max(hollows, 0.0));
+    // Mix colors
+    float4 wine_in_the_hollows = float4(mixed_vec3_value, 1.0);
     const float rim_2 = rim(look.back, surface.normal, surface.view, 0.3, 0.6, 1.0);
     const float4 cool_edge = mix_colors_screen(wine_in_the_hollows,
         float4(0.4353, 0.5294, 0.6588, 1.0), rim_2);

@@ -242,6 +242,18 @@ metal::float3 lit_as(
     return metal::float3(light) + (clipped - metal::float3(light)) * lowered;
 }
 
+/// Hue of b with the saturation and lightness of a; both counted from 0 to 1.
+metal::float3 hued(
+    metal::float3 a,
+    metal::float3 b
+) {
+    metal::float3 below = metal::clamp(bounded_vec3(a), metal::float3(0.0), metal::float3(1.0));
+    metal::float3 lit_as_value = lit_as((b - metal::float3(b.y))
+        * ((metal::max(metal::max(below.x, below.y), below.z)
+        - metal::min(metal::min(below.x, below.y), below.z)) / (b.x - b.y)), below);
+    return lit_as_value;
+}
+
 Color mix_colors_screen(
     Color a,
     Color b,
@@ -260,19 +272,6 @@ Color mix_colors_soft_light(
     float soft_light_value_1 = soft_light(a.y, b.y);
     return color_mixed(a, metal::float3(soft_light_value, soft_light_value_1, a.z
         - (1.0 - 2.0 * b.z) * a.z * (1.0 - a.z)), factor);
-}
-
-Color mix_colors_hue(
-    Color a,
-    Color b,
-    float factor
-) {
-    metal::float3 below = metal::clamp(bounded_vec3(a.xyz), metal::float3(0.0), metal::float3(1.0));
-    metal::float3 lit_as_value = lit_as((b.xyz - metal::float3(b.y))
-        * ((metal::max(metal::max(below.x, below.y), below.z)
-        - metal::min(metal::min(below.x, below.y), below.z)) / (b.x - b.y)), below);
-    return metal::float4(mixed_vec3(bounded_vec3(a.xyz), lit_as_value, metal::max(factor, 0.0)),
-        1.0);
 }
 
 Composite blend_alpha(
@@ -447,8 +446,10 @@ metal::float4 shade(
     float bulge = 0.5 + 0.5 * (1.0 - 2.0
         / (1.0 + metal::exp2(2.88539 * metal::clamp(curvature * 0.06, -20.0, 20.0))));
     float hollows = metal::mix(0.6, 0.0, metal::min((bulge - 0.0) / 0.55, 1.0));
-    Color wine_in_the_hollows = mix_colors_hue(warm_light,
-        metal::float4(0.4902, 0.2471, 0.3608, 1.0), hollows);
+    metal::float3 hued_value = hued(warm_light.xyz, metal::float3(0.4902, 0.2471, 0.3608));
+    // Mix colors
+    metal::float4 wine_in_the_hollows = metal::float4(mixed_vec3(bounded_vec3(warm_light.xyz),
+        hued_value, metal::max(hollows, 0.0)), 1.0);
     float rim_2 = rim(look.back, surface.normal, surface.view, 0.3, 0.6, 1.0);
     Color cool_edge = mix_colors_screen(wine_in_the_hollows,
         metal::float4(0.4353, 0.5294, 0.6588, 1.0), rim_2);

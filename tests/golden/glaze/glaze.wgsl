@@ -154,6 +154,13 @@ fn lit_as(rgb: vec3f, other: vec3f) -> vec3f {
     return light + (clipped - light) * lowered;
 }
 
+/// Hue of b with the saturation and lightness of a; both counted from 0 to 1.
+fn hued(a: vec3f, b: vec3f) -> vec3f {
+    let below = clamp(bounded_vec3(a), vec3f(0.0), vec3f(1.0));
+    return lit_as((b - b.y) * ((max(max(below.x, below.y), below.z)
+        - min(min(below.x, below.y), below.z)) / (b.x - b.y)), below);
+}
+
 fn mix_colors_screen(a: Color, b: Color, factor: f32) -> Color {
     return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(a.xyz + b.xyz - a.xyz * b.xyz),
         factor), 1.0);
@@ -162,13 +169,6 @@ fn mix_colors_screen(a: Color, b: Color, factor: f32) -> Color {
 fn mix_colors_soft_light(a: Color, b: Color, factor: f32) -> Color {
     return color_mixed(a, vec3f(soft_light(a.x, b.x), soft_light(a.y, b.y), a.z
         - (1.0 - 2.0 * b.z) * a.z * (1.0 - a.z)), factor);
-}
-
-fn mix_colors_hue(a: Color, b: Color, factor: f32) -> Color {
-    let below = clamp(bounded_vec3(a.xyz), vec3f(0.0), vec3f(1.0));
-    return vec4f(mixed_vec3(bounded_vec3(a.xyz),
-        lit_as((b.xyz - b.y) * ((max(max(below.x, below.y), below.z)
-        - min(min(below.x, below.y), below.z)) / (b.x - b.y)), below), max(factor, 0.0)), 1.0);
 }
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
@@ -331,8 +331,9 @@ fn shade(surface: Surface) -> vec4f {
     let bulge = 0.5 + 0.5 * (1.0 - 2.0
         / (1.0 + exp2(2.8853900817779268 * clamp(curvature * 0.06, -20.0, 20.0))));
     let hollows = mix(0.6, 0.0, min((bulge - 0.0) / (0.55 - 0.0), 1.0));
-    let wine_in_the_hollows = mix_colors_hue(warm_light, vec4f(0.4902, 0.2471, 0.3608, 1.0),
-        hollows);
+    // Mix colors
+    let wine_in_the_hollows = vec4f(mixed_vec3(bounded_vec3(warm_light.xyz),
+        hued(warm_light.xyz, vec4f(0.4902, 0.2471, 0.3608, 1.0).xyz), max(hollows, 0.0)), 1.0);
     let rim_2 = rim(look.back, surface.normal, surface.view, 0.3, 0.6, 1.0);
     let cool_edge = mix_colors_screen(wine_in_the_hollows, vec4f(0.4353, 0.5294, 0.6588, 1.0),
         rim_2);
