@@ -1,7 +1,6 @@
 import chiaro::types;
 import chiaro::blend;
 import chiaro::color;
-import chiaro::convert;
 
 /// Blend
 ///
@@ -65,82 +64,82 @@ fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32,
 
 fn blend_screen(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, screened(straight(below).xyz, color.xyz),
+    return blend_painted(below, color, screened(color_below(below), color.xyz),
         tone, opacity, clamped);
 }
 
 fn blend_overlay(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, hard_lit(color.xyz, straight(below).xyz),
+    return blend_painted(below, color, hard_lit(color.xyz, color_below(below)),
         tone, opacity, clamped);
 }
 
 fn blend_darken(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, min(straight(below).xyz, color.xyz), tone, opacity, clamped);
+    return blend_painted(below, color, min(color_below(below), color.xyz), tone, opacity, clamped);
 }
 
 fn blend_lighten(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, max(straight(below).xyz, color.xyz), tone, opacity, clamped);
+    return blend_painted(below, color, max(color_below(below), color.xyz), tone, opacity, clamped);
 }
 
 fn blend_soft_light(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, soft_lit(straight(below).xyz, color.xyz),
+    return blend_painted(below, color, soft_lit(color_below(below), color.xyz),
         tone, opacity, clamped);
 }
 
 fn blend_hard_light(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, hard_lit(straight(below).xyz, color.xyz),
+    return blend_painted(below, color, hard_lit(color_below(below), color.xyz),
         tone, opacity, clamped);
 }
 
 fn blend_color_dodge(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, dodged_by(straight(below).xyz, color.xyz),
+    return blend_painted(below, color, dodged_by(color_below(below), color.xyz),
         tone, opacity, clamped);
 }
 
 fn blend_color_burn(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, burned_by(straight(below).xyz, color.xyz),
+    return blend_painted(below, color, burned_by(color_below(below), color.xyz),
         tone, opacity, clamped);
 }
 
 fn blend_difference(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, abs(straight(below).xyz - color.xyz),
+    return blend_painted(below, color, abs(color_below(below) - color.xyz),
         tone, opacity, clamped);
 }
 
 fn blend_exclusion(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, excluded(straight(below).xyz, color.xyz),
+    return blend_painted(below, color, excluded(color_below(below), color.xyz),
         tone, opacity, clamped);
 }
 
 fn blend_hue(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, hued(straight(below).xyz, color.xyz),
+    return blend_painted(below, color, hued(color_below(below), color.xyz),
         tone, opacity, clamped);
 }
 
 fn blend_saturation(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, saturated(straight(below).xyz, color.xyz),
+    return blend_painted(below, color, saturated(color_below(below), color.xyz),
         tone, opacity, clamped);
 }
 
 fn blend_color(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, tinted(straight(below).xyz, color.xyz),
+    return blend_painted(below, color, tinted(color_below(below), color.xyz),
         tone, opacity, clamped);
 }
 
 fn blend_luminosity(below: Composite, color: Color, tone: f32, opacity: f32,
     clamped: bool) -> Composite {
-    return blend_painted(below, color, tinted(color.xyz, straight(below).xyz),
+    return blend_painted(below, color, tinted(color.xyz, color_below(below)),
         tone, opacity, clamped);
 }

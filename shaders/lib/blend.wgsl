@@ -16,6 +16,12 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     return select(mixed, clamp(mixed, vec4f(0.0), vec4f(1.0)), clamped);
 }
 
+/// Straight color below, for paint modes: never more than a million, whatever light lies over
+/// nothing.
+fn color_below(below: Composite) -> vec3f {
+    return clamp(below.xyz / max(below.w, 1e-6), vec3f(-1e6), vec3f(1e6));
+}
+
 /// A layer that covers as *Alpha* does, in its own color where nothing is below, and in the color
 /// `mixed` of a paint mode where something is (W3C Compositing and Blending 1, section 5).
 fn blend_painted(below: Composite, color: Color, mixed: vec3f, tone: f32, opacity: f32,

@@ -8,7 +8,7 @@ use crate::editor_support::{User, node_center, set_text};
 use chiaro::document::{Edit, Endpoint, GraphId, Look, Node, Value};
 use chiaro::ids::NodeId;
 use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, accesskit, pos2, vec2};
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use serde_json::json;
 
 const CTRL: Modifiers = Modifiers::COMMAND;
@@ -587,7 +587,12 @@ fn a_problem_in_a_group_leads_into_it() {
     let at = hand.harness.get_by_label("Open the list of problems").rect().center();
     hand.click(at);
     hand.settle();
-    let at = hand.harness.get_all_by_label_contains(" / bad").next().unwrap().rect().center();
+    let is_link =
+        |node: &egui_kittest::Node<'_>| node.accesskit_node().role() == accesskit::Role::Link;
+    let at = {
+        let mut found = hand.harness.get_all_by_label_contains(" / bad");
+        found.find(is_link).expect("a link to the node").rect().center()
+    };
     hand.click(at);
     hand.settle();
     assert_eq!(hand.app().session().selection().open_groups(), ["group".into()]);

@@ -87,13 +87,20 @@ impl App {
     }
 
     fn view_menu(&mut self, ui: &mut Ui) {
-        for panel in PANELS {
-            let mut is_there = self.dock.has(panel.id);
-            if ui.checkbox(&mut is_there, panel.label).on_hover_text(panel.help).changed() {
-                self.start = None;
-                if is_there { self.dock.open(panel.id) } else { self.dock.close(panel.id) }
+        // Two columns, so that a low window has room for all of the menu.
+        let rows = PANELS.len().div_ceil(2);
+        egui::Grid::new("panels").num_columns(2).show(ui, |ui| {
+            for row in 0..rows {
+                for panel in [PANELS.get(row), PANELS.get(row + rows)].into_iter().flatten() {
+                    let mut is_there = self.dock.has(panel.id);
+                    if ui.checkbox(&mut is_there, panel.label).on_hover_text(panel.help).changed() {
+                        self.start = None;
+                        if is_there { self.dock.open(panel.id) } else { self.dock.close(panel.id) }
+                    }
+                }
+                ui.end_row();
             }
-        }
+        });
         if ui
             .button("Reset panels")
             .on_hover_text("Puts all panels of this layout where a new window has them")
