@@ -188,7 +188,9 @@ fn a_document_that_would_be_wrong_is_refused() {
     assert!(comp("plain.exr", &[]).contains("--aov lights"));
     stage.render(&["-o", "lit.exr", "--aov", "lights", "--aov", "layers"]);
     assert!(comp("lit.exr", &["--layers", "light_kye"]).contains("light_key"));
-    assert!(comp("look.json", &[]).contains("chiaro render look.json"));
+    // A document in place of its frames is a wrong argument.
+    let said = stage.fails(2, &["comp", "look.json", "--to", "nuke"]);
+    assert!(said.contains("chiaro render look.json"), "{said}");
     let said = stage.fails(2, &["comp", "lit.exr", "--to", "nuke", "-o", "comp.py"]);
     assert!(said.contains("comp.nk"), "{said}");
     assert!(stage.fails(2, &["comp", "lit.exr", "--to", "fusion"]).contains("nuke, blender"));

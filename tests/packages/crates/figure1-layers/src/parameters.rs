@@ -23,7 +23,7 @@ pub struct Parameters {
     /// Shape offset of Fill, -3.1416 to 3.1416, in radians. The shape offset t.
     pub fill_amount: f32,
     /// Opacity of Fill, 0 to 1. 0 leaves what is below as it is, in every mode. It counts from 0 to
-    /// 1, as does the color's alpha, and the tone where the mode is Alpha or Shade.
+    /// 1, as does the color's alpha, and, but for Add, Multiply and Subtract, the tone.
     pub fill_opacity: f32,
     /// Clamp of Fill. Keeps the stack, which is premultiplied, within 0 and 1 after this layer.
     pub fill_clamped: bool,
@@ -43,7 +43,7 @@ pub struct Parameters {
     /// Shape offset of Diffuse, -3.1416 to 3.1416, in radians. The shape offset t.
     pub diffuse_amount: f32,
     /// Opacity of Diffuse, 0 to 1. 0 leaves what is below as it is, in every mode. It counts from 0
-    /// to 1, as does the color's alpha, and the tone where the mode is Alpha or Shade.
+    /// to 1, as does the color's alpha, and, but for Add, Multiply and Subtract, the tone.
     pub diffuse_opacity: f32,
     /// Clamp of Diffuse. Keeps the stack, which is premultiplied, within 0 and 1 after this layer.
     pub diffuse_clamped: bool,
@@ -63,7 +63,7 @@ pub struct Parameters {
     /// Shape offset of Specular, -3.1416 to 3.1416, in radians. The shape offset t.
     pub specular_amount: f32,
     /// Opacity of Specular, 0 to 1. 0 leaves what is below as it is, in every mode. It counts from
-    /// 0 to 1, as does the color's alpha, and the tone where the mode is Alpha or Shade.
+    /// 0 to 1, as does the color's alpha, and, but for Add, Multiply and Subtract, the tone.
     pub specular_opacity: f32,
     /// Clamp of Specular. Keeps the stack, which is premultiplied, within 0 and 1 after this layer.
     pub specular_clamped: bool,
@@ -84,7 +84,7 @@ pub struct Parameters {
     /// Shape offset of Back-light, -3.1416 to 3.1416, in radians. The shape offset t.
     pub back_light_amount: f32,
     /// Opacity of Back-light, 0 to 1. 0 leaves what is below as it is, in every mode. It counts
-    /// from 0 to 1, as does the color's alpha, and the tone where the mode is Alpha or Shade.
+    /// from 0 to 1, as does the color's alpha, and, but for Add, Multiply and Subtract, the tone.
     pub back_light_opacity: f32,
     /// Clamp of Back-light. Keeps the stack, which is premultiplied, within 0 and 1 after this
     /// layer.
