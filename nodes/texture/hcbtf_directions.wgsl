@@ -2,12 +2,12 @@ import chiaro::types;
 import chiaro::hcbtf;
 import chiaro::color;
 
-/// HCBTF directions
+/// Painted surface, directions
 ///
-/// Shows what an HCBTF looks up where: for finding out which painting is seen, and whether texture
-/// coordinates lie as they should.
+/// Shows what a painted surface (HCBTF) looks up where: for finding out which painting is seen, and
+/// whether texture coordinates lie as they should.
 ///
-/// @param sheet "HCBTF" widget=path : An .hcbtf file; only its grid is read.
+/// @param sheet "Painted surface" widget=path : An .hcbtf file; only its grid is read.
 /// @param light "Light" wire : The light that the painting answers to.
 /// @choice show "Show" default=light light="Light's sample" view="View's sample" weights="Weights"
 ///   phi_zero="Phi zero" : The nearest sample of the light or of the view, its step as hue and its

@@ -1,12 +1,12 @@
 import chiaro::types;
 import chiaro::hcbtf;
 
-/// HCBTF
+/// Painted surface
 ///
-/// A hand-painted surface that changes with the light and with the eye: for each direction of both
-/// it shows what was painted for them, blended between the nearest paintings.
+/// A hand-painted surface (HCBTF) that changes with the light and with the eye: for each direction
+/// of both it shows what was painted for them, blended between the nearest paintings.
 ///
-/// @param sheet "HCBTF" widget=path : An .hcbtf file.
+/// @param sheet "Painted surface" widget=path : An .hcbtf file.
 /// @param light "Light" wire : The light that the painting answers to. For several lights use a
 ///   lookup for each, or let Dominant light choose one, which keeps strokes whole.
 /// @param uv "UV" from=uv : Where on the tile, which repeats; u to the right, v up.

@@ -1,12 +1,12 @@
 import chiaro::types;
 import chiaro::hcbtf;
 
-/// HCBTF, nearest
+/// Painted surface, nearest
 ///
-/// A hand-painted surface, of which each place shows the one painting whose light and view are
-/// nearest, as it was painted: strokes stay whole, and change at once.
+/// A hand-painted surface (HCBTF), of which each place shows the one painting whose light and view
+/// are nearest, as it was painted: strokes stay whole, and change at once.
 ///
-/// @param sheet "HCBTF" widget=path : An .hcbtf file.
+/// @param sheet "Painted surface" widget=path : An .hcbtf file.
 /// @param light "Light" wire : The light that the painting answers to.
 /// @param uv "UV" from=uv : Where on the tile, which repeats; u to the right, v up.
 /// @param scale "Scale" default=1,1 : How often the tile repeats.

@@ -104,7 +104,7 @@ fn is_in_front(hand: &User, label: &str) -> bool {
 
 fn new_painting(hand: &mut User) {
     hand.press("Paint");
-    hand.press("New HCBTF, small (16 x 16, 3 x 6 directions)");
+    hand.press("New painted surface, small (16 x 16, 3 x 6 directions)");
     assert!(hand.has("Painting canvas"));
 }
 
@@ -143,12 +143,12 @@ fn painting_has_a_layout_of_its_own_and_each_is_kept_as_it_was_left() {
     assert!(is_in_front(&hand, "Graph") && !has_tab(&hand, "Paint"));
     // The command that goes back to the painting brings its layout.
     view(&mut hand, Role::CheckBox, "Paint");
-    hand.press("Back to New HCBTF");
+    hand.press("Back to New painted surface");
     assert!(
         is_in_front(&hand, "Paint") && has_tab(&hand, "Sheet") && !has_tab(&hand, "Fill rules")
     );
     hand.press("Paint");
-    hand.press("Close the HCBTF");
+    hand.press("Close the painted surface");
     assert!(is_in_front(&hand, "Graph"), "the panel that was opened to paint is behind it");
     assert!(!has_tab(&hand, "Sheet") && !has_tab(&hand, "Effects"));
     drop(hand);
@@ -192,7 +192,7 @@ fn a_painting_that_is_left_gives_the_view_of_before_back() {
     // The command that goes back to the painting shows the square again; a new look then has the
     // view of before.
     hand.press("Paint");
-    hand.press_a(Role::MenuItem, "Back to New HCBTF");
+    hand.press_a(Role::MenuItem, "Back to New painted surface");
     assert_eq!(hand.app().session().view().orbit().mesh, "shape:plane");
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();

@@ -5,7 +5,9 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use eframe::egui::epaint::{ClippedShape, Shape, TextShape};
-use eframe::egui::{FontFamily, Key, LayerId, Modifiers, Order, Rect, Vec2, WidgetRect};
+use eframe::egui::{
+    Button, Context, FontFamily, Key, LayerId, Modifiers, Order, Pos2, Rect, Vec2, WidgetRect,
+};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
@@ -104,8 +106,8 @@ fn show(hand: &mut User, panel: &str) {
 }
 
 /// Widgets of a layer that can be operated, with their names.
-fn widgets(hand: &User) -> Vec<(WidgetRect, String)> {
-    hand.harness.ctx.viewport(|viewport| {
+fn widgets(ctx: &Context) -> Vec<(WidgetRect, String)> {
+    ctx.viewport(|viewport| {
         let all = &viewport.prev_pass.widgets;
         let name = |widget: &WidgetRect| {
             let info = all.info(widget.id)?;
@@ -131,8 +133,8 @@ fn is_ground(name: &str) -> bool {
 }
 
 /// Widgets of which one covers a part of another.
-fn overlapping(hand: &User, found: &mut BTreeSet<String>, at: &str) {
-    let widgets = widgets(hand);
+fn overlapping(ctx: &Context, found: &mut BTreeSet<String>, at: &str) {
+    let widgets = widgets(ctx);
     let is_in = |a: Rect, b: Rect| b.expand(1.5).contains_rect(a);
     for (index, (a, name)) in widgets.iter().enumerate() {
         for (b, other) in &widgets[index + 1..] {
@@ -155,7 +157,7 @@ fn overlapping(hand: &User, found: &mut BTreeSet<String>, at: &str) {
 /// Widgets that their panel or the window cuts off at the left or the right, or that a panel
 /// without room leaves in half.
 fn cut_off(hand: &User, found: &mut BTreeSet<String>, at: &str) {
-    for (widget, name) in widgets(hand) {
+    for (widget, name) in widgets(&hand.harness.ctx) {
         let [whole, seen] = [widget.rect, widget.interact_rect];
         if whole.width() - seen.width() > 2.0 && !is_ground(&name) && !name.starts_with("Tab") {
             found.insert(format!("{at}: {name} is cut off at its side: {seen:?} of {whole:?}"));
@@ -221,7 +223,9 @@ fn collect(shape: &Shape, texts: &mut Vec<(Rect, String)>) {
 fn outside(hand: &User, found: &mut BTreeSet<String>, at: &str) {
     let window = hand.harness.ctx.content_rect().expand(1.0);
     let above = |layer: &LayerId| matches!(layer.order, Order::Foreground | Order::Middle);
-    for (widget, name) in widgets(hand).iter().filter(|(widget, _)| above(&widget.layer_id)) {
+    for (widget, name) in
+        widgets(&hand.harness.ctx).iter().filter(|(widget, _)| above(&widget.layer_id))
+    {
         if !window.contains_rect(widget.interact_rect) {
             found.insert(format!("{at}: {name} is outside: {:?}", widget.interact_rect));
         }
@@ -231,7 +235,7 @@ fn outside(hand: &User, found: &mut BTreeSet<String>, at: &str) {
 fn look_at(hand: &mut User, found: &mut BTreeSet<String>, size: ([f32; 2], f32), what: &str) {
     let ([width, height], pixels) = size;
     let at = format!("{width}x{height}@{pixels} {what}");
-    overlapping(hand, found, &at);
+    overlapping(&hand.harness.ctx, found, &at);
     cut_off(hand, found, &at);
     cut_texts(hand, found, &at);
     outside(hand, found, &at);
@@ -272,6 +276,37 @@ fn every_panel_has_room_at_every_size() {
         }
     }
     assert!(found.is_empty(), "{}\n{}", found.len(), Vec::from_iter(found).join("\n"));
+}
+
+#[test]
+fn the_bar_of_a_narrow_picture_has_room_for_the_list_of_meshes() {
+    let home = Home::new();
+    std::fs::write(home.file("look.json"), LOOK).unwrap();
+    let mut hand = User::with(|ctx| chiaro::editor::App::new(ctx, None).without_dialogs());
+    hand.app_mut().open(&home.file("look.json"));
+    hand.settle();
+    let mut found = BTreeSet::new();
+    for width in [800.0, 1000.0, 1200.0, 1400.0, 1800.0] {
+        let size = ([width, 700.0], 1.0);
+        resize(&mut hand, size);
+        look_at(&mut hand, &mut found, size, "a look without a scene");
+    }
+    assert!(found.is_empty(), "{}", Vec::from_iter(found).join("\n"));
+}
+
+#[test]
+fn buttons_that_lie_over_each_other_are_found() {
+    let mut harness = Harness::builder().with_size(Vec2::new(300.0, 100.0)).build_ui(|ui| {
+        for (left, name) in [(10.0, "Below"), (60.0, "Above"), (200.0, "Beside")] {
+            let rect = Rect::from_min_size(Pos2::new(left, 20.0), Vec2::new(80.0, 20.0));
+            ui.put(rect, Button::new(name));
+        }
+    });
+    harness.run();
+    let mut found = BTreeSet::new();
+    overlapping(&harness.ctx, &mut found, "planted");
+    let [told] = Vec::from_iter(found).try_into().expect("one pair");
+    assert!(told.contains("Below") && told.contains("Above"), "{told}");
 }
 
 #[test]

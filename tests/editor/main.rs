@@ -8,6 +8,7 @@ mod dock;
 mod editor_support;
 mod export;
 mod fit;
+mod gizmo;
 mod imports;
 mod journeys;
 mod keys;

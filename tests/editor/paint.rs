@@ -218,7 +218,7 @@ fn a_new_one_is_saved_where_one_says_and_the_look_goes_with_it() {
     let path = folder.path().join("mine");
     let mut hand = User::with(|ctx| App::new(ctx, None).with_path_fields());
     hand.press("Paint");
-    hand.press("New HCBTF, small (16 x 16, 3 x 6 directions)");
+    hand.press("New painted surface, small (16 x 16, 3 x 6 directions)");
     let at = hand.app().painting().screen([8.0, 8.0]).unwrap();
     hand.drag(at, at + eframe::egui::vec2(30.0, 0.0));
     hand.settle();
@@ -450,7 +450,7 @@ fn the_panels_are_about_the_look_that_is_open() {
     hand.tab("Paint");
     assert!(hand.says("The open look shows no painting") && hand.has("Another grid..."));
     hand.press("Paint");
-    hand.press("Close the HCBTF");
+    hand.press("Close the painted surface");
     hand.press("Do not save");
     assert!(hand.has("The open look has no painting."));
 }
@@ -568,7 +568,7 @@ fn an_untouched_copy_is_closed_without_a_trace() {
     hand.press("Paint");
     hand.press_a(Role::MenuItem, "Paint a copy of halftone");
     hand.press("Paint");
-    hand.press("Close the HCBTF");
+    hand.press("Close the painted surface");
     assert!(!hand.has("Do not save") && hand.app().session().painting().is_none());
     assert_eq!(sheets(&hand), ["example:hcbtf/halftone.hcbtf"]);
     assert!(!hand.says("changed") && hand.has("Node canvas"), "the graph is back");

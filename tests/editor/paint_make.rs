@@ -45,7 +45,7 @@ fn type_into(hand: &mut User, field: &str, text: &str) {
 fn what_a_grid_takes_is_told_before_it_is_made_and_what_cannot_be_held_is_refused() {
     let mut hand = new_window();
     hand.press("Paint");
-    hand.press("New HCBTF of any grid...");
+    hand.press("New painted surface of any grid...");
     for (field, text) in [
         ("Texels across", "64"),
         ("Texels down", "64"),
@@ -251,7 +251,7 @@ fn a_texture_leaves_as_it_is_to_be_stored_and_its_size_is_told_before() {
     for (storage, name, code) in
         [("Quick", "quick", 0_u8), ("Compact", "compact", 8), ("Blocks", "blocks", 24)]
     {
-        open_menu(&mut hand, "Export the HCBTF as a KTX2 texture...");
+        open_menu(&mut hand, "Export the painted surface as a KTX2 texture...");
         assert!(
             hand.says("the fewest reads")
                 && hand.says("less memory, more reads")
@@ -276,7 +276,7 @@ fn a_texture_leaves_as_it_is_to_be_stored_and_its_size_is_told_before() {
             assert_eq!(hcbtf::from_layers(&texture).unwrap().grid, GRID, "{name}");
         }
     }
-    open_menu(&mut hand, "Export the HCBTF as a KTX2 texture...");
+    open_menu(&mut hand, "Export the painted surface as a KTX2 texture...");
     assert!(hand.says("nearly, not exactly"), "blocks are not the same samples");
     hand.key(Key::Escape);
     hand.settle();
@@ -311,17 +311,19 @@ fn what_will_be_baked_is_seen_and_counted_before() {
 fn what_is_about_a_painting_cannot_be_chosen_without_one() {
     let mut hand = new_window();
     hand.press("Paint");
-    for item in
-        ["Save the HCBTF", "Divide the HCBTF otherwise...", "New tile from this painting..."]
-    {
+    for item in [
+        "Save the painted surface",
+        "Divide the painted surface otherwise...",
+        "New tile from this painting...",
+    ] {
         let node = hand.harness.get_by_role_and_label(Role::MenuItem, item);
         assert!(node.accesskit_node().is_disabled(), "{item}");
     }
     let node = hand
         .harness
-        .get_by_role_and_label(Role::MenuItem, "Import painted pictures as an HCBTF...");
+        .get_by_role_and_label(Role::MenuItem, "Import painted pictures as a painted surface...");
     assert!(!node.accesskit_node().is_disabled());
-    let at = hand.place("Save the HCBTF").center();
+    let at = hand.place("Save the painted surface").center();
     hand.hover(at);
     hand.harness.run_steps(8);
     assert!(hand.says("Nothing is open to be painted"));
@@ -374,7 +376,7 @@ fn pictures_are_imported_beside_the_window() {
     hcbtf::exchange::export(&all(&source), form, options, &images, &Progress::new()).unwrap();
     let mut hand = new_window();
     let ask = |hand: &mut User| {
-        open_menu(hand, "Import painted pictures as an HCBTF...");
+        open_menu(hand, "Import painted pictures as a painted surface...");
         for (field, text) in [
             ("Lights: rings", "2"),
             ("Lights: steps", "3"),

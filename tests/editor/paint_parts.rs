@@ -454,7 +454,7 @@ fn what_has_a_file_now_never_goes_back_to_having_none() {
     let path = folder.path().join("mine.hcbtf");
     let mut hand = User::with(|ctx| App::new(ctx, None).without_dialogs());
     hand.press("Paint");
-    hand.press("New HCBTF, small (16 x 16, 3 x 6 directions)");
+    hand.press("New painted surface, small (16 x 16, 3 x 6 directions)");
     // Two steps of the look before the painting is saved: another name, and back.
     let id = "painting";
     let named = |name: &str| Edit::SetValue {
@@ -472,7 +472,7 @@ fn what_has_a_file_now_never_goes_back_to_having_none() {
     hand.settle();
     hand.app_mut().answer_dialog(&path);
     hand.press("Paint");
-    hand.press("Save the HCBTF");
+    hand.press("Save the painted surface");
     assert!(path.is_file());
     assert_eq!(hand.steps(), 3, "to get a file is no step");
     let sheet = |hand: &User| hand.look().graph.nodes[id].values["sheet"].clone();

@@ -166,7 +166,7 @@ fn shots() {
     hand.app_mut().show_on("shape:creature");
     hand.settle();
     hand.press("Paint");
-    hand.press("Export the HCBTF as a KTX2 texture...");
+    hand.press("Export the painted surface as a KTX2 texture...");
     save(&mut hand, "paint-13-texture");
     hand.press("Cancel");
     hand.press("Paint");

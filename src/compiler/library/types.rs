@@ -206,7 +206,7 @@ impl fmt::Display for Type {
             Self::Curve => "curve",
             Self::Ramp => "ramp",
             Self::Image => "image",
-            Self::Hcbtf => "HCBTF",
+            Self::Hcbtf => "painted surface",
             Self::Casters => "casters",
             Self::ShadowMaps => "shadow maps",
             Self::Choice => "choice",

@@ -272,6 +272,10 @@ impl App {
                 Err(why) => self.message = Some(why),
             },
             ViewCommand::ToggleTurntable => self.bench.viewport.toggle_turntable(),
+            ViewCommand::ToggleTransform(part) => {
+                let shown = &mut self.session.view.handled;
+                *shown = (*shown != Some(part)).then_some(part);
+            }
             ViewCommand::ToggleHandles => {
                 let shown = &mut self.bench.tools.of_mut::<HandlesSwitch>().is_on;
                 *shown = !*shown;

@@ -20,7 +20,8 @@ use crate::widgets::theme;
 /// them out, as the window's title has them too.
 const LEAST_NAME: f32 = 60.0;
 /// Reason why commands about a painting are disabled.
-const NOTHING_PAINTED: &str = "Nothing is open to be painted: begin a new HCBTF above, or open one";
+const NOTHING_PAINTED: &str =
+    "Nothing is open to be painted: begin a new painted surface above, or open one";
 
 impl App {
     pub(super) fn bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {

@@ -174,7 +174,7 @@ impl PathField {
 
 fn title(purpose: FilePurpose) -> &'static str {
     match purpose {
-        FilePurpose::Open => "Open a look, a scene or an HCBTF",
+        FilePurpose::Open => "Open a look, a scene or a painted surface",
         FilePurpose::Save => "Save the look",
         FilePurpose::SaveScene => "Save the scene",
         FilePurpose::SaveShot => "Save the shot",

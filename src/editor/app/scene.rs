@@ -44,6 +44,11 @@ impl App {
                 if let Some(open_scene) = self.session.open_scene_mut() {
                     open_scene.placed = placed;
                 }
+                if self.session.frame_without_camera(self.bench.viewport.aspect()) {
+                    let text = "The scene has no camera of its own, so that the picture shows all \
+                                objects; Keep this view in Objects gives it this one";
+                    self.message = Some(text.to_owned());
+                }
             }
             SceneCommand::KeepView => {
                 let edit = self.session.view.as_scene_edit();

@@ -52,13 +52,14 @@ impl FilePurpose {
     /// Name of such files, and their endings.
     pub(crate) fn files(self) -> (&'static str, &'static [&'static str]) {
         match self {
-            Self::Open => {
-                ("Chiaro look, scene, HCBTF, or graph to import", &["json", PAINTING, "mtlx"])
-            }
+            Self::Open => (
+                "Chiaro look, scene, painted surface, or graph to import",
+                &["json", PAINTING, "mtlx"],
+            ),
             Self::Save | Self::ObjectLook => ("Chiaro look", &["json"]),
             Self::SaveScene => ("Chiaro scene", &["json"]),
             Self::SaveShot => ("Chiaro shot", &["json"]),
-            Self::SavePainting | Self::BakeLook => ("HCBTF", &[PAINTING]),
+            Self::SavePainting | Self::BakeLook => ("Painted surface", &[PAINTING]),
             Self::Mesh | Self::AddMesh | Self::ObjectMesh => ("Mesh", &MESHES),
             Self::ImportPainting(PictureImport { form, .. }) | Self::ExportPainting(form, _) => {
                 match form {

@@ -191,7 +191,7 @@ impl GridPreset {
     pub(crate) fn help(self) -> &'static str {
         match self {
             Self::Small => "Few texels, few directions: to try things out",
-            Self::Thesis => "The size of the thesis that HCBTFs come from",
+            Self::Thesis => "The size of the thesis that painted surfaces (HCBTFs) come from",
             Self::Large => "The thesis's directions with finer strokes",
             Self::Fine => "Fine strokes that change little with light and eye",
         }

@@ -1,6 +1,7 @@
 //! Commands about the picture: its view, and its exports.
 
 use crate::state::orbit::Orbit;
+use crate::state::view::TransformPart;
 
 /// Picture to export.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,6 +29,8 @@ pub(crate) enum ViewCommand {
     ToggleTurntable,
     /// Shows or hides handles on the object.
     ToggleHandles,
+    /// Shows handles of a part of the selected object's transform, or hides them.
+    ToggleTransform(TransformPart),
     /// Looks through the selected light, or from the camera again.
     LookThrough,
 }

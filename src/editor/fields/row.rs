@@ -302,8 +302,11 @@ fn paint_button(
         _ => "",
     };
     let help = match name {
-        "" => "Begins a new HCBTF here, and opens it to be painted",
-        _ => "Opens this HCBTF to be painted; the picture shows every stroke at once",
+        "" => "Begins a new painted surface (HCBTF) here, and opens it to be painted",
+        _ => {
+            "Opens this painted surface (HCBTF) to be painted; the picture shows every stroke at \
+             once"
+        }
     };
     let response = ui.small_button("Paint").on_hover_text(help);
     if !response.clicked() {

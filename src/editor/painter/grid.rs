@@ -50,7 +50,11 @@ pub(super) fn show(
     let modal = Modal::new(Id::unique("grid")).show(ui.ctx(), |ui| {
         ui.set_width(430.0);
         let enters = confirm::enters(ui);
-        let title = if work.is_some() { "Divide the HCBTF otherwise" } else { "A new HCBTF" };
+        let title = if work.is_some() {
+            "Divide the painted surface otherwise"
+        } else {
+            "A new painted surface"
+        };
         ui.label(RichText::new(title).heading());
         ui.add_space(6.0);
         fields(ui, &mut grid);

@@ -105,7 +105,7 @@ impl HcbtfWorker {
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let work = |task: Task| (task.number, task.job.done(&task.steps));
         Self {
-            worker: Worker::new("making an HCBTF", wake, work),
+            worker: Worker::new("making a painted surface", wake, work),
             number: RequestNumber::default(),
             going: None,
         }

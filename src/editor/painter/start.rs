@@ -155,10 +155,9 @@ fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
 fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
     ui.heading("Paint a surface");
     ui.add_space(4.0);
-    let text = "An HCBTF is a tile that you paint as it looks under one light and from one side, \
-                then under another: \
-                    the surface shows what you painted, and rules fill in the rest. A new one has \
-                    a look of its own.";
+    let text = "A painted surface is a tile that you paint as it looks under one light and from \
+                one side, then under another: it shows what you painted, and rules fill in the \
+                rest. A new one has a look of its own. (Papers call it an HCBTF.)";
     ui.label(RichText::new(text).color(theme::of(ui).dim));
     ui.add_space(12.0);
     for preset in GridPreset::ALL {

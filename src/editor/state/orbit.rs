@@ -15,6 +15,8 @@ pub(crate) const PLANE: &str = "shape:plane";
 const DISTANCE: std::ops::RangeInclusive<f64> = 0.2..=200.0;
 /// Share of the picture's height, or of its width, that a framed sphere takes.
 const FRAMED: f64 = 0.86;
+/// Least radius at which a scene can be made out, in parts of the picture's height.
+const LEAST_SEEN: f64 = 0.04;
 
 /// A camera on a sphere around a target, the illumination frame, and the mesh that the look is
 /// judged on.
@@ -299,6 +301,17 @@ impl Orbit {
         }
     }
 
+    /// True if a sphere reaches out of the picture, of width `aspect` in heights, or is too small to
+    /// be made out. Pictures that are higher than wide count as square ones.
+    pub(crate) fn crops(&self, center: DVec3, radius: f64, aspect: f64) -> bool {
+        let (right, _) = self.right_and_up();
+        let places = [center, center + right * radius].map(|point| self.place_in_picture(point));
+        let [Some(middle), Some(side)] = places else { return true };
+        let radius = side[0] - middle[0];
+        let is_out = |at: f64, half: f64| at.abs() + radius > half;
+        is_out(middle[0], 0.5 * aspect.max(1.0)) || is_out(middle[1], 0.5) || radius < LEAST_SEEN
+    }
+
     /// Radius of the picture of the unit sphere around the target, in parts of the picture's
     /// height.
     pub fn radius_in_picture(&self) -> f64 {
@@ -458,6 +471,19 @@ mod tests {
             let highest = highest.fold(0.0, f64::max);
             assert!((highest - FRAMED).abs() < 1e-3, "{highest}");
         }
+    }
+
+    #[test]
+    fn what_reaches_out_of_the_picture_is_cropped() {
+        let orbit = Orbit::default();
+        assert!(!orbit.crops(DVec3::ZERO, 1.0, 1.0), "one object stands in the picture");
+        assert!(orbit.crops(DVec3::ZERO, 1.2, 2.0));
+        assert!(orbit.crops(DVec3::X * 2.0, 1.0, 1.0) && !orbit.crops(DVec3::X, 1.0, 3.0));
+        assert!(orbit.crops(DVec3::ZERO, 0.01, 1.0), "too small");
+        assert!(orbit.crops(DVec3::Z * 9.0, 1.0, 1.0), "behind the eye");
+        let mut framed = orbit.clone();
+        framed.frame(DVec3::new(5.0, 1.0, -3.0), 2.5, 1.6);
+        assert!(!framed.crops(DVec3::new(5.0, 1.0, -3.0), 2.5, 1.6));
     }
 
     #[test]

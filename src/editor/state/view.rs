@@ -1,6 +1,6 @@
 //! View of the picture: the camera, the moment, and what of the look is shown.
 
-use crate::document::SceneEdit;
+use crate::document::{Camera, SceneEdit};
 use crate::ids::ObjectId;
 use crate::state::display::PictureDisplay;
 use crate::state::orbit::Orbit;
@@ -9,10 +9,35 @@ use crate::state::scene::{OpenScene, unit_rotation};
 use crate::state::solo::Solo;
 use crate::state::wire::ShownWire;
 
+/// Part of an object's transform, which has handles in the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TransformPart {
+    Place,
+    Turn,
+    Scale,
+}
+
+impl TransformPart {
+    pub(crate) const ALL: [Self; 3] = [Self::Place, Self::Turn, Self::Scale];
+
+    /// Label of the switch of its handles.
+    pub(crate) fn label(self) -> &'static str {
+        match self {
+            Self::Place => "Move",
+            Self::Turn => "Turn",
+            Self::Scale => "Scale",
+        }
+    }
+}
+
 /// View and moment of the picture, and the shown part of the look.
 #[derive(Default)]
 pub struct ViewState {
     pub(crate) orbit: Orbit,
+    /// The view of a scene that has no camera, until its objects are found and framed.
+    pub(super) unframed: Option<Orbit>,
+    /// Part of the selected object's transform that has handles in the picture.
+    pub(crate) handled: Option<TransformPart>,
     /// The moment in the picture, in seconds.
     pub(crate) time: f64,
     /// Wire that is shown in place of the look's own output.
@@ -53,6 +78,25 @@ impl ViewState {
         self.orbit.look_from(&scene.camera);
         self.orbit.illumination = unit_rotation(scene.illumination);
         self.orbit.backdrop = None;
+        let has_camera = scene.camera != Camera::default() || scene.file_camera.is_some();
+        self.unframed = (!has_camera).then(|| self.orbit.clone());
+    }
+
+    /// Brings all objects of a scene that has no camera into view, where they are not yet and
+    /// nobody has turned the camera meanwhile. Returns true if it did.
+    pub(crate) fn frame_without_camera(
+        &mut self,
+        open_scene: Option<&OpenScene>,
+        aspect: f64,
+    ) -> bool {
+        let is_untouched = self.unframed.take().is_some_and(|unframed| unframed == self.orbit);
+        let sphere = open_scene.and_then(|open_scene| open_scene.sphere(None));
+        let Some((center, radius)) = sphere.filter(|_| is_untouched) else { return false };
+        let is_cropped = self.orbit.crops(center, radius, aspect);
+        if is_cropped {
+            self.orbit.frame(center, radius, aspect);
+        }
+        is_cropped
     }
 
     /// The edit that sets the scene's camera, lights and backdrop to the present view.

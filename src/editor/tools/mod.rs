@@ -102,9 +102,10 @@ impl PictureTools {
                 if self.without_room > 0 || ui.available_width() < self.widths[index] {
                     self.without_room += 1;
                 } else {
-                    let start = ui.cursor().left();
+                    // The bar is filled from its right end.
+                    let start = ui.cursor().right();
                     (tool.switch)(self, ui, out);
-                    self.widths[index] = ui.cursor().left() - start - ui.spacing().item_spacing.x;
+                    self.widths[index] = start - ui.cursor().right() - ui.spacing().item_spacing.x;
                 }
             }
             return;

@@ -7,6 +7,7 @@ use std::path::Path;
 
 use super::Viewport;
 use super::colors;
+use super::lying::StandUpOffer;
 use super::show::{self, ReferencePlacement};
 use super::solo_bar;
 use crate::commands::{Command, PanelId, PictureExport, ViewCommand, table};
@@ -23,6 +24,8 @@ use crate::widgets::theme;
 
 /// Least width of a bar that tells the number of a scene's objects, in points.
 const WIDE: f32 = 370.0;
+/// Room that the word about compiling takes, in points.
+const COMPILING: f32 = 70.0;
 
 impl Viewport {
     /// Shows the choice of the mesh, and its orientation.
@@ -62,7 +65,7 @@ impl Viewport {
                      saving",
                 );
                 tools.switches(ui, SwitchPlace::Bar, out);
-                if session.is_compiling() {
+                if session.is_compiling() && ui.available_width() > COMPILING {
                     ui.label(egui::RichText::new("compiling").color(theme::of(ui).dim));
                 }
             });
@@ -78,10 +81,9 @@ impl Viewport {
     ) {
         let help_of = |command| table::help_of(&Command::View(command));
         tools.switches(ui, SwitchPlace::Options, out);
-        let help = "Where eye and lights stand at a place, as an HCBTF looks them up: blue lies \
-                    toward the eye, the \
-                    others toward lights, each with its trace on the surface; larger under the \
-                    pointer";
+        let help = "Where eye and lights stand at a place, as a painted surface (HCBTF) looks them \
+                    up: blue lies toward the eye, the others toward lights, each with its trace \
+                    on the surface; larger under the pointer";
         ui.checkbox(&mut self.has_arrows, "Arrows toward eye and lights").on_hover_text(help);
         ui.checkbox(&mut self.turns, "Turntable")
             .on_hover_text(help_of(ViewCommand::ToggleTurntable));
@@ -268,18 +270,20 @@ fn mesh_choice(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
 }
 
 /// Shows notices over the top of the picture, which does not move when they come and go: of a wire
-/// that is viewed in place of the picture, and of soloed or muted layers and lights.
+/// that is viewed in place of the picture, of soloed or muted layers and lights, and of a mesh that
+/// seems to lie.
 pub(super) fn over_top(
     ui: &mut Ui,
     rect: Rect,
     session: &Session,
     through: Option<&str>,
+    stands: &mut StandUpOffer,
     out: &mut Vec<Command>,
 ) {
     let open_scene = session.open_scene();
     let is_soloed = open_scene.is_some_and(|open_scene| !open_scene.scene().soloed.is_none());
     let is_told = is_soloed || session.view.wire.is_some() || !session.view.solo.is_empty();
-    if !is_told && through.is_none() {
+    if !is_told && through.is_none() && stands.offer(session).is_none() {
         return;
     }
     let id = ui.scope_id().with("told over the picture");
@@ -300,6 +304,7 @@ pub(super) fn over_top(
             wire_bar(ui, session, out);
             out.extend(solo_bar::show(ui, session));
             out.extend(solo_bar::of_scene(ui, session));
+            out.extend(stands.show(ui, session));
         });
     ui.data_mut(|data| data.insert_temp(id, shown.response.rect.height()));
 }

@@ -12,12 +12,14 @@ mod colors;
 mod export;
 mod field;
 mod filters;
+mod gizmo;
 mod hints;
 mod isocurves;
 mod keyboard_handles;
 mod lamps;
 mod lights;
 mod look_through;
+mod lying;
 mod needle;
 mod objects;
 pub(crate) mod picture;
@@ -108,6 +110,7 @@ pub struct Viewport {
     /// Configuration in the menu of views.
     colors: Option<colors::ListedConfig>,
     exports: Exports,
+    stands: lying::StandUpOffer,
     preparing: preparing::PictureDelay,
     reference: Option<ReferenceImage>,
     /// Side of baked images, in pixels.
@@ -161,6 +164,7 @@ impl Viewport {
             exposure: 0.0,
             colors: None,
             exports: Exports::new(gpu, wake),
+            stands: lying::StandUpOffer::default(),
             preparing: preparing::PictureDelay::default(),
             reference: None,
             bake_side: 512,
@@ -319,7 +323,10 @@ impl Viewport {
         } else if handles.is_on && !tools.of::<FitTool>().is_on() {
             self.paint(ui, rect, session, &handles, hovered.as_ref(), response.hovered());
             out.extend(keyboard_handles::show(ui, rect, session));
-            if owner.is_none() && filters::show(ui, rect, session, &mut out) {
+            let is_free = owner.is_none() && self.drag.is_none();
+            let is_filter_held = owner.is_none() && filters::show(ui, rect, session, &mut out);
+            let is_object_held = is_free && gizmo::show(ui, rect, session, &mut out);
+            if is_filter_held || is_object_held {
                 self.hint.clear();
             }
             let is_held = matches!(self.drag, Some(Drag::Curve(_) | Drag::Light(_)));
@@ -335,7 +342,7 @@ impl Viewport {
             }
         }
         let through = self.through.as_ref().map(|through| through.name(session));
-        bar::over_top(ui, rect, session, through.as_deref(), &mut out);
+        bar::over_top(ui, rect, session, through.as_deref(), &mut self.stands, &mut out);
         out
     }
 
@@ -344,8 +351,11 @@ impl Viewport {
         let layer = layer::selected(session).filter(|_| is_on && is_free);
         let wants_lines = is_on && (layer.is_some() || layer::light_at_hand(session).is_some());
         // In a scene the surface is needed in any case, to find the object under the pointer.
-        if !(wants_lines || self.has_arrows || session.open_scene().is_some()) || rect.area() < 16.0
-        {
+        let is_wanted = wants_lines
+            || self.has_arrows
+            || session.open_scene().is_some()
+            || self.stands.wants_surface(session);
+        if !is_wanted || rect.area() < 16.0 {
             self.isocurves.clear();
             return Handles { surface: None, layer, is_on, places: None };
         }
@@ -355,6 +365,7 @@ impl Viewport {
             .and_then(|layer| layer.warp)
             .is_some_and(|(slope, amount)| slope * amount != 0.0);
         let surface = self.surfaces.update(&key, with_kappa, || session.snapshot());
+        self.stands.judge(session, surface.as_deref());
         let is_elsewhere = |places: &&Vec<ObjectPlace>| {
             session.open_scene().is_some_and(|open_scene| open_scene.placed != **places)
         };

@@ -1,4 +1,5 @@
-//! Places on the screen: of points of the picture and of the world.
+//! Places on the screen, of points of the picture and of the world, and places in the world where the
+//! pointer is.
 
 use eframe::egui::{Pos2, Rect, vec2};
 use glam::DVec3;
@@ -29,4 +30,36 @@ pub(super) fn is_on_object(at: Pos2, rect: Rect, session: &Session, handles: &Ha
 pub(super) fn project(point: DVec3, rect: Rect, session: &Session) -> Option<Pos2> {
     let [x, y] = session.view.orbit.place_in_picture(point)?;
     Some(rect.center() + vec2(x as f32, -y as f32) * rect.height())
+}
+
+/// Ray from the eye through a place of the picture, in world space.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PictureRay {
+    pub(super) origin: DVec3,
+    /// Unit.
+    pub(super) direction: DVec3,
+}
+
+/// Ray through a point of the screen.
+pub(super) fn ray_through(session: &Session, rect: Rect, at: Pos2) -> PictureRay {
+    let offset = (at - rect.center()) / rect.height();
+    let place = [f64::from(offset.x), f64::from(-offset.y)];
+    let (origin, direction) = session.view.orbit.ray_through(place);
+    PictureRay { origin, direction }
+}
+
+/// Place where a ray cuts the plane through `point`; `None` where it does so behind the eye or
+/// nowhere.
+pub(super) fn on_plane(point: DVec3, normal: DVec3, ray: PictureRay) -> Option<DVec3> {
+    let along = (point - ray.origin).dot(normal) / ray.direction.dot(normal);
+    (along.is_finite() && along > 0.0).then(|| ray.origin + ray.direction * along)
+}
+
+/// Distance along a line from `center`, in a unit direction, at which a ray comes nearest to the
+/// line; `None` for a line that is seen from its end, which has no length to be dragged.
+pub(super) fn nearest_along(center: DVec3, axis: DVec3, ray: PictureRay) -> Option<f64> {
+    let between = center - ray.origin;
+    let cosine = axis.dot(ray.direction);
+    let square = 1.0 - cosine * cosine;
+    (square > 1e-3).then(|| (cosine * between.dot(ray.direction) - between.dot(axis)) / square)
 }

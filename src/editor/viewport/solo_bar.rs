@@ -15,7 +15,8 @@ use crate::widgets::theme;
 pub(crate) fn show(ui: &mut Ui, session: &Session) -> Option<Command> {
     let text = sentence(session)?;
     let button = ("Show all", "Ends every solo, and lets muted lights shine");
-    bar(ui, &text, OF_THE_WINDOW, button).then(|| Command::Solo(Solo::default()))
+    bar(ui, &text, OF_THE_WINDOW, &[button])?;
+    Some(Command::Solo(Solo::default()))
 }
 
 /// Shows a bar of the solo that the scene itself has, with a button that ends it; nothing without
@@ -30,20 +31,26 @@ pub(super) fn of_scene(ui: &mut Ui, session: &Session) -> Option<Command> {
                 set it; S in Lights is of this window only";
     let button = ("End it", "Lets all lights shine again that are not muted");
     let edit = SceneEdit::SetSoloedLights { soloed: LightSet::none() };
-    bar(ui, &text, help, button).then(|| Command::Scene(SceneCommand::Edit(edit)))
+    bar(ui, &text, help, &[button])?;
+    Some(Command::Scene(SceneCommand::Edit(edit)))
 }
 
-/// Shows a bar with a text, and with a button at its end. Returns true if that was clicked.
-fn bar(ui: &mut Ui, text: &str, help: &str, (label, button_help): (&str, &str)) -> bool {
+/// Shows a bar with a text, and with buttons at its end, which have a label and help. Returns the
+/// index of the one that was clicked.
+pub(super) fn bar(ui: &mut Ui, text: &str, help: &str, buttons: &[(&str, &str)]) -> Option<usize> {
     let frame = egui::Frame::new()
         .fill(theme::of(ui).accent_dim)
         .corner_radius(4.0)
         .inner_margin(egui::Margin::symmetric(8, 3));
-    let mut is_clicked = false;
+    let mut clicked = None;
     frame.show(ui, |ui| {
         ui.horizontal(|ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                is_clicked = ui.button(label).on_hover_text(button_help).clicked();
+                for (index, (label, help)) in buttons.iter().enumerate().rev() {
+                    if ui.button(*label).on_hover_text(*help).clicked() {
+                        clicked = Some(index);
+                    }
+                }
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                     let text = RichText::new(text).color(theme::of(ui).text);
                     ui.add(egui::Label::new(text).truncate()).on_hover_text(help);
@@ -51,7 +58,7 @@ fn bar(ui: &mut Ui, text: &str, help: &str, (label, button_help): (&str, &str)) 
             });
         });
     });
-    is_clicked
+    clicked
 }
 
 /// Sentence on the soloed and the muted layers and lights.

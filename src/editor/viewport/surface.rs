@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3, Vec3};
 
+use super::lying;
 use crate::diag::Diagnostic;
 use crate::document::Camera;
 use crate::frame::{Assets, FramePlan, SHAPE_PREFIX, Setup, SetupObject, View};
@@ -38,7 +39,7 @@ const LEAST_FACING: f32 = 0.05;
 /// Inputs of a surface: for the same inputs the known surface is used.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Key {
-    mesh: String,
+    pub(super) mesh: String,
     z_is_up: bool,
     scene: Option<PictureRevision>,
     /// Number of changes to files, meshes among them.
@@ -345,6 +346,7 @@ fn placed(object: &SetupObject) -> ObjectPlace {
         id: object.id.clone(),
         center: object.center(),
         radius: object.radius(),
+        seems_to_lie: lying::seems_to_lie(&object.mesh.bounds()),
         materials,
         animations: animations.iter().map(|animation| animation.name.clone()).collect(),
         cameras: cameras.iter().map(|camera| camera.name.clone()).collect(),

@@ -48,9 +48,10 @@ impl User {
     }
 
     /// A hand at a window that draws, made into `App` as `prepare` leaves it; four frames a second
-    /// by the window's own clock.
+    /// by the window's own clock. A pixel is two points wide, so that software has a fourth of the
+    /// picture to draw.
     pub(crate) fn drawing_with(prepare: impl Fn(App, &egui::Context) -> App + 'static) -> Self {
-        Self::drawing_in(Harness::builder(), prepare)
+        Self::drawing_in(Harness::builder().with_pixels_per_point(0.5), prepare)
     }
 
     fn drawing_in(

@@ -29,7 +29,7 @@ fn a_tile_is_painted_without_a_seam() {
     let studio = Studio::new();
     let mut artist = studio.window();
     artist.press("Paint");
-    artist.press("New HCBTF, small (16 x 16, 3 x 6 directions)");
+    artist.press("New painted surface, small (16 x 16, 3 x 6 directions)");
     let size = artist.place_of(Role::SpinButton, "Size");
     artist.type_over(size, "5");
     let hardness = artist.place_of(Role::SpinButton, "Hardness");
@@ -88,7 +88,7 @@ fn a_tile_is_painted_without_a_seam() {
     let sheet = studio.path("bow.png");
     artist.app_mut().answer_dialog(&sheet);
     artist.press("Paint");
-    artist.press("Export the HCBTF as a contact sheet...");
+    artist.press("Export the painted surface as a contact sheet...");
     artist.settle();
     let sheet = image::open(&sheet).unwrap().into_rgba8();
     let first = image::imageops::crop_imm(&sheet, 0, 0, 16, 16).to_image();

@@ -37,7 +37,7 @@ fn painted_pictures_become_a_shader() {
 
     let mut artist = studio.window();
     artist.press("Paint");
-    artist.press("Import painted pictures as an HCBTF...");
+    artist.press("Import painted pictures as a painted surface...");
     for (label, text) in [
         ("Lights: rings", "2"),
         ("Lights: steps", "3"),

@@ -76,8 +76,9 @@ fn at(lighter: &JourneyUser, x: f32, y: f32) -> Pos2 {
 fn ray(lighter: &JourneyUser, point: Pos2) -> (DVec3, DVec3) {
     let rect = lighter.app().viewport().rect().unwrap();
     let orbit = lighter.app().session().view().orbit();
-    let pixel = (point - rect.min).floor() + vec2(0.5, 0.5);
-    let size = vec2(rect.width().round(), rect.height().round());
+    let pixels = lighter.harness.ctx.pixels_per_point();
+    let pixel = ((point - rect.min) * pixels).floor() + vec2(0.5, 0.5);
+    let size = (rect.size() * pixels).round();
     let offset = (pixel - size / 2.0) / size.y;
     let (right, up) = orbit.right_and_up();
     let span = 2.0 * (orbit.fov / 2.0).tan();

@@ -7,6 +7,7 @@ use crate::commands::{
     Command as C, FitCommand as F, FitGoal, LightBrush, LightMark, PlacingCommand, Switch,
     ViewCommand as V,
 };
+use crate::state::view::TransformPart;
 
 fn view(command: V, label: &'static str, keys: &'static [(Modifiers, Key)]) -> CommandRow {
     row(C::View(command), label, keys, KeyScope::Picture)
@@ -48,6 +49,26 @@ pub(super) fn rows() -> Vec<CommandRow> {
             .help("Turns the object before the camera, until it is switched off again"),
         view(V::ToggleHandles, "Show or hide handles on the object", &[(NONE, Key::H)])
             .help("Lines and handles of the selected layer and its light"),
+        view(
+            V::ToggleTransform(TransformPart::Place),
+            "Move the object in the picture",
+            &[(NONE, Key::W)],
+        )
+        .help("Shows arrows on the selected object of a scene, or hides them; Ctrl drags by steps"),
+        view(
+            V::ToggleTransform(TransformPart::Turn),
+            "Turn the object in the picture",
+            &[(NONE, Key::E)],
+        )
+        .help("Shows rings on the selected object of a scene, or hides them; Ctrl drags by 15°"),
+        view(
+            V::ToggleTransform(TransformPart::Scale),
+            "Scale the object in the picture",
+            &[(NONE, Key::S)],
+        )
+        .help(
+            "Shows squares on the selected object of a scene, or hides them; Ctrl drags by steps",
+        ),
         view(V::LookThrough, "Look through the light", &[(NONE, Key::O)]).help(
             "Puts the camera where the light of the selected layer is: the light goes with the \
              view, until the camera has its place again",

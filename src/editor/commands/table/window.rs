@@ -16,8 +16,8 @@ pub(super) fn files() -> Vec<CommandRow> {
     vec![
         row(C::New, "New look", &[(CTRL, Key::N)], Window).help("A new look"),
         row(C::Open(None), "Open a look", &[(CTRL, Key::O)], Window).help(
-            "Opens a look, a scene or an HCBTF, or makes a look of a MaterialX document or of \
-                 Blender's shader nodes",
+            "Opens a look, a scene or a painted surface, or makes a look of a MaterialX document \
+                 or of Blender's shader nodes",
         ),
         row(C::SaveAs, "Save under another name", &[(CTRL_SHIFT, Key::S)], Window)
             .help("Saves the look under another name"),
@@ -91,7 +91,7 @@ pub(super) fn rows() -> Vec<CommandRow> {
             KeyScope::Picture,
         )
         .in_menu(Menu::Paint),
-        row(C::ShowPanel(PanelId::PAINT), "Paint a surface (HCBTF)", &[], Window),
+        row(C::ShowPanel(PanelId::PAINT), "Paint a surface", &[], Window),
         row(C::ShowPanel(PanelId::LIGHT_TABLE), "Light table", &[], Window)
             .help("All lights and groups, field by field: many are changed at once"),
         row(C::ShowPanel(PanelId::MIXER), "Mixer of lights", &[], Window)
@@ -99,30 +99,47 @@ pub(super) fn rows() -> Vec<CommandRow> {
         row(C::ShowPanel(PanelId::LINKS), "Links of lights and objects", &[], Window)
             .help("Which lights light which objects, and by which rule"),
         row(C::Paint(P::PaintShown), "Paint what the look shows", &[], Window),
-        painting(new_hcbtf(GridPreset::Small), "New HCBTF, small (16 x 16, 3 x 6 directions)"),
+        painting(
+            new_hcbtf(GridPreset::Small),
+            "New painted surface, small (16 x 16, 3 x 6 directions)",
+        ),
         painting(
             new_hcbtf(GridPreset::Thesis),
-            "New HCBTF, as the thesis (32 x 32, 6 x 10 directions)",
+            "New painted surface, as the thesis (32 x 32, 6 x 10 directions)",
         ),
-        painting(new_hcbtf(GridPreset::Large), "New HCBTF, large (64 x 64, 6 x 10 directions)"),
-        painting(new_hcbtf(GridPreset::Fine), "New HCBTF, fine tile (128 x 128, 3 x 8 directions)"),
-        painting(P::AskGrid { changes: false }, "New HCBTF of any grid..."),
-        painting(P::AskGrid { changes: true }, "Divide the HCBTF otherwise...").needing_painting(),
+        painting(
+            new_hcbtf(GridPreset::Large),
+            "New painted surface, large (64 x 64, 6 x 10 directions)",
+        ),
+        painting(
+            new_hcbtf(GridPreset::Fine),
+            "New painted surface, fine tile (128 x 128, 3 x 8 directions)",
+        ),
+        painting(P::AskGrid { changes: false }, "New painted surface of any grid..."),
+        painting(P::AskGrid { changes: true }, "Divide the painted surface otherwise...")
+            .needing_painting(),
         painting(P::AskSynthesis, "New tile from this painting...").needing_painting(),
         painting(P::AskBake, "Bake this look onto a tile..."),
-        painting(P::Save, "Save the HCBTF").needing_painting(),
-        painting(P::SaveAs, "Save the HCBTF under another name...").needing_painting(),
-        painting(P::Close, "Close the HCBTF").needing_painting(),
-        painting(P::AskImport, "Import painted pictures as an HCBTF..."),
-        painting(export_hcbtf(ExchangeFormat::Folder), "Export the HCBTF as a folder of images...")
-            .needing_painting(),
-        painting(export_hcbtf(ExchangeFormat::Contact), "Export the HCBTF as a contact sheet...")
-            .needing_painting(),
+        painting(P::Save, "Save the painted surface").needing_painting(),
+        painting(P::SaveAs, "Save the painted surface under another name...").needing_painting(),
+        painting(P::Close, "Close the painted surface").needing_painting(),
+        painting(P::AskImport, "Import painted pictures as a painted surface..."),
         painting(
-            export_hcbtf(ExchangeFormat::Sheet),
-            "Export the HCBTF as a sheet of the thesis...",
+            export_hcbtf(ExchangeFormat::Folder),
+            "Export the painted surface as a folder of images...",
         )
         .needing_painting(),
-        painting(P::AskTexture, "Export the HCBTF as a KTX2 texture...").needing_painting(),
+        painting(
+            export_hcbtf(ExchangeFormat::Contact),
+            "Export the painted surface as a contact sheet...",
+        )
+        .needing_painting(),
+        painting(
+            export_hcbtf(ExchangeFormat::Sheet),
+            "Export the painted surface as a sheet of the thesis...",
+        )
+        .needing_painting(),
+        painting(P::AskTexture, "Export the painted surface as a KTX2 texture...")
+            .needing_painting(),
     ]
 }

@@ -3,7 +3,7 @@
 use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Ui};
 
-use crate::commands::{Command, FilePurpose, SceneCommand};
+use crate::commands::{Command, FilePurpose, SceneCommand, ViewCommand, table};
 use crate::document::{Object, Transform};
 use crate::fields::row::{self, labelled};
 use crate::fields::shot;
@@ -12,6 +12,7 @@ use crate::geometry::SHAPES;
 use crate::ids::ObjectId;
 use crate::state::scene::{OpenScene, file_label, from_degrees, mesh_label, stood_up, to_degrees};
 use crate::state::session::Session;
+use crate::state::view::TransformPart;
 use crate::widgets::theme;
 
 /// Smallest scale: at 0 an object vanishes.
@@ -86,6 +87,7 @@ impl Details {
             fields.row(ui, ("Scale", "How large it is"), &["transform.scale"], |ui, _| {
                 widget = widget.or(self.scale(ui, &mut new));
             });
+            handles(ui, fields);
             labelled(
                 ui,
                 "Fit",
@@ -148,6 +150,21 @@ impl Details {
         });
         widget
     }
+}
+
+/// Shows the switches of the handles in the picture.
+fn handles(ui: &mut Ui, fields: &mut Fields<'_>) {
+    let help = "Handles on the object in the picture, to drag it by";
+    labelled(ui, "Handles", help, |ui, _| {
+        for part in TransformPart::ALL {
+            let command = Command::View(ViewCommand::ToggleTransform(part));
+            let is_on = fields.session.view.handled == Some(part);
+            let response = ui.selectable_label(is_on, part.label());
+            if response.on_hover_text(table::help_of(&command)).clicked() {
+                fields.commands.push(command);
+            }
+        }
+    });
 }
 
 fn mesh(

@@ -27,7 +27,7 @@ const FIRST_SHARPNESS: f64 = 4.0;
 const MOST_LIVE: u64 = 1 << 22;
 
 /// Display name of a new HCBTF.
-const NEW: &str = "New HCBTF";
+const NEW: &str = "New painted surface";
 /// Suffix to the name of an example, for a copy of it.
 const COPY: &str = " (copy of the example)";
 
@@ -155,7 +155,7 @@ impl OpenPainting {
         }
     }
 
-    /// A new HCBTF without painted samples. Its rules blend painted samples over all directions,
+    /// A new painted surface without painted samples. Its rules blend painted samples over all directions,
     /// until they are changed.
     pub(crate) fn new(grid: Grid) -> Self {
         let rules = vec![Rule::Blend { sharpness: FIRST_SHARPNESS }];

@@ -20,6 +20,8 @@ pub(crate) struct ObjectPlace {
     pub(crate) center: DVec3,
     /// Radius of a sphere around the middle, in scene units.
     pub(crate) radius: f64,
+    /// True if the mesh is highest along z, as one that lies on its back.
+    pub(crate) seems_to_lie: bool,
     /// Materials of the object's mesh, each once.
     pub(crate) materials: Vec<String>,
     /// Names of the animations that the mesh's file brings.

@@ -83,14 +83,17 @@ impl Session {
     /// Applies a change of the painting. Consecutive changes of the same `gesture` are one step.
     ///
     /// # Errors
-    /// A diagnostic where the change is impossible, or no HCBTF is open; nothing is changed then.
+    /// A diagnostic where the change is impossible, or no painted surface is open; nothing is changed then.
     pub(crate) fn apply_to_painting(
         &mut self,
         change: HcbtfEdit,
         gesture: Option<GestureId>,
     ) -> Result<(), Box<Diagnostic>> {
         let Some(work) = &mut self.painting else {
-            return Err(Box::new(Diagnostic::error("impossible-edit", "no HCBTF is open")));
+            return Err(Box::new(Diagnostic::error(
+                "impossible-edit",
+                "no painted surface is open",
+            )));
         };
         self.revisions.step.advance();
         let is_changed = work.apply(change, gesture, self.revisions.step)?;

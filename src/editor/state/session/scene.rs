@@ -250,6 +250,13 @@ impl Session {
         self.view.frame(self.open_scene.as_ref(), only, aspect);
     }
 
+    /// Brings all objects of a scene without a camera into view, once they are found. Returns true
+    /// if that turned the camera.
+    pub(crate) fn frame_without_camera(&mut self, aspect: f64) -> bool {
+        let open_scene = self.open_scene.as_ref().filter(|open_scene| open_scene.shot.is_none());
+        self.view.frame_without_camera(open_scene, aspect)
+    }
+
     /// Takes another program's text of the scene's file, as one step. Returns true if it could be
     /// read without an error.
     pub(crate) fn reload_scene(&mut self, text: &str) -> bool {

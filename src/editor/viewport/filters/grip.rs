@@ -3,6 +3,7 @@
 use glam::{DMat3, DVec3};
 
 use crate::document::Value;
+use crate::viewport::place::{PictureRay, nearest_along, on_plane};
 
 /// Least length and angle that a drag sets.
 const LEAST: f64 = 1e-3;
@@ -41,12 +42,9 @@ pub(super) struct Grip {
 impl Grip {
     /// The value of the port when the handle is dragged to where a ray of the picture goes;
     /// `backward` points to the eye. `None` where that says nothing.
-    pub(super) fn dragged(&self, backward: DVec3, (origin, ray): (DVec3, DVec3)) -> Option<Value> {
-        let on_plane = |point: DVec3, normal: DVec3| {
-            let along = (point - origin).dot(normal) / ray.dot(normal);
-            (along.is_finite() && along > 0.0).then(|| origin + ray * along)
-        };
-        let beside = |point: DVec3| on_plane(point, backward);
+    pub(super) fn dragged(&self, backward: DVec3, ray: PictureRay) -> Option<Value> {
+        let faces = |normal: DVec3| ray.direction.dot(normal).abs() > 0.1;
+        let beside = |point: DVec3| on_plane(point, backward, ray);
         match &self.drag {
             GripDrag::Place => Some(Value::Vector(short(beside(self.at)?))),
             GripDrag::Toward { center } => {
@@ -54,7 +52,7 @@ impl Grip {
                 Some(Value::Vector(short(toward)))
             }
             GripDrag::Size { center, axis, sizes, index } => {
-                let along = nearest_along(*center, *axis, (origin, ray))?;
+                let along = nearest_along(*center, *axis, ray)?;
                 let mut sizes = sizes.clone();
                 *sizes.get_mut(*index)? = rounded(along.abs()).max(LEAST);
                 match sizes.as_slice() {
@@ -65,19 +63,15 @@ impl Grip {
             GripDrag::Spin { center, axes } => {
                 let [x, y, z] = [axes.x_axis, axes.y_axis, axes.z_axis];
                 // Seen from the side, the plane of the turn is no place to point at.
-                let at =
-                    if ray.dot(z).abs() > 0.1 { on_plane(*center, z)? } else { beside(self.at)? };
+                let at = if faces(z) { on_plane(*center, z, ray)? } else { beside(self.at)? };
                 let away = at - *center;
                 let (side, up) = (away.dot(x), away.dot(y));
                 (side.hypot(up) > 1e-9).then(|| Value::Number(rounded(up.atan2(side))))
             }
             GripDrag::Angle { center, axis, side, most } => {
                 let normal = axis.cross(*side);
-                let at = if ray.dot(normal).abs() > 0.1 {
-                    on_plane(*center, normal)?
-                } else {
-                    beside(self.at)?
-                };
+                let at =
+                    if faces(normal) { on_plane(*center, normal, ray)? } else { beside(self.at)? };
                 let away = at - *center;
                 let angle = away.dot(*side).atan2(away.dot(*axis));
                 Some(Value::Number(rounded(angle).clamp(0.0, *most)))
@@ -88,15 +82,6 @@ impl Grip {
             }
         }
     }
-}
-
-/// Distance along a line from `center` at which a ray comes nearest to the line.
-fn nearest_along(center: DVec3, axis: DVec3, (origin, ray): (DVec3, DVec3)) -> Option<f64> {
-    let between = center - origin;
-    let cosine = axis.dot(ray);
-    let square = 1.0 - cosine * cosine;
-    // A line that is seen from its end has no length to be dragged.
-    (square > 1e-3).then(|| (cosine * between.dot(ray) - between.dot(axis)) / square)
 }
 
 fn rounded(x: f64) -> f64 {
@@ -114,8 +99,8 @@ mod tests {
     const EYE: DVec3 = DVec3::new(0.0, 0.0, 10.0);
 
     /// The ray from the eye through a point.
-    fn through(point: DVec3) -> (DVec3, DVec3) {
-        (EYE, (point - EYE).normalize())
+    fn through(point: DVec3) -> PictureRay {
+        PictureRay { origin: EYE, direction: (point - EYE).normalize() }
     }
 
     fn dragged(at: DVec3, drag: GripDrag, to: DVec3) -> Value {

@@ -11,6 +11,7 @@ mod grip;
 use eframe::egui::{Id, Pos2, Rect, Shape, Stroke, Ui, vec2};
 use glam::DVec3;
 
+use super::place::ray_through;
 use super::project;
 use crate::commands::Command;
 use crate::fields::filter::SelectedFilter;
@@ -69,10 +70,4 @@ pub(super) fn show(ui: &Ui, rect: Rect, session: &Session, out: &mut Vec<Command
 
 fn on_screen(points: &[DVec3], rect: Rect, session: &Session) -> Vec<Pos2> {
     points.iter().filter_map(|point| project(*point, rect, session)).collect()
-}
-
-/// The ray through a point of the screen: a point of it, and its direction.
-fn ray_through(session: &Session, rect: Rect, at: Pos2) -> (DVec3, DVec3) {
-    let offset = (at - rect.center()) / rect.height();
-    session.view.orbit.ray_through([f64::from(offset.x), f64::from(-offset.y)])
 }

@@ -103,6 +103,8 @@ pub(crate) const HALO: Color32 = Color32::from_black_alpha(130);
 pub(crate) const PLATE: Color32 = Color32::from_black_alpha(165);
 /// Mark of the middle of a lit area, on a picture.
 pub(crate) const SUN: Color32 = rgb(0xfff3c4);
+/// Colors of the axes x, y and z on a picture.
+pub(crate) const AXES: [Color32; 3] = [rgb(0xf0716b), rgb(0x9ccc65), rgb(0x6f9bff)];
 /// Colors of offset, fall-off and cut-off on a picture.
 const CURVES: [Color32; 3] = [rgb(0xffb347), rgb(0x6f9bff), rgb(0x6ee08a)];
 

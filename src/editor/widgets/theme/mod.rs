@@ -9,7 +9,7 @@ use eframe::egui;
 use eframe::egui::{CornerRadius, FontFamily, FontId, Margin, Stroke, TextStyle, Visuals};
 
 pub(crate) use crate::drawing::{NODE_WIDTH, SOCKET, SocketShape, TEXT_SIZE, TITLE_HEIGHT};
-pub(crate) use colors::{Colors, HALO, PLATE, SUN, curve};
+pub(crate) use colors::{AXES, Colors, HALO, PLATE, SUN, curve};
 
 /// Colors of the present theme.
 pub(crate) fn of(ui: &egui::Ui) -> &'static Colors {
