@@ -14,7 +14,8 @@ use crate::document::{Document, Look};
 use crate::files::{Disk, OutputKind, Outputs};
 use crate::frame::{Assets, DEFAULT_MESH, Setup, SetupLook, default_setup, image_bytes, open};
 use chiaro_laboratory::fit::{
-    FitOptions, FitReport, FitTarget, FittedLook, KeptParts, fit_layers, fit_look, picture_of,
+    FitOptions, FitReport, FitTarget, FittedLook, KeptParts, fit_layers, fit_local, fit_look,
+    picture_of,
 };
 
 const EXAMPLES: &str = "\
@@ -22,6 +23,7 @@ Examples:
   chiaro fit look.json --target painted.png -o fitted.json
   chiaro fit look.json --target painted.png --keep base,lights -o fitted.json
   chiaro fit look.json --target strokes.png --keep-rest 50 -o fitted.json
+  chiaro fit look.json --target strokes.png --local
   chiaro fit --layers 2 --target painted.png --mesh bunny.obj -o new.json
   chiaro fit look.json --target painted.png --camera orbit=30,15 --dry-run --json
 
@@ -51,6 +53,10 @@ pub(super) struct Arguments {
     /// Begins from nothing: up to so many light layers over a base, from 1 to 7
     #[arg(long, value_parser = clap::value_parser!(u8).range(1..=7))]
     layers: Option<u8>,
+    /// Lays layers over the look, with lights of their own, where it was painted: nothing else of it
+    /// changes
+    #[arg(long, conflicts_with_all = ["layers", "keep", "keep_rest", "starts"], requires = "look")]
+    local: bool,
     /// Parts of the look that stay as they are, separated by commas
     #[arg(long, value_enum, value_delimiter = ',', conflicts_with = "layers")]
     keep: Vec<KeepArgument>,
@@ -145,6 +151,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     };
     let fitted = output.watch("fitting", |progress| match arguments.layers {
         Some(layers) => fit_layers(&setup, 0, &library, &target, layers.into(), &options, progress),
+        None if arguments.local => fit_local(&setup, 0, &library, &target, &options, progress),
         None => fit_look(&setup, 0, &library, &target, &options, progress),
     })?;
     output.diagnostics(&fitted.report.warnings(arguments.layers.is_some()));

@@ -7,7 +7,7 @@ mod strokes;
 use chiaro::clock::Clock;
 use chiaro::compile::Live;
 use chiaro::document::{Look, Ramp, Value};
-use chiaro::fit::{FitOptions, FitTarget, FittedLook, KeptParts, fit_layers, fit_look};
+use chiaro::fit::{FitOptions, FitTarget, FittedLook, KeptParts, fit_layers, fit_local, fit_look};
 use chiaro::frame::{Assets, Picture, PlanOptions, Planner, Setup, Stage};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
@@ -99,6 +99,13 @@ fn soak_strokes_and_how_far_the_rest_moves() {
         let strokes = strokes::strokes(&look, mesh);
         let steps = |off: [f64; 3]| off.map(|x| format!("{:5.1}", 255.0 * x)).join(" ");
         println!("{name} as it is: {}", steps(strokes::off(&strokes, &look, mesh)));
+        let clock = Clock::start();
+        let fitted = local(&look, mesh, &strokes);
+        println!(
+            "{name} there alone: strokes, rest, its worst {} ({:.1} s)",
+            steps(strokes::off(&strokes, &fitted.look, mesh)),
+            clock.seconds()
+        );
         for keep_rest in [0.25, 0.5, 1.0] {
             let clock = Clock::start();
             let setup = setup_of(look.clone(), mesh);
@@ -306,6 +313,37 @@ fn a_fit_that_is_stopped_keeps_the_nearest_that_it_has_come_to() {
 }
 
 /// A ramp over the angle from a light: only the light and the ramp's own colors can be turned.
+fn local(look: &Look, mesh: &str, strokes: &strokes::Strokes) -> FittedLook {
+    let (options, progress) = (FitOptions::default(), Progress::new());
+    let setup = setup_of(look.clone(), mesh);
+    fit_local(&setup, 0, Library::built_in(), &strokes.painted, &options, &progress).unwrap()
+}
+
+#[test]
+fn light_that_is_painted_lies_where_it_was_painted_and_the_rest_of_the_look_stays() {
+    let text = std::fs::read_to_string("examples/looks/figure2-diffuse.json").unwrap();
+    let look = Look::read(&text, "figure2.json").value.unwrap();
+    let mesh = "shape:sphere";
+    let strokes = strokes::strokes(&look, mesh);
+    let fitted = local(&look, mesh, &strokes);
+    let [before, ..] = strokes::off(&strokes, &look, mesh);
+    let [after, rest, _] = strokes::off(&strokes, &fitted.look, mesh);
+    assert!(after < 0.6 * before, "{after} from {before}");
+    assert!(rest < 0.3 * before, "the rest stays: {rest}");
+    // All that was there is there as it was; two layers came, one of light and one of dark.
+    for (id, node) in look.graph.nodes.iter().filter(|(_, node)| node.kind != "output") {
+        assert_eq!(fitted.look.graph.nodes[id], *node);
+    }
+    for (id, light) in &look.lights {
+        assert_eq!(fitted.look.lights[id], *light);
+    }
+    let added = fitted.look.graph.nodes.len() - look.graph.nodes.len();
+    assert!((1..=3).contains(&added) && fitted.look.lights.len() == look.lights.len() + added);
+    let mut redone = look.clone();
+    redone.apply(fitted.edit.clone()).unwrap();
+    assert_eq!(redone, fitted.look);
+}
+
 #[test]
 fn colors_of_ramps_are_turned_and_what_is_not_painted_is_kept_as_asked() {
     let text = std::fs::read_to_string("examples/looks/figure2-diffuse.json").unwrap();

@@ -92,6 +92,8 @@ impl LightBrush {
 /// Goal of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FitGoal {
+    /// New layers over the open look, where it was painted: nothing else changes.
+    Local,
     /// The open look's own values: its nodes and wires stay.
     ThisLook,
     /// New layers, up to so many, in place of the look's nodes.

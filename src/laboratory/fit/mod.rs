@@ -1,7 +1,8 @@
 //! Painted shading (Okabe et al. 2007, the last wish of the BADF paper): a look from strokes
 //! painted on a picture.
 //!
-//! A [`FitTarget`] holds the goals of some pixels. [`fit_look`] turns the lights, profiles and
+//! A [`FitTarget`] holds the goals of some pixels. [`fit_local`] lays layers over the look where it
+//! was painted, and changes nothing else of it. [`fit_look`] turns the lights, profiles and
 //! colors of a look until the look shows them; [`fit_layers`] begins from nothing and lays light
 //! layers one over the other, each where most is missing. Both end in damped least squares
 //! (`solve`) on the picture of the f64 reference at the painted pixels alone (`model`), and return
@@ -19,6 +20,7 @@ mod choose;
 mod grow;
 mod knobs;
 mod lit;
+mod local;
 mod model;
 mod report;
 mod rest;
@@ -31,6 +33,7 @@ mod turn;
 use crate::document::{Edit, Look};
 
 pub use grow::fit_layers;
+pub use local::fit_local;
 pub use report::{FitReport, KnobCounts, LookChange, MissedPixel, picture_of};
 pub use target::{FitTarget, MAX_SIDE, PixelGoal};
 pub use turn::fit_look;

@@ -151,7 +151,7 @@ pub fn picture_of(size: [u32; 2], misses: &[MissedPixel]) -> Picture {
 /// A compared pixel, with its weight.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ComparedPixel {
-    missed: MissedPixel,
+    pub(super) missed: MissedPixel,
     weight: f64,
     is_rest: bool,
 }

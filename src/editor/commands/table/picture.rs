@@ -87,7 +87,8 @@ pub(super) fn rows() -> Vec<CommandRow> {
             KeyScope::Picture,
         )
         .help("Keeps the lights that are selected in Links from the object under the pointer"),
-        fit(F::Fit(FitGoal::ThisLook), "Fit this look to the painted light", &[(CTRL, Key::Enter)]),
+        fit(F::Fit(FitGoal::Local), "Light it as painted, there alone", &[(CTRL, Key::Enter)]),
+        fit(F::Fit(FitGoal::ThisLook), "Fit the whole look to the painted light", &[]),
         fit(F::TakeBrush(LightBrush::Light), "Paint where it should be lighter", &[(NONE, Key::B)]),
         fit(F::TakeBrush(LightBrush::Dark), "Paint where it should be darker", &[(NONE, Key::D)]),
         fit(

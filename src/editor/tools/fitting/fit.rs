@@ -135,6 +135,16 @@ impl FitTool {
             Ok(_) if running.is_some_and(|running| running.of != of(session)) => {
                 self.told = Some("The look was changed while it was fitted: fit again".to_owned());
             }
+            Ok(fitted)
+                if done.what == FitGoal::Local
+                    && (fitted.look == *done.look || gains_nothing(&fitted.report)) =>
+            {
+                self.told = Some(
+                    "No light of its own brings it nearer where you painted: paint larger spots, \
+                     or fit the whole look"
+                        .to_owned(),
+                );
+            }
             Ok(fitted) if fitted.look == *done.look || gains_nothing(&fitted.report) => {
                 let tried = fitted.report.tried.told().unwrap_or_else(|| "nothing".to_owned());
                 let help = self.advice(done.what, &fitted.report);

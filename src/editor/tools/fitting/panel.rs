@@ -41,7 +41,6 @@ impl FitTool {
             ui.separator();
             // A result that waits for a decision comes first, and hides the other choices.
             if !self.awaits() {
-                self.how_rows(ui);
                 self.fit_row(ui, &mut out);
             }
             if let Some(told) = &self.told {
@@ -149,6 +148,7 @@ impl FitTool {
             ways.push("keep less of the rest".to_owned());
         }
         ways.push(match what {
+            FitGoal::Local => "fit the whole look".to_owned(),
             FitGoal::ThisLook => "fit new layers".to_owned(),
             FitGoal::Layers(_) => "allow more layers".to_owned(),
         });
@@ -171,6 +171,16 @@ impl FitTool {
             });
             return;
         }
+        ui.horizontal_wrapped(|ui| {
+            let help = "Lays new layers over the look, with lights of their own, where you painted \
+                        (Ctrl+Enter). All else stays as it is";
+            if ui.button("Light it there").on_hover_text(help).clicked() {
+                out.push(Command::Fit(FitCommand::Fit(FitGoal::Local)));
+            }
+        });
+        ui.separator();
+        hint(ui, "Or the whole look is turned, as far as it may be:");
+        self.how_rows(ui);
         ui.horizontal_wrapped(|ui| {
             let help = "Turns lights, profiles and colors of this look until it shows what is \
                         painted. Its nodes and wires stay";

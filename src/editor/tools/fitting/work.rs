@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::commands::FitGoal;
 use crate::diag::Diagnostic;
 use crate::document::Look;
-use crate::fit::{FitOptions, FitTarget, FittedLook, fit_layers, fit_look};
+use crate::fit::{FitOptions, FitTarget, FittedLook, fit_layers, fit_local, fit_look};
 use crate::frame::Assets;
 use crate::progress::Progress;
 use crate::state::snapshot::RenderSnapshot;
@@ -42,6 +42,7 @@ fn fit(assets: &mut Assets, job: &FitRequest) -> Result<FittedLook, Vec<Diagnost
     let setup = snapshot.setup(assets)?.value;
     // The open look is the first of the setup.
     match what {
+        FitGoal::Local => fit_local(&setup, 0, &snapshot.library, target, options, progress),
         FitGoal::ThisLook => fit_look(&setup, 0, &snapshot.library, target, options, progress),
         FitGoal::Layers(count) => {
             fit_layers(&setup, 0, &snapshot.library, target, *count, options, progress)
