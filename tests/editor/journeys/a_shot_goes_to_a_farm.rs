@@ -21,16 +21,19 @@ fn a_shot_is_rendered_and_sent_to_a_farm() {
     let [from, to] = ["Render from frame", "Render to frame"].map(|it| artist.fields_called(it)[0]);
     artist.type_over(to, "3");
     artist.type_over(from, "1");
+    artist.press("by the command");
     let [wide, high] =
         ["Width of frames", "Height of frames"].map(|it| artist.fields_called(it)[0]);
     artist.type_over(wide, "64");
     artist.type_over(high, "36");
+    artist.bring(Role::CheckBox, "Layers of lights");
     artist.press_a(Role::CheckBox, "Layers of lights");
     artist.bring(Role::Button, "Copy the command that renders");
     artist.press_a(Role::Button, "Copy the command that renders");
     let copied = artist.take_copied().unwrap();
     let told = "chiaro render sh010.json -o 'out/####.exr' --frames 1-3 --size 64x36 --aov lights";
     assert!(copied.ends_with(told), "{copied}");
+    artist.bring(Role::Button, "Render 3 frames");
     artist.press("Render 3 frames");
     assert!(artist.has("Frames: 3 of 3 are whole"), "{:?}", artist.app().message());
     assert!(artist.app().message().unwrap().starts_with("3 frames are whole"));

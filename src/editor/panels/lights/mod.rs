@@ -200,7 +200,7 @@ impl Lights {
         if let Some(fields) = &keyed {
             let at = rect.right_bottom() - vec2(1.0, 1.0);
             mark::diamond(ui, at, 4.5, theme::of(ui).accent, theme::of(ui).panel);
-            let mark = ui.interact(rect, ui.scope_id().with("keyed"), Sense::hover());
+            let mark = ui.interact(rect, ui.scope_id().with(("keyed", &title)), Sense::hover());
             mark.widget_info(|| {
                 WidgetInfo::labeled(Role::Label, true, format!("{title} is keyed"))
             });

@@ -198,12 +198,18 @@ impl FrameChoices {
     /// # Errors
     /// The reason, as a sentence, where the choices cannot be rendered.
     pub(crate) fn files(&self, document: &FilmDocument) -> Result<Vec<(i32, String)>, String> {
-        let output = self.output();
-        let pattern = FramePattern::of(Path::new(&output))?;
-        let pattern = pattern.ok_or("let #### stand for the number in the name of the files")?;
-        let list = self.list(document)?;
+        let (pattern, list) = self.pattern_and_list(document)?;
         let file = |frame: &i32| (*frame, pattern.path(*frame).display().to_string());
         Ok(list.frames().iter().map(file).collect())
+    }
+
+    fn pattern_and_list(
+        &self,
+        document: &FilmDocument,
+    ) -> Result<(FramePattern, FrameList), String> {
+        let pattern = FramePattern::of(Path::new(&self.output()))?;
+        let pattern = pattern.ok_or("let #### stand for the number in the name of the files")?;
+        Ok((pattern, self.list(document)?))
     }
 
     /// The command line that renders the frames.
@@ -215,7 +221,7 @@ impl FrameChoices {
         document: &FilmDocument,
         view: Option<&DisplayChoice>,
     ) -> Result<CommandLine, String> {
-        self.files(document)?;
+        self.pattern_and_list(document)?;
         let mut words = vec!["render".to_owned()];
         self.words(document, view, &mut words);
         Ok(CommandLine { folder: document.folder(), words })
@@ -231,7 +237,7 @@ impl FrameChoices {
         view: Option<&DisplayChoice>,
         farm: &FarmChoices,
     ) -> Result<CommandLine, String> {
-        self.files(document)?;
+        self.pattern_and_list(document)?;
         let mut words = vec!["farm".to_owned()];
         self.words(document, view, &mut words);
         words.extend(["--to".to_owned(), farm.to.to_owned()]);

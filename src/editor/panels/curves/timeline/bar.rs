@@ -40,7 +40,6 @@ pub(super) fn show(
             }
         }
         transport::place(timeline, ui, session);
-        ui.separator();
         rate(timeline, ui);
         ui.checkbox(&mut timeline.snaps, "Snap")
             .on_hover_text("Keys and the playhead stay on frames");
@@ -75,7 +74,9 @@ fn range(timeline: &mut Timeline, ui: &mut Ui) {
     let [mut first, mut last] = before;
     ui.label(RichText::new("Frames").color(theme::of(ui).dim));
     for (frame, name) in [(&mut first, "Range from"), (&mut last, "Range to")] {
-        let drag = DragValue::new(frame).speed(0.2).max_decimals(2);
+        // Whole frames are told without decimals.
+        let text = |frame: f64, _| values::number_text(frame, 2);
+        let drag = DragValue::new(frame).speed(0.2).custom_formatter(text);
         let response = ui.add(drag);
         response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
         let help = match name {

@@ -178,7 +178,7 @@ impl Timeline {
             ruler.max - vec2(10.0, 0.0),
         );
         let axis = Axis { lane, seen: self.seen };
-        axis.ruler(ui, self.fps, self.range);
+        axis.ruler(ui, self.fps, self.range, session.shot().is_some());
         transport::band(self, ui, axis, tools.playback());
         self.scrub(ui, session, axis, &mut commands);
         markers::show(self, ui, session, axis, &mut commands);
