@@ -10,6 +10,7 @@ mod a_nan_is_found;
 mod a_painted_surface;
 mod a_rim_by_a_wedge;
 mod a_seamless_tile;
+mod a_shot_goes_to_a_farm;
 mod a_shot_is_keyed;
 mod a_wrong_frame;
 mod artist;

@@ -42,7 +42,7 @@ fn moving() -> User {
     let nothing = hand.empty_place();
     hand.click(nothing);
     let end = hand.fields_called("Range to")[0];
-    hand.type_over(end, "0.3333");
+    hand.type_over(end, "8");
     assert!(hand.says("0 of 9 kept"), "nothing is drawn ahead unasked");
     hand
 }

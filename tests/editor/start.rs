@@ -686,10 +686,7 @@ fn paths_are_asked_for_in_the_window_where_there_is_no_dialog() {
     // The field for a path can always be opened by its key.
     hand.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::O);
     hand.settle();
-    assert!(
-        !says(&hand, "shows no file dialog")
-            && has(&hand, "Open a look, a scene or a painted surface")
-    );
+    assert!(!says(&hand, "shows no file dialog") && says(&hand, "a sheet of a wedge"));
 }
 
 #[test]

@@ -164,6 +164,7 @@ impl App {
             }
             Command::Scene(command) => self.apply_scene_command(ui, command),
             Command::Paint(command) => self.apply_to_painting(ui, command),
+            Command::Film(command) => self.apply_to_film(ui, command),
             Command::Fit(command) => self.apply_to_fitting(ui, command),
             Command::Placing(command) => self.apply_to_placing(ui, command),
             Command::Sketch(command) => self.apply_to_sketch(command),

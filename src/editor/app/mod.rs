@@ -8,6 +8,7 @@ mod colors;
 pub(crate) mod dialogs;
 pub(crate) mod dock;
 mod files;
+mod film;
 mod fitting;
 pub(crate) mod look_export;
 mod painting;
@@ -97,6 +98,8 @@ pub struct App {
     laid_out_for: Option<(DocumentNumber, Option<PaintingNumber>)>,
     /// View before a painting's flat square.
     view_before_painting: ViewBefore,
+    /// File of the program that renders frames beside the window: its own.
+    program: Option<PathBuf>,
 }
 
 impl App {
@@ -144,6 +147,7 @@ impl App {
             shows_first_picture: false,
             laid_out_for: None,
             view_before_painting: ViewBefore::default(),
+            program: std::env::current_exe().ok(),
         }
     }
 
@@ -218,6 +222,14 @@ impl App {
     #[must_use]
     pub fn with_path_fields(mut self) -> Self {
         self.dialogs.way = DialogKind::Window;
+        self
+    }
+
+    /// Renders frames beside the window by the program of this file; for programs that drive the
+    /// window, which are no `chiaro` themselves.
+    #[must_use]
+    pub fn rendering_by(mut self, program: &Path) -> Self {
+        self.program = Some(program.to_owned());
         self
     }
 

@@ -174,7 +174,7 @@ impl PathField {
 
 fn title(purpose: FilePurpose) -> &'static str {
     match purpose {
-        FilePurpose::Open => "Open a look, a scene or a painted surface",
+        FilePurpose::Open => "Open a look, a scene, a shot, a painted surface or a sheet of a wedge",
         FilePurpose::Save => "Save the look",
         FilePurpose::SaveScene => "Save the scene",
         FilePurpose::SaveShot => "Save the shot",
@@ -190,6 +190,7 @@ fn title(purpose: FilePurpose) -> &'static str {
         FilePurpose::Export(_) => "Save the picture",
         FilePurpose::Reference => "Show an image with the picture",
         FilePurpose::Frames => "Compare with frames or a document",
+        FilePurpose::FrameFolder => "Render frames into a folder",
         FilePurpose::Colors => "Take the views of an OpenColorIO configuration",
     }
 }

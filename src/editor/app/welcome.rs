@@ -10,7 +10,7 @@ use crate::app::dialogs::{Answer, DialogKind};
 use crate::app::path_field::PathField;
 use crate::app::tour::{self, Tour};
 use crate::commands::{
-    Command, DisplayCommand, FilePurpose, PaintCommand, SceneCommand, TourTopic,
+    Command, DisplayCommand, FilePurpose, FilmCommand, PaintCommand, SceneCommand, TourTopic,
 };
 use crate::panels::PanelContext;
 use crate::panels::start::{self, Start};
@@ -158,6 +158,7 @@ impl App {
             FilePurpose::Reference => Command::ShowReference(Some(path)),
             FilePurpose::Colors => Command::Display(DisplayCommand::Open(Some(path))),
             FilePurpose::Frames => Command::CompareFrames(Some(path)),
+            FilePurpose::FrameFolder => Command::Film(FilmCommand::ChooseFolder(Some(path))),
         };
         chosen.into_iter().map(command).collect()
     }

@@ -35,6 +35,8 @@ pub(crate) enum FilePurpose {
     Reference,
     /// One of the frames that were rendered, or another document, to compare with.
     Frames,
+    /// A folder to render frames into.
+    FrameFolder,
     /// Configuration of OpenColorIO.
     Colors,
 }
@@ -53,8 +55,8 @@ impl FilePurpose {
     pub(crate) fn files(self) -> (&'static str, &'static [&'static str]) {
         match self {
             Self::Open => (
-                "Chiaro look, scene, painted surface, or graph to import",
-                &["json", PAINTING, "mtlx"],
+                "Look, scene, shot, painted surface, sheet of a wedge, or graph to import",
+                &["json", PAINTING, "mtlx", "png"],
             ),
             Self::Save | Self::ObjectLook => ("Chiaro look", &["json"]),
             Self::SaveScene => ("Chiaro scene", &["json"]),
@@ -68,7 +70,7 @@ impl FilePurpose {
                     ExchangeFormat::Ktx2 => ("KTX2", &["ktx2"]),
                 }
             }
-            Self::Shaders(_) => ("Folder", &[]),
+            Self::Shaders(_) | Self::FrameFolder => ("Folder", &[]),
             Self::Export(_) => ("PNG", &["png"]),
             Self::Reference => ("Image", &IMAGES),
             Self::Colors => ("OpenColorIO configuration", &["ocio", "ocioz"]),
@@ -95,7 +97,9 @@ impl FilePurpose {
     /// True if a folder is asked for; a folder to write into is created if it does not exist.
     pub(crate) fn is_folder(self) -> bool {
         match self {
-            Self::Shaders(_) | Self::ExportPainting(ExchangeFormat::Folder, _) => true,
+            Self::Shaders(_)
+            | Self::FrameFolder
+            | Self::ExportPainting(ExchangeFormat::Folder, _) => true,
             Self::ImportPainting(import) => import.form == ExchangeFormat::Folder,
             _ => false,
         }

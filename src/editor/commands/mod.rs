@@ -7,6 +7,7 @@
 
 mod display;
 mod file_purpose;
+mod film;
 mod fit;
 mod graph;
 pub(crate) mod keyboard;
@@ -34,6 +35,7 @@ use crate::state::wedge::WedgeCell;
 use crate::state::wire::ShownWire;
 pub(crate) use display::DisplayCommand;
 pub(crate) use file_purpose::{FilePurpose, IMAGES, MESHES, PAINTING};
+pub(crate) use film::FilmCommand;
 pub(crate) use fit::{FitCommand, FitGoal, LightBrush, SketchCommand};
 pub(crate) use graph::{GraphCommand, Heading};
 pub(crate) use painting::{GridPreset, PaintCommand, PaintTool, PictureImport};
@@ -159,6 +161,8 @@ pub(crate) enum Command {
     Scene(SceneCommand),
     /// Command about the HCBTF that is being painted.
     Paint(PaintCommand),
+    /// Command about frames, farms' jobs and wedges.
+    Film(FilmCommand),
     /// Command about painting light on the picture.
     Fit(FitCommand),
     /// Command about placing a light by what it does.

@@ -12,6 +12,7 @@ impl PanelId {
     pub(crate) const EFFECTS: Self = Self("effects");
     pub(crate) const EXPORT: Self = Self("export");
     pub(crate) const FIT: Self = Self("fit");
+    pub(crate) const FRAMES: Self = Self("frames");
     pub(crate) const GRAPH: Self = Self("graph");
     pub(crate) const HISTORY: Self = Self("history");
     pub(crate) const INSPECTOR: Self = Self("inspector");

@@ -6,6 +6,7 @@ use eframe::egui::{
 };
 
 use crate::document::Target;
+use crate::ids::LightId;
 use crate::state::keying::{KeyedBy, KeyedLook};
 use crate::widgets::theme;
 
@@ -56,6 +57,24 @@ pub(crate) fn help(keys: KeyedLook<'_>, target: &Target) -> String {
                 .to_owned()
         }
     }
+}
+
+/// Fields of a light that keys move, in words; `None` where none do.
+pub(crate) fn keyed_fields(keys: KeyedLook<'_>, light: &LightId) -> Option<String> {
+    let is_of_light =
+        |target: &&Target| matches!(target, Target::Light { light: of, .. } if of == light);
+    let look = keys.base.look;
+    let in_time = look.time_keys.iter().map(|track| &track.target);
+    let by_direction = look.direction_keys.iter().flat_map(|set| &set.keys);
+    let by_direction = by_direction.flat_map(|key| key.values.keys());
+    let mut fields: Vec<String> = in_time
+        .chain(by_direction)
+        .filter(is_of_light)
+        .map(|target| keys.base.names_of(target)[1].clone())
+        .collect();
+    fields.sort_unstable();
+    fields.dedup();
+    (!fields.is_empty()).then(|| fields.join(", "))
 }
 
 /// Paints a diamond.

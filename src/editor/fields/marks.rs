@@ -5,10 +5,11 @@ use eframe::egui;
 use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
 use super::row;
-use crate::commands::{Command, PanelId};
+use crate::commands::{Command, FilmCommand, PanelId};
 use crate::document::{Edit, ExposedValue, KeyDirection, Target};
 use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::fields::shot::{self, ChangedValue};
+use crate::fields::wedge::variation_of;
 use crate::fields::{constant_wires, mark};
 use crate::ids::{PortName, is_slug, make_slug};
 use crate::library::Type;
@@ -88,6 +89,12 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
     if let Some(changed) = marked.by_shot() {
         changed.menu(ui, out);
         ui.separator();
+    }
+    if let Some(variation) = variation_of(marked.owned, &marked.target) {
+        let help = "Tries several values of it, each as a picture on one sheet";
+        if ui.button("Wedge this value").on_hover_text(help).clicked() {
+            out.push(Command::Film(FilmCommand::Vary(variation)));
+        }
     }
     if marked.can_be_keyed() {
         keys_in_time(ui, marked, out);

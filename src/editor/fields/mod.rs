@@ -14,6 +14,7 @@ pub(crate) mod passes;
 pub(crate) mod path;
 pub(crate) mod row;
 pub(crate) mod shot;
+pub(crate) mod wedge;
 
 use crate::catalog::NodeKind;
 use crate::document::Node;

@@ -1,12 +1,14 @@
 //! Marks of values that the open shot changes: a bar beside the value, and beside the row of what
 //! has such values, with what each was before, who changes it, and the way back.
 
+use std::path::Path;
+
 use eframe::egui;
 use eframe::egui::{Button, Popup, Rect, Role, Sense, Ui, Vec2, WidgetInfo, vec2};
 
 use crate::commands::{Command, SceneCommand, ShotCommand};
 use crate::document::Target;
-use crate::frame::ValueChange;
+use crate::frame::{ResolvedShot, ValueChange};
 use crate::ids::{LightId, NodePath, ObjectId};
 use crate::state::keying::Owner;
 use crate::state::reading::spoken;
@@ -139,7 +141,7 @@ impl<'s> ChangedRow<'s> {
         Self(ChangedValue::all(session, owner).filter_map(named).collect())
     }
 
-    /// Values of an object of the scene.
+    /// Values of an object of the scene, and of the looks that it wears.
     pub(crate) fn of_object(session: &'s Session, id: &ObjectId) -> Self {
         let prefix = format!("objects.{id}.");
         let named = |changed: ChangedValue<'s>| {
@@ -152,7 +154,8 @@ impl<'s> ChangedRow<'s> {
             };
             Some((label, changed))
         };
-        Self(ChangedValue::all(session, Owner::Scene).filter_map(named).collect())
+        let own = ChangedValue::all(session, Owner::Scene).filter_map(named);
+        Self(own.chain(of_looks(session, id)).collect())
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -191,6 +194,28 @@ impl<'s> ChangedRow<'s> {
             ui.separator();
         }
     }
+}
+
+/// Values of the looks that an object wears, each with its label.
+fn of_looks<'s>(
+    session: &'s Session,
+    id: &ObjectId,
+) -> impl Iterator<Item = (String, ChangedValue<'s>)> {
+    let scene = session.open_scene();
+    let object = scene.and_then(|open_scene| open_scene.scene().objects.get(id));
+    let names = object.into_iter().flat_map(|object| object.looks.values());
+    let paths = scene.into_iter().flat_map(|open_scene| {
+        let path = |name: &String| ResolvedShot::name_of_look(&open_scene.path_of(name));
+        names.clone().map(path).collect::<Vec<String>>()
+    });
+    let worn: Vec<String> = paths.collect();
+    let changes = session.shot().map(|shot| shot.resolved().changes.as_slice());
+    changes.unwrap_or_default().iter().filter_map(move |change| {
+        let look = change.look.as_ref().filter(|look| change.stands && worn.contains(look))?;
+        let look = Path::new(look).file_stem().unwrap_or_default().to_string_lossy();
+        let label = format!("{} of the look {look}", change.target);
+        Some((label, ChangedValue { session, change }))
+    })
 }
 
 /// Paints the bar of a changed value at the left edge of an area.

@@ -8,6 +8,7 @@ pub(crate) mod curves;
 mod effects;
 mod export;
 mod fit;
+pub(crate) mod frames;
 mod graph;
 mod history;
 pub(crate) mod inspector;
@@ -46,6 +47,7 @@ pub(crate) static PANELS: &[PanelRow] = &[
     lights::PANEL,
     objects::PANEL,
     shot::PANEL,
+    frames::PANEL,
     wedge::PANEL,
     library::PANEL,
     history::PANEL,

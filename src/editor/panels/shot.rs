@@ -134,15 +134,25 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
         let follows = session.follows_shot();
         let help = "The picture as `chiaro render` draws it at this frame; a turn of the view \
                     leaves the camera";
-        let look = ui.add_enabled(!follows, Button::new("Look through the shot's camera"));
+        let look = ui.add_enabled(!follows, Button::new("Shot's camera"));
+        look.widget_info(|| {
+            WidgetInfo::labeled(Role::Button, !follows, "Look through the shot's camera")
+        });
         if look.on_hover_text(help).on_disabled_hover_text(help).clicked() {
             out.push(Command::View(ViewCommand::Reset));
         }
         let help = "The camera, the turn of the lights and the backdrop of the picture become the \
                     shot's: at this frame where they are keyed";
-        let keep = ui.add_enabled(!follows, Button::new("Keep this view"));
+        let keep = ui.add_enabled(!follows, Button::new("Keep view"));
+        keep.widget_info(|| WidgetInfo::labeled(Role::Button, !follows, "Keep this view"));
         if keep.on_hover_text(help).clicked() {
             out.push(Command::Scene(SceneCommand::KeepView));
+        }
+        let help = "Its frames as files, here or on a farm";
+        let render = ui.button("Render...");
+        render.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Render frames..."));
+        if render.on_hover_text(help).clicked() {
+            out.push(Command::ShowPanel(PanelId::FRAMES));
         }
     });
 }
@@ -168,34 +178,22 @@ fn size(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
     });
 }
 
-/// Shows the documents, the scene first, each with a button that opens it.
+/// Shows the documents under the shot in a line, the nearest first; a click opens one.
 fn stack(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
     let stack = shot.stack();
-    let mut row = |ui: &mut Ui, path: &std::path::Path, text: &str, is_open: bool| {
-        ui.horizontal(|ui| {
-            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            let color = if is_open { theme::of(ui).text } else { theme::of(ui).dim };
-            if is_open && !shot.has_file() {
-                ui.label(RichText::new("this shot, in no file yet").color(color));
-                return;
+    let beneath = stack.shots.iter().skip(1).map(|file| &file.path).chain([&stack.scene_path]);
+    ui.horizontal_wrapped(|ui| {
+        for path in beneath {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            ui.label(RichText::new("over").color(theme::of(ui).dim));
+            let link = ui.link(&*name);
+            link.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Open {name}")));
+            let help = format!("{}\nOpens it in place of the shot", path.display());
+            if link.on_hover_text(help).clicked() {
+                out.push(Command::Open(Some(path.clone())));
             }
-            ui.label(RichText::new(format!("{text} {name}")).color(color))
-                .on_hover_text(path.display().to_string());
-            if is_open {
-                return;
-            }
-            let button = ui.small_button("Open");
-            let label = format!("Open {name}");
-            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
-            if button.on_hover_text("Opens it in place of the shot").clicked() {
-                out.push(Command::Open(Some(path.to_path_buf())));
-            }
-        });
-    };
-    row(ui, &stack.scene_path, "scene", false);
-    for (index, file) in stack.shots.iter().enumerate().rev() {
-        row(ui, &file.path, if index == 0 { "shot" } else { "over it" }, index == 0);
-    }
+        }
+    });
 }
 
 /// Lists the values that the shots change.

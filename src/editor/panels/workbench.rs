@@ -10,6 +10,7 @@ use crate::hcbtf::Device;
 use crate::painter::Painting;
 use crate::panels::cost::Cost;
 use crate::panels::export::ExportCards;
+use crate::panels::frames::FrameRenders;
 use crate::panels::links::Links;
 use crate::panels::wedge::Wedge;
 use crate::render::Gpu;
@@ -28,6 +29,7 @@ pub(crate) struct Workbench {
     pub(crate) painting: Painting,
     pub(crate) links: Links,
     pub(crate) export: ExportCards,
+    pub(crate) frames: FrameRenders,
     pub(crate) wedge: Wedge,
     pub(crate) thumbs: Thumbs,
     /// State of the other panels.
@@ -52,6 +54,7 @@ impl Workbench {
             painting: Painting::new(device, wake.clone()),
             links: Links::new(wake.clone()),
             export: ExportCards::new(wake.clone()),
+            frames: FrameRenders::new(wake.clone()),
             wedge: Wedge::new(wake.clone()),
             thumbs: Thumbs::new(gpu, crashes, wake),
             picture,

@@ -14,6 +14,7 @@ pub(crate) mod paths;
 pub(crate) mod problem_text;
 pub(crate) mod reading;
 pub(crate) mod revision;
+pub(crate) mod runs;
 pub(crate) mod safety;
 pub(crate) mod scene;
 pub(crate) mod selection;

@@ -126,6 +126,15 @@ impl User {
         panic!("{label} does not come into view")
     }
 
+    /// Chooses an entry of the menu of a value in the inspector.
+    #[track_caller]
+    pub(crate) fn menu_of(&mut self, label: &str, entry: &str) {
+        let diamond = self.row(label);
+        self.click(diamond.center());
+        self.settle();
+        self.press(entry);
+    }
+
     /// Chooses a word for a value in the inspector.
     #[track_caller]
     pub(crate) fn set_word(&mut self, label: &str, word: &str) {

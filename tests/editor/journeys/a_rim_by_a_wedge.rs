@@ -1,7 +1,8 @@
-//! A rim is chosen by a wedge: drawn by the program, its sheet opened in the window, and a cell
-//! taken by a click on its picture.
+//! A rim is chosen by a wedge: its values are varied in the window, drawn by the program beside it,
+//! and a cell is taken by a click on the sheet.
 
 use chiaro::document::Value;
+use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers};
 
 use super::artist::Studio;
@@ -10,20 +11,31 @@ use super::artist::Studio;
 fn a_rim_is_taken_from_a_sheet() {
     let studio = Studio::new();
     studio.chiaro(&["new", "figure"]);
-    let wedge = ["wedge", "figure.json", "-o", "rims.png", "--size", "96x72", "--samples", "1"];
-    let varied = ["--vary", "rim.falloff=0.3,0.6", "--vary", "behind.intensity=1,4"];
-    studio.chiaro(&[&wedge[..], &varied[..]].concat());
     let mut artist = studio.window_with(&studio.path("figure.json"));
     let before = artist.picture();
-    artist.app_mut().answer_dialog(&studio.path("rims.png"));
-    artist.key_with(Modifiers::COMMAND, Key::O);
-    artist.settle();
+
+    // The rim's opacity by its menu, and its light by the list.
+    artist.press("Node Rim against the backdrop");
+    artist.menu_of("Opacity", "Wedge this value");
+    artist.press("Add a value");
+    artist.press("behind: Intensity");
+    for (target, from, to) in [("rim.opacity", "0.25", "1"), ("behind.intensity", "1", "4")] {
+        let number_of = format!("Number of values of {target}");
+        let [from_at, to_at] = ["from", "to"].map(|end| format!("{target} {end}"));
+        for (field, number) in [(from_at, from), (to_at, to), (number_of, "2")] {
+            let field = artist.fields_called(&field)[0];
+            artist.type_over(field, number);
+        }
+    }
+    artist.press_a(Role::RadioButton, "Cells 160 pixels wide");
+    artist.press("Draw 4 cells");
+
     let cell = artist.place_like("Cell 4: ");
     artist.hover(cell.center());
     artist.click(cell.center());
     artist.settle();
-    let falloff = &artist.look().graph.nodes["rim"].values["falloff"];
-    assert_eq!(*falloff, Value::Number(0.6));
+    let opacity = &artist.look().graph.nodes["rim"].values["opacity"];
+    assert_eq!(*opacity, Value::Number(1.0));
     assert_eq!((artist.look().lights["behind"].intensity, artist.steps()), (4.0, 1));
     assert!(artist.picture() != before, "the rim is brighter");
     artist.undo();

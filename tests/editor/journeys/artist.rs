@@ -5,7 +5,8 @@ use std::ops::{Deref, DerefMut};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use eframe::egui::{Key, Modifiers, Pos2, pos2};
+use chiaro::editor::App;
+use eframe::egui::{Context, Key, Modifiers, Pos2, pos2};
 
 use super::picture::Picture;
 use crate::editor_support::User;
@@ -39,7 +40,9 @@ impl Studio {
 
     /// A new window, with a new look.
     pub(super) fn window(&self) -> JourneyUser {
-        JourneyUser::at(User::drawing_with(|app, _| app.without_dialogs()))
+        let program = Path::new(env!("CARGO_BIN_EXE_chiaro"));
+        let prepare = move |app: App, _: &Context| app.without_dialogs().rendering_by(program);
+        JourneyUser::at(User::drawing_with(prepare))
     }
 
     /// A new window in which a look is opened.
@@ -178,6 +181,14 @@ impl JourneyUser {
         }
         self.settle();
         assert!(!self.app().session().is_dirty() && path.is_file(), "{:?}", self.app().message());
+    }
+
+    /// Carries out a command by its name in the palette.
+    pub(super) fn palette(&mut self, name: &str) {
+        self.key_with(Modifiers::COMMAND, Key::P);
+        self.type_text(name);
+        self.key(Key::Enter);
+        self.settle();
     }
 
     /// A place of the canvas, in parts of its width and height.

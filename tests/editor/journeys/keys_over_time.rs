@@ -32,7 +32,8 @@ fn seconds_of(artist: &JourneyUser, field: &str) -> f64 {
         .value()
         .or_else(|| field.accesskit_node().numeric_value().map(|x| x.to_string()))
         .unwrap();
-    text.trim_end_matches([' ', 's']).parse().unwrap()
+    let frame: f64 = text.parse().unwrap();
+    frame / 24.0
 }
 
 fn drawn(studio: &Studio, time: f64) -> Picture {

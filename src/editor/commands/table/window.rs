@@ -5,8 +5,8 @@ use eframe::egui::Key;
 use super::KeyScope::{self, Window};
 use super::{ALT, CTRL, CTRL_SHIFT, CommandRow, Menu, NONE, SHIFT, row};
 use crate::commands::{
-    Command as C, FitCommand, GridPreset, PaintCommand as P, PanelId, ScaleCommand, SceneCommand,
-    ShotCommand, Switch, TourTopic,
+    Command as C, FilmCommand, FitCommand, GridPreset, PaintCommand as P, PanelId, ScaleCommand,
+    SceneCommand, ShotCommand, Switch, TourTopic,
 };
 use crate::document::Storage;
 use crate::hcbtf::exchange::ExchangeFormat;
@@ -16,8 +16,8 @@ pub(super) fn files() -> Vec<CommandRow> {
     vec![
         row(C::New, "New look", &[(CTRL, Key::N)], Window).help("A new look"),
         row(C::Open(None), "Open a look", &[(CTRL, Key::O)], Window).help(
-            "Opens a look, a scene or a painted surface, or makes a look of a MaterialX document \
-                 or of Blender's shader nodes",
+            "Opens a look, a scene, a shot, a painted surface or the sheet of a wedge, or makes a \
+                 look of a MaterialX document or of Blender's shader nodes",
         ),
         row(C::SaveAs, "Save under another name", &[(CTRL_SHIFT, Key::S)], Window)
             .help("Saves the look under another name"),
@@ -59,6 +59,15 @@ fn export_hcbtf(form: ExchangeFormat) -> P {
 pub(super) fn rows() -> Vec<CommandRow> {
     vec![
         row(C::ExportPicture, "Export the picture as PNG...", &[], Window).in_menu(Menu::Export),
+        row(C::ShowPanel(PanelId::FRAMES), "Render frames...", &[], Window)
+            .help("Frames of the shot, the scene or the look as files, with layers and mattes")
+            .in_menu(Menu::Export),
+        row(C::Film(FilmCommand::ShowFarm), "Send to a farm...", &[], Window)
+            .help("The job by which Slurm, OpenCue, OpenJD or Flamenco render the frames")
+            .in_menu(Menu::Export),
+        row(C::ShowPanel(PanelId::WEDGE), "Wedge: try values side by side...", &[], Window)
+            .help("Several values, each combination as a picture on one sheet")
+            .in_menu(Menu::Export),
         row(C::OpenPalette, "Find a command or a node", &[(CTRL, Key::P), (CTRL, Key::F)], Window)
             .in_menu(Menu::Help),
         row(

@@ -18,6 +18,7 @@ use crate::commands::{Command, PanelId};
 use crate::document::{Light, Value};
 use crate::fields::layer;
 use crate::fields::lighting::{OwnedLight, Owner};
+use crate::fields::mark;
 use crate::fields::mix::{MixedLights, SceneMix};
 use crate::fields::shot::ChangedRow;
 use crate::ids::LightId;
@@ -194,6 +195,17 @@ impl Lights {
         picture_frame(ui, rect);
         let changed = ChangedRow::of_light(session, owned_light.owner, owned_light.id);
         changed.bar(ui, rect.translate(vec2(-4.0, 0.0)));
+        let keys = owned_light.owner.keys(session);
+        let keyed = keys.and_then(|keys| mark::keyed_fields(keys, owned_light.id));
+        if let Some(fields) = &keyed {
+            let at = rect.right_bottom() - vec2(1.0, 1.0);
+            mark::diamond(ui, at, 4.5, theme::of(ui).accent, theme::of(ui).panel);
+            let mark = ui.interact(rect, ui.scope_id().with(("keyed", &title)), Sense::hover());
+            mark.widget_info(|| {
+                WidgetInfo::labeled(Role::Label, true, format!("{title} is keyed"))
+            });
+            mark.on_hover_text(format!("Keyed: {fields}"));
+        }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let more = icon(
                 ui, Icon::More, true, &format!("More of {title}"), "Rename, duplicate, remove"

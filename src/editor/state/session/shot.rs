@@ -391,7 +391,8 @@ pub(crate) fn change_text(change: &ValueChange) -> (String, String) {
     (from, json_text(&change.to))
 }
 
-fn json_text(json: &serde_json::Value) -> String {
+/// A value of a file in words.
+pub(crate) fn json_text(json: &serde_json::Value) -> String {
     use serde_json::Value as Json;
     match json {
         Json::Number(number) => number.as_f64().map_or_else(

@@ -2,7 +2,7 @@
 
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::document::{Edit, LightField, SceneEdit, Target, Value, parse_hex};
+use crate::document::{ColorSpace, Edit, LightField, SceneEdit, Target, Value};
 use crate::ids::{LightId, NodePath, ObjectId, PortName};
 use crate::state::keying::scene_edit;
 use crate::state::revision::GestureId;
@@ -11,10 +11,14 @@ use crate::state::wedge::WedgeCell;
 /// Gesture of all edits of a cell: they are one step of each document.
 const TAKING: GestureId = GestureId(0x77_65_64_67_65);
 
-/// Places of a cell's values: targets of the scene's lights, values of objects, targets of the
-/// look.
+/// Parts of a scene whose fields vary by their addresses, as `chiaro wedge` has them.
+const SCENE_PARTS: [&str; 5] = ["light_groups", "camera", "outlines", "backdrop", "illumination"];
+
+/// Places of a cell's values: fields of the scene, targets of the scene's lights, values of objects,
+/// targets of the look.
 #[derive(Default)]
 struct CellPlaces {
+    fields: Vec<(String, Value)>,
     lights: Vec<(Target, Value)>,
     objects: Vec<(ObjectId, PortName, Value)>,
     look: Vec<(Target, Value)>,
@@ -60,6 +64,13 @@ impl Session {
         if !edits.is_empty() {
             self.apply_to_scene(SceneEdit::Group { edits }, Some(TAKING))?;
         }
+        if let Some(open_scene) = self.open_scene().filter(|_| !places.fields.is_empty()) {
+            let mut scene = open_scene.scene().clone();
+            for (address, value) in &places.fields {
+                scene.set_value(address, value)?;
+            }
+            self.apply_to_scene(SceneEdit::Replace { scene: Box::new(scene) }, Some(TAKING))?;
+        }
         if !places.look.is_empty() {
             let edit = match self.keys().set_all_at(places.look) {
                 edit @ Edit::Group { .. } => edit,
@@ -100,13 +111,21 @@ impl Session {
         value: &Value,
         places: &mut CellPlaces,
     ) -> Result<(), Box<Diagnostic>> {
+        let is_field = SCENE_PARTS.contains(&name.split('.').next().unwrap_or_default());
+        if let Some(open_scene) = self.open_scene().filter(|_| is_field) {
+            open_scene.scene().clone().set_value(name, value)?;
+            places.fields.push((name.to_owned(), value.clone()));
+            return Ok(());
+        }
         let (owner, part) = name.rsplit_once('.').unwrap_or(("", name));
         let light = LightId::from(owner.strip_prefix("lights.").unwrap_or(owner));
         let scene = self.open_scene().map(|open_scene| open_scene.scene());
         let of_scene = scene.is_some_and(|scene| scene.lights.contains_key(&light));
         if of_scene || self.look().lights.contains_key(&light) {
             let target = Target::Light { light, field: part.to_owned() };
-            let value = light_value(part, value);
+            // Lights of scenes have colors as shown; those of a look have its own space.
+            let space = if of_scene { ColorSpace::Display } else { self.look().color_space };
+            let value = light_value(part, value, space);
             match of_scene {
                 true => places.lights.push((target, value)),
                 false => places.look.push((target, value)),
@@ -151,12 +170,14 @@ impl Session {
     }
 }
 
-/// A value for a field of a light: a color as text is one as shown.
-fn light_value(field: &str, value: &Value) -> Value {
+/// A value for a field of a light of a color space: a color as text is one as shown.
+fn light_value(field: &str, value: &Value, space: ColorSpace) -> Value {
     let is_color = LightField::named(field).is_some_and(|field| field == LightField::Color);
     match value {
-        Value::Text(text) if is_color => parse_hex(text)
-            .map_or_else(|| value.clone(), |color| Value::Vector(color[..3].to_vec())),
+        Value::Text(_) if is_color => {
+            let color = value.color_in(space);
+            color.map_or_else(|| value.clone(), |color| Value::Vector(color[..3].to_vec()))
+        }
         value => value.clone(),
     }
 }

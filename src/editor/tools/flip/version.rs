@@ -29,7 +29,7 @@ pub(super) type KeyedPicture = (PictureKey, Arc<ColorImage>);
 /// Files of frames, by the number of the frame.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct FrameFiles {
-    /// Name of the files, with a `#` for each digit of the number.
+    /// Name of the files within their folder's, with a `#` for each digit of the number.
     pub(super) name: String,
     pub(super) paths: BTreeMap<i32, PathBuf>,
 }
@@ -59,6 +59,11 @@ impl FrameFiles {
         let (name, pattern) = found.ok_or_else(none)?;
         let paths: BTreeMap<i32, PathBuf> =
             files.into_iter().filter_map(|file| Some((pattern.frame_of(&file)?, file))).collect();
+        // Frames of several versions have the same names: their folders tell them apart.
+        let name = match folder.file_name() {
+            Some(folder) => format!("{}/{name}", folder.to_string_lossy()),
+            None => name,
+        };
         if paths.is_empty() { Err(none()) } else { Ok(Self { name, paths }) }
     }
 }
@@ -218,7 +223,8 @@ mod tests {
         let names = ["a.0001.png", "a.0002.png", "a.0010.png", "b.0001.png", "a.12.png", "a.png"];
         names.into_iter().for_each(put);
         let found = FrameFiles::of(&folder.path().join("a.0002.png")).unwrap();
-        assert_eq!(found.name, "a.####.png");
+        let within = folder.path().file_name().unwrap().to_string_lossy();
+        assert_eq!(found.name, format!("{within}/a.####.png"));
         assert_eq!(found.paths.keys().copied().collect::<Vec<i32>>(), [1, 2, 10]);
         assert_eq!(FrameFiles::of(folder.path()).unwrap(), found, "the first one of the folder");
         for wrong in ["a.png", "a.0001.jpg", "none/a.0001.png"] {

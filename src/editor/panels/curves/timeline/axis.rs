@@ -50,8 +50,9 @@ impl Axis {
         frames.into_iter().chain(seconds).find(|step| *step >= least).unwrap_or(7200.0)
     }
 
-    /// Draws the ruler, and the played range as a band.
-    pub(super) fn ruler(self, ui: &Ui, fps: f64, range: [f64; 2]) {
+    /// Draws the ruler, and the played range as a band. `is_in_frames` counts frames, as shots do,
+    /// and not seconds.
+    pub(super) fn ruler(self, ui: &Ui, fps: f64, range: [f64; 2], is_in_frames: bool) {
         let colors = theme::of(ui);
         let painter = ui.painter_at(self.lane.expand2(vec2(0.0, 1.0)));
         painter.rect_filled(self.lane, 3.0, colors.canvas);
@@ -70,6 +71,7 @@ impl Axis {
             );
             let is_whole = (time - time.round()).abs() < 1e-6;
             let text = match is_whole {
+                _ if is_in_frames => values::number_text((time * fps).round(), 0),
                 true => format!("{} s", values::number_text(time.round(), 0)),
                 false => format!("f{}", values::number_text((time * fps).round(), 0)),
             };

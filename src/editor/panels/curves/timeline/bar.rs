@@ -1,9 +1,9 @@
 //! Bar above the tracks: play, frame rate, range, values to key.
 
 use eframe::egui;
-use eframe::egui::{Button, ComboBox, DragValue, Role, Ui, WidgetInfo};
+use eframe::egui::{Button, ComboBox, DragValue, RichText, Role, Ui, WidgetInfo};
 
-use super::{Timeline, transport};
+use super::{Timeline, shot_tracks, transport};
 use crate::commands::Command;
 use crate::document::Target;
 use crate::fields::lighting::{OwnedKeys, Owner};
@@ -12,6 +12,7 @@ use crate::state::session::Session;
 use crate::tools::PictureTools;
 use crate::values;
 use crate::widgets::text::hint;
+use crate::widgets::theme;
 
 const RATES: [f64; 7] = [8.0, 12.0, 15.0, 24.0, 25.0, 30.0, 60.0];
 
@@ -25,18 +26,20 @@ pub(super) fn show(
 ) {
     ui.horizontal_wrapped(|ui| {
         transport::buttons(timeline, ui, session, out);
-        for (text, help, way) in [
-            ("Previous key", "To the key before the playhead", -1.0),
-            ("Next key", "To the key after it", 1.0),
+        for (text, name, help, way) in [
+            ("⏮", "Previous key", "To the key before the playhead", -1.0),
+            ("⏭", "Next key", "To the key after the playhead", 1.0),
         ] {
-            let found = timeline.neighbor(super::times(session), session, way);
+            let all = super::times(session).chain(shot_tracks::times(session));
+            let found = timeline.neighbor(all, session, way);
             let response = ui.add_enabled(found.is_some(), Button::new(text)).on_hover_text(help);
+            let is_there = found.is_some();
+            response.widget_info(|| WidgetInfo::labeled(Role::Button, is_there, name));
             if let (true, Some(time)) = (response.clicked(), found) {
                 timeline.go(time, out);
             }
         }
         transport::place(timeline, ui, session);
-        ui.separator();
         rate(timeline, ui);
         ui.checkbox(&mut timeline.snaps, "Snap")
             .on_hover_text("Keys and the playhead stay on frames");
@@ -66,15 +69,25 @@ fn rate(timeline: &mut Timeline, ui: &mut Ui) {
 }
 
 fn range(timeline: &mut Timeline, ui: &mut Ui) {
-    let [mut start, mut end] = timeline.range;
-    let gap = 1.0 / timeline.fps;
-    for (time, name) in [(&mut start, "Range from"), (&mut end, "Range to")] {
-        let drag = DragValue::new(time).speed(0.05).max_decimals(3).suffix(" s");
-        let response = ui.add(drag).on_hover_text(name);
+    let fps = timeline.fps;
+    let before = timeline.range.map(|time| (time * fps * 100.0).round() / 100.0);
+    let [mut first, mut last] = before;
+    ui.label(RichText::new("Frames").color(theme::of(ui).dim));
+    for (frame, name) in [(&mut first, "Range from"), (&mut last, "Range to")] {
+        // Whole frames are told without decimals.
+        let text = |frame: f64, _| values::number_text(frame, 2);
+        let drag = DragValue::new(frame).speed(0.2).custom_formatter(text);
+        let response = ui.add(drag);
         response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
+        let help = match name {
+            "Range from" => "First frame that is played",
+            _ => "Last frame that is played",
+        };
+        response.on_hover_text(help);
     }
-    if start.is_finite() && end.is_finite() && end - start >= gap - 1e-9 {
-        timeline.range = [start, end];
+    let is_range = first.is_finite() && last.is_finite() && last - first >= 1.0;
+    if is_range && [first, last] != before {
+        timeline.range = [first, last].map(|frame| frame / fps);
     }
 }
 
@@ -97,6 +110,7 @@ fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             if session.selection.nodes.is_empty() {
                 hint(ui, "Select a node to key its values.");
             }
+            shot_tracks::menu(ui, session, out);
             for owned in super::owners(session) {
                 for (id, light) in &owned.look().lights {
                     for field in light.fields().map(|field| field.name().to_owned()) {

@@ -15,7 +15,7 @@ use crate::widgets::theme;
 use crate::widgets::value;
 
 /// Interpolations with their names and explanations.
-const INTERPOLATIONS: [(TimeInterpolation, &str, &str); 4] = [
+pub(super) const INTERPOLATIONS: [(TimeInterpolation, &str, &str); 4] = [
     (TimeInterpolation::Bezier, "Bezier", "Goes by handles to the next key (a hollow circle)"),
     (TimeInterpolation::Smooth, "Smooth", "Eases to the next key (a circle)"),
     (TimeInterpolation::Linear, "Straight", "Goes evenly to the next key (a diamond)"),

@@ -15,6 +15,7 @@ mod markers;
 mod range;
 mod rows;
 mod sheet;
+mod shot_tracks;
 mod transport;
 
 use std::time::Duration;
@@ -177,14 +178,14 @@ impl Timeline {
             ruler.max - vec2(10.0, 0.0),
         );
         let axis = Axis { lane, seen: self.seen };
-        axis.ruler(ui, self.fps, self.range);
+        axis.ruler(ui, self.fps, self.range, session.shot().is_some());
         transport::band(self, ui, axis, tools.playback());
         self.scrub(ui, session, axis, &mut commands);
         markers::show(self, ui, session, axis, &mut commands);
         edges::show(self, ui, session, axis, &mut commands);
         differences::show(self, ui, tools, axis, &mut commands);
         let top = ui.cursor().top();
-        let is_empty = times(session).next().is_none();
+        let is_empty = times(session).next().is_none() && shot_tracks::times(session).is_empty();
         if is_empty {
             ui.add_space(6.0);
             hint(
@@ -206,6 +207,7 @@ impl Timeline {
                         rows::show(self, ui, owned, axis, track, &mut commands);
                     }
                 }
+                shot_tracks::show(self, ui, session, axis, &mut commands);
             });
         }
         let bottom = ui.cursor().top().min(panel.bottom());
@@ -365,7 +367,7 @@ impl Timeline {
     /// Fits all keys and the range into view.
     fn fit(&mut self, session: &Session) {
         let [mut low, mut high] = self.range;
-        for time in times(session) {
+        for time in times(session).chain(shot_tracks::times(session)) {
             (low, high) = (low.min(time), high.max(time));
         }
         let margin = 0.05 * (high - low).max(0.1);

@@ -3,7 +3,7 @@
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{
     Button, ComboBox, DragValue, Event, Key, Label, Modifiers, PointerButton, PopupCloseBehavior,
-    Rect, RichText, Role, Stroke, Ui, WidgetInfo,
+    Rect, RichText, Role, Stroke, Ui, WidgetInfo, vec2,
 };
 
 use super::Timeline;
@@ -21,6 +21,8 @@ use crate::widgets::theme;
 
 /// Part of the wanted rate below which the real one is told as slow.
 const SLOW: f64 = 0.95;
+/// Width of the button that plays or pauses, in points.
+const PLAY: f32 = 58.0;
 /// Height of the band of kept frames, in points.
 const BAND: f32 = 3.0;
 
@@ -34,7 +36,9 @@ pub(super) fn buttons(
     let is_playing = timeline.clock.is_running();
     let text = if is_playing { "Pause" } else { "Play" };
     let help = "Plays the range (Space over this panel)";
-    if ui.add(Button::new(text).selected(is_playing)).on_hover_text(help).clicked() {
+    // As wide as either text, so that nothing beside the button moves.
+    let button = Button::new(text).selected(is_playing).min_size(vec2(PLAY, 0.0));
+    if ui.add(button).on_hover_text(help).clicked() {
         timeline.toggle(ui, session);
     }
     for (text, name, help, by) in [
@@ -153,8 +157,9 @@ pub(super) fn ways(
     let has_frames = playback.cache().frames().next().is_some();
     let help = "Keeps these frames, to compare later ones with: a flip book, for which the picture \
                 gets buttons";
-    let keep = ui.add_enabled(has_frames, Button::new("Keep version")).on_hover_text(help);
-    if keep.clicked() {
+    let keep = ui.add_enabled(has_frames, Button::new("Keep"));
+    keep.widget_info(|| WidgetInfo::labeled(Role::Button, has_frames, "Keep version"));
+    if keep.on_hover_text(help).clicked() {
         flip.keep(playback);
     }
 }
@@ -162,15 +167,18 @@ pub(super) fn ways(
 /// Shows how many frames are kept, the button that draws the others, and the memory.
 fn kept(ui: &mut Ui, playback: &mut Playback, out: &mut Vec<Command>) {
     let is_filling = playback.is_filling();
-    let (text, help) = match is_filling {
-        true => ("Stop drawing", "Leaves the other frames undrawn"),
+    let (text, name, help) = match is_filling {
+        true => ("Stop", "Stop drawing", "Leaves the other frames undrawn"),
         false => (
+            "Cache",
             "Cache range",
             "Draws the frames of the range ahead, so that they play in real time; after a first \
              round this begins by itself, and an edit ends it",
         ),
     };
-    if ui.button(text).on_hover_text(help).clicked() {
+    let fill = ui.button(text);
+    fill.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
+    if fill.on_hover_text(help).clicked() {
         playback.fill(!is_filling);
     }
     let Some(transport) = playback.transport() else { return };
@@ -179,7 +187,8 @@ fn kept(ui: &mut Ui, playback: &mut Playback, out: &mut Vec<Command>) {
     let count = playback.cache().frames().filter(|(at, _)| (first..=last).contains(at)).count();
     let used = playback.cache().bytes().div_ceil(1 << 20);
     let memory = playback.memory();
-    let text = format!("{count} of {} kept", round.count());
+    let all = round.count();
+    let text = format!("{count}/{all} kept");
     let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let (menu, _) = MenuButton::new(text).config(stays).ui(ui, |ui| {
         ui.label(format!("{used} of {memory} MiB in use; {} frames drawn", playback.drawn()));
@@ -197,6 +206,8 @@ fn kept(ui: &mut Ui, playback: &mut Playback, out: &mut Vec<Command>) {
             ui.close();
         }
     });
+    let name = format!("{count} of {all} kept");
+    menu.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
     menu.on_hover_text(
         "Frames that are kept, and their memory: where it is short, those that are shown last go \
          first",

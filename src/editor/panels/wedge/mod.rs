@@ -1,7 +1,10 @@
-//! Cells of a wedge's sheet: a click on the picture, or in the list below it, takes the values of
-//! one.
+//! Wedges: values that vary, drawn on a sheet, and the cells of a sheet: a click on the picture, or
+//! in the list below it, takes the values of one.
 
-use std::path::PathBuf;
+mod varied;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use eframe::egui::{
     Button, Color32, ColorImage, Image, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke,
@@ -9,23 +12,27 @@ use eframe::egui::{
 };
 
 use crate::commands::{Command, PanelId};
+use crate::document::Value;
 use crate::files;
 use crate::film::StoredFrame;
 use crate::film::sheet::scaled;
 use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::runs::{ProgramRun, Variation};
 use crate::state::session::Session;
 use crate::state::wedge::{WedgeCell, WedgeSheet};
 use crate::state::worker::{BackgroundJobs, Worker};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
+use varied::{DrawnWedge, color_of};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::WEDGE,
     "Wedge",
-    "The cells of a sheet of `chiaro wedge`; a click takes the values of one",
+    "Values tried side by side on a sheet; a click takes the values of a cell",
     PanelPlace::WITH_DOCUMENT.closed(),
     |bench, ui, context| bench.wedge.show(ui, context.session),
 )
+.with_each_frame(|bench, _, _, _| bench.wedge.drawn.update().into_iter().collect())
 .with_jobs(|bench| &bench.wedge);
 
 /// Greatest length of a sheet's file, in bytes.
@@ -55,17 +62,20 @@ pub(crate) struct Wedge {
     /// Reader of pictures of sheets.
     reader: Worker<PathBuf, (PathBuf, Option<SheetPicture>)>,
     shown: Option<ShownSheet>,
+    /// Values that vary, and their drawing.
+    drawn: DrawnWedge,
     /// True if the sheet's picture is not there, or cannot be read.
     is_blind: bool,
 }
 
 impl BackgroundJobs for Wedge {
     fn is_busy(&self) -> bool {
-        self.reader.owes()
+        self.reader.owes() || self.drawn.run().is_some_and(ProgramRun::is_going_on)
     }
 
     fn wait(&self) {
         self.reader.wait();
+        self.drawn.run().into_iter().for_each(ProgramRun::wait);
     }
 }
 
@@ -88,9 +98,25 @@ fn read(path: PathBuf) -> (PathBuf, Option<SheetPicture>) {
 
 impl Wedge {
     /// `wake` is called from another thread when a sheet is read.
-    pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let reader = Worker::new("wedge", wake, read);
-        Self { sheet: None, taken: None, reader, shown: None, is_blind: false }
+    pub(crate) fn new(wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
+        let reader = Worker::new("wedge", wake.clone(), read);
+        let drawn = DrawnWedge::new(Arc::new(wake));
+        Self { sheet: None, taken: None, reader, shown: None, drawn, is_blind: false }
+    }
+
+    /// Adds a value to those that the next wedge tries.
+    pub(crate) fn vary(&mut self, variation: Variation) {
+        self.drawn.vary(variation);
+    }
+
+    /// Draws the wedge, by the program of this file.
+    pub(crate) fn draw(&mut self, session: &Session, program: &Path) {
+        self.drawn.draw(session, program);
+    }
+
+    /// Asks the program to stop drawing.
+    pub(crate) fn stop(&self) {
+        self.drawn.run().into_iter().for_each(ProgramRun::stop);
     }
 
     /// Shows another sheet.
@@ -116,8 +142,10 @@ impl Wedge {
     fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         self.take_picture(ui);
         let mut out = Vec::new();
+        self.drawn.show(ui, session, &mut out);
+        ui.separator();
         let Some(sheet) = &self.sheet else {
-            hint(ui, "Open a sheet of `chiaro wedge`, or the JSON beside it, to take its values.");
+            hint(ui, "Open shows a sheet that was drawn before, to take its values.");
             return out;
         };
         let name = sheet.path.file_stem().unwrap_or_default().to_string_lossy();
@@ -136,11 +164,14 @@ impl Wedge {
                 None => {}
             }
             for (number, cell) in sheet.cells.iter().enumerate() {
-                let text = format!("{}  {}", number + 1, cell.label());
-                let button = Button::selectable(self.taken == Some(number), text);
-                if ui.add(button.wrap()).on_hover_text(HELP).clicked() {
-                    clicked = Some(number);
-                }
+                ui.horizontal(|ui| {
+                    swatches(ui, cell);
+                    let text = format!("{}  {}", number + 1, cell.label());
+                    let button = Button::selectable(self.taken == Some(number), text);
+                    if ui.add(button.wrap()).on_hover_text(HELP).clicked() {
+                        clicked = Some(number);
+                    }
+                });
             }
         });
         if let Some(number) = clicked {
@@ -201,13 +232,31 @@ fn show_picture(
     clicked
 }
 
+/// Shows the colors of a cell.
+fn swatches(ui: &mut Ui, cell: &WedgeCell) {
+    ui.spacing_mut().item_spacing.x = 3.0;
+    cell.values.iter().for_each(|(_, value)| swatch(ui, value));
+}
+
+/// Shows the color that a value is, if it is one.
+fn swatch(ui: &mut Ui, value: &Value) {
+    let Some(color) = color_of(value) else { return };
+    let (rect, _) = ui.allocate_exact_size(vec2(14.0, 14.0), Sense::hover());
+    ui.painter().rect_filled(rect, 3.0, color);
+    let stroke = Stroke::new(1.0, theme::of(ui).swatch_edge);
+    ui.painter().rect_stroke(rect, 3.0, stroke, StrokeKind::Inside);
+}
+
 /// Tells the values of a cell under the pointer, below its part of the sheet, larger.
 fn enlarge(response: Response, shown: &ShownSheet, cell: &WedgeCell, (part, size): (Rect, Vec2)) {
     response.on_hover_ui(|ui| {
         let factor = (LARGE / size.max_elem().max(1.0)).min(2.0);
         ui.add(Image::new((shown.texture.id(), size * factor)).uv(part));
-        for (name, value) in cell.lines() {
-            ui.label(format!("{name} = {value}"));
+        for ((name, text), (_, value)) in cell.lines().zip(&cell.values) {
+            ui.horizontal(|ui| {
+                swatch(ui, value);
+                ui.label(format!("{name} = {text}"));
+            });
         }
         if let Some(frame) = cell.frame {
             ui.label(format!("frame {frame}"));

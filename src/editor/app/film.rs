@@ -1,0 +1,72 @@
+//! Frames, farms' jobs and wedges, which the program makes beside the window.
+
+use std::path::{Path, PathBuf};
+
+use eframe::egui::{OpenUrl, Ui};
+
+use super::App;
+use crate::app::look_export::address_of;
+use crate::commands::{FilePurpose, FilmCommand, PanelId};
+use crate::panels::PanelContext;
+use crate::state::wedge::WedgeSheet;
+
+impl App {
+    /// Carries out a command about film.
+    pub(super) fn apply_to_film(&mut self, ui: &Ui, command: FilmCommand) {
+        let context = PanelContext { session: &self.session, safety: &self.safety };
+        match command {
+            FilmCommand::Render => match &self.program {
+                Some(program) => self.bench.frames.render(context, program),
+                None => self.message = Some(NO_PROGRAM.to_owned()),
+            },
+            FilmCommand::WriteJob => match &self.program {
+                Some(program) => self.bench.frames.write_job(context, program),
+                None => self.message = Some(NO_PROGRAM.to_owned()),
+            },
+            FilmCommand::DrawWedge => match &self.program {
+                Some(program) => self.bench.wedge.draw(&self.session, program),
+                None => self.message = Some(NO_PROGRAM.to_owned()),
+            },
+            FilmCommand::StopFrames => self.bench.frames.stop(),
+            FilmCommand::StopWedge => self.bench.wedge.stop(),
+            FilmCommand::ShowFarm => {
+                self.show_panel_of_film(PanelId::FRAMES);
+                self.bench.frames.show_farm();
+            }
+            FilmCommand::ChooseFolder(folder) => self.choose_frame_folder(folder),
+            FilmCommand::OpenFolder(folder) => {
+                ui.ctx().open_url(OpenUrl::new_tab(address_of(&folder)))
+            }
+            FilmCommand::Vary(variation) => {
+                self.bench.wedge.vary(variation);
+                self.show_panel_of_film(PanelId::WEDGE);
+            }
+            FilmCommand::ShowWedge(sheet) => self.show_drawn_wedge(&sheet),
+        }
+    }
+
+    fn show_panel_of_film(&mut self, panel: PanelId) {
+        self.start = None;
+        self.dock.open(panel);
+    }
+
+    fn choose_frame_folder(&mut self, folder: Option<PathBuf>) {
+        match folder {
+            Some(folder) => self.bench.frames.set_folder(&self.session, &folder),
+            None => {
+                let near = self.bench.frames.folder(&self.session);
+                self.dialogs.ask(FilePurpose::FrameFolder, near.as_deref());
+            }
+        }
+    }
+
+    fn show_drawn_wedge(&mut self, sheet: &Path) {
+        match WedgeSheet::read(sheet) {
+            Some(sheet) => self.show_wedge(sheet),
+            None => self.message = Some(format!("{} cannot be read", sheet.display())),
+        }
+    }
+}
+
+/// Message where the program's own file is not known.
+const NO_PROGRAM: &str = "The program's own file is not known, so that it cannot render";

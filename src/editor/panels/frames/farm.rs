@@ -1,0 +1,109 @@
+//! Job of a farm: the farm, how its tasks are cut, and the file that is written.
+
+use eframe::egui::{Align, Button, DragValue, RichText, Role, Ui, WidgetInfo};
+
+use super::{FrameRenders, JobRun, command_text, view_of};
+use crate::commands::{Command, FilmCommand};
+use crate::fields::row::labelled;
+use crate::film::farm::{FARMS, Farm};
+use crate::panels::table::PanelContext;
+use crate::state::runs::{FilmDocument, RunEnd};
+use crate::widgets::text::hint;
+use crate::widgets::theme;
+
+impl FrameRenders {
+    /// Shows the choices of a job, and the job that was written.
+    pub(super) fn farm_part(
+        &mut self,
+        ui: &mut Ui,
+        context: PanelContext<'_>,
+        document: &FilmDocument,
+        out: &mut Vec<Command>,
+    ) {
+        let head = ui.label(RichText::new("Send to a farm").strong());
+        if std::mem::take(&mut self.shows_farm) {
+            head.scroll_to_me(Some(Align::Min));
+        }
+        hint(ui, "The same frames, drawn by many machines. The job is a file that you submit.");
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 3.0;
+            for farm in FARMS {
+                let is_it = self.farm.to == farm.word;
+                let response = ui.selectable_label(is_it, farm.word);
+                let name = format!("Farm {}", farm.word);
+                response
+                    .widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
+                let help = format!("Submitted by {}", farm.submitted_by);
+                if response.on_hover_text(help).clicked() {
+                    self.farm.to = farm.word;
+                }
+            }
+        });
+        let count = self.choices.list(document).map_or(0, |list| list.frames().len());
+        labelled(ui, "Frames a task", "Greatest number of frames of a task", |ui, _| {
+            let drag = DragValue::new(&mut self.farm.chunk).range(1..=100_000).speed(0.2);
+            let response = ui.add(drag);
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Frames a task"));
+            let tasks = count.div_ceil(self.farm.chunk.max(1) as usize);
+            ui.label(RichText::new(format!("{tasks} tasks")).color(theme::of(ui).dim));
+        });
+        let line = self.choices.job(document, view_of(context), &self.farm);
+        let is_going_on = self.job.as_ref().is_some_and(|job| job.end.is_none());
+        let text = format!("Write {}", self.farm.job(&document.stem()));
+        let button = ui.add_enabled(line.is_ok() && !is_going_on, Button::new(text));
+        let help = "Writes the job beside the document; nothing is sent anywhere";
+        if button.on_hover_text(help).clicked() {
+            out.push(Command::Film(FilmCommand::WriteJob));
+        }
+        if let Ok(line) = &line {
+            command_text(ui, line, "Copy the command that writes the job", out);
+        }
+        if let Some(job) = &self.job {
+            written(ui, job, out);
+        }
+    }
+}
+
+/// Shows where the job is, and how it is submitted.
+fn written(ui: &mut Ui, job: &JobRun, out: &mut Vec<Command>) {
+    let colors = theme::of(ui);
+    let Some(end) = job.end else {
+        hint(ui, "Looking for the files that the frames are made of ...");
+        return;
+    };
+    if end == RunEnd::Done {
+        ui.label(format!("The job is {}", job.file.display()));
+        let name = job.file.file_name().unwrap_or_default().to_string_lossy();
+        if let Some(farm) = Farm::named(job.farm) {
+            let by = farm.submitted_by.replace("FILE", &name);
+            ui.horizontal_wrapped(|ui| {
+                ui.label(RichText::new("Submit it by").color(colors.dim));
+                ui.label(RichText::new(&by).monospace());
+                let copy = ui.small_button("Copy");
+                let label = "Copy the command that submits the job";
+                copy.widget_info(|| WidgetInfo::labeled(Role::Button, true, label));
+                if copy.on_hover_text("Copies it, with the way to its folder").clicked() {
+                    let folder = job.line.folder.display();
+                    out.push(Command::Copy(format!("cd '{folder}' && {by}")));
+                }
+                let folder = ui.small_button("Open folder");
+                if folder.on_hover_text(job.line.folder.display().to_string()).clicked() {
+                    let folder = job.line.folder.clone();
+                    out.push(Command::Film(FilmCommand::OpenFolder(folder)));
+                }
+            });
+        }
+    }
+    // Warnings, such as of files that the machines would lack, stand before the last line.
+    let is_last = |index: usize| end == RunEnd::Done && index + 1 == job.messages.len();
+    for (index, message) in job.messages.iter().enumerate().filter(|(at, _)| !is_last(*at)) {
+        let is_error =
+            end != RunEnd::Done && index + 1 == job.messages.len() || message.starts_with("error");
+        let color = match (is_error, message.starts_with("warning")) {
+            (true, _) => colors.error,
+            (false, true) => colors.warning,
+            (false, false) => colors.dim,
+        };
+        ui.label(RichText::new(message).small().color(color));
+    }
+}

@@ -1,0 +1,344 @@
+//! Frames rendered from the window, and jobs of farms: choices, the command line that they are, and
+//! how far it is. The program itself does the work, in a process beside the window.
+
+mod choices;
+pub(crate) mod document;
+mod farm;
+mod progress;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use eframe::egui::{Button, RichText, ScrollArea, Ui};
+
+use crate::clock::Clock;
+use crate::commands::{Command, FilmCommand, PanelId};
+use crate::files::make_folder;
+use crate::panels::table::{PanelContext, PanelPlace, PanelRow};
+use crate::state::runs::{
+    CommandLine, FarmChoices, FilmDocument, FrameChoices, FrameProgress, ProgramRun, RunEnd,
+    RunLine,
+};
+use crate::state::session::Session;
+use crate::state::worker::BackgroundJobs;
+use crate::widgets::text::hint;
+use crate::widgets::theme;
+use document::{document_of, is_unsaved};
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::FRAMES,
+    "Render",
+    "Frames of what is open, rendered beside the window, and jobs of render farms",
+    PanelPlace::WITH_DOCUMENT.closed(),
+    |bench, ui, context| bench.frames.show(ui, context),
+)
+.with_each_frame(|bench, _, _, _| bench.frames.update())
+.with_jobs(|bench| &bench.frames);
+
+/// Frames that are rendered, or were rendered last.
+struct FrameRun {
+    run: ProgramRun,
+    progress: FrameProgress,
+    clock: Clock,
+    end: Option<RunEnd>,
+    /// Seconds until the end.
+    seconds: f64,
+    /// Folder of the frames, and the file of the first one.
+    folder: PathBuf,
+    first: PathBuf,
+}
+
+/// Job of a farm that is written, or was written last.
+struct JobRun {
+    run: ProgramRun,
+    line: CommandLine,
+    messages: Vec<String>,
+    end: Option<RunEnd>,
+    /// The file of the job, and the word of the farm.
+    file: PathBuf,
+    farm: &'static str,
+}
+
+/// The panel.
+pub(crate) struct FrameRenders {
+    wake: Arc<dyn Fn() + Send + Sync>,
+    choices: FrameChoices,
+    farm: FarmChoices,
+    /// Document that the choices are of.
+    of: Option<PathBuf>,
+    frames: Option<FrameRun>,
+    job: Option<JobRun>,
+    /// Reason why nothing was started.
+    problem: Option<String>,
+    /// True if the choices of a farm are to be brought into view.
+    shows_farm: bool,
+}
+
+impl BackgroundJobs for FrameRenders {
+    fn is_busy(&self) -> bool {
+        self.runs().any(ProgramRun::is_going_on)
+    }
+
+    fn wait(&self) {
+        self.runs().for_each(ProgramRun::wait);
+    }
+}
+
+impl FrameRenders {
+    /// `wake` is called from other threads when a run tells something.
+    pub(crate) fn new(wake: impl Fn() + Send + Sync + 'static) -> Self {
+        Self {
+            wake: Arc::new(wake),
+            choices: FrameChoices::default(),
+            farm: FarmChoices::default(),
+            of: None,
+            frames: None,
+            job: None,
+            problem: None,
+            shows_farm: false,
+        }
+    }
+
+    fn runs(&self) -> impl Iterator<Item = &ProgramRun> {
+        let frames = self.frames.iter().map(|frames| &frames.run);
+        frames.chain(self.job.iter().map(|job| &job.run))
+    }
+
+    /// Sets the folder of the frames: from the document's where it is below that.
+    pub(crate) fn set_folder(&mut self, session: &Session, folder: &Path) {
+        let own = document_of(session).ok().map(|document| document.folder());
+        let below = own.and_then(|own| folder.strip_prefix(own).ok().map(Path::to_path_buf));
+        let folder = below.unwrap_or_else(|| folder.to_path_buf());
+        self.choices.folder = folder.to_string_lossy().into_owned();
+    }
+
+    /// Folder that a dialog for the frames' folder begins at.
+    pub(crate) fn folder(&self, session: &Session) -> Option<PathBuf> {
+        Some(self.choices.folder_of(&document_of(session).ok()?))
+    }
+
+    /// Brings the choices of a farm into view when the panel is shown next.
+    pub(crate) fn show_farm(&mut self) {
+        self.shows_farm = true;
+    }
+
+    /// Asks the program to stop rendering.
+    pub(crate) fn stop(&self) {
+        self.runs().for_each(ProgramRun::stop);
+    }
+
+    /// Renders the frames, by the program of this file.
+    pub(crate) fn render(&mut self, context: PanelContext<'_>, program: &Path) {
+        self.problem = self.start_frames(context, program).err();
+    }
+
+    /// Writes the job of a farm, by the program of this file.
+    pub(crate) fn write_job(&mut self, context: PanelContext<'_>, program: &Path) {
+        self.problem = self.start_job(context, program).err();
+    }
+
+    fn start_frames(&mut self, context: PanelContext<'_>, program: &Path) -> Result<(), String> {
+        let document = document_of(context.session)?;
+        let files = self.choices.files(&document)?;
+        let mut line = self.choices.render(&document, view_of(context))?;
+        let folder = self.make_folder(&document)?;
+        line.words.push("--json".to_owned());
+        let wake = self.wake.clone();
+        let run = ProgramRun::start(program, &line, move || wake())?;
+        let first = files.first().map(|(_, file)| document.folder().join(file));
+        self.frames = Some(FrameRun {
+            run,
+            progress: FrameProgress::of(files),
+            clock: Clock::start(),
+            end: None,
+            seconds: 0.0,
+            first: first.unwrap_or_else(|| folder.clone()),
+            folder,
+        });
+        Ok(())
+    }
+
+    fn start_job(&mut self, context: PanelContext<'_>, program: &Path) -> Result<(), String> {
+        let document = document_of(context.session)?;
+        let line = self.choices.job(&document, view_of(context), &self.farm)?;
+        self.make_folder(&document)?;
+        let wake = self.wake.clone();
+        let run = ProgramRun::start(program, &line, move || wake())?;
+        self.job = Some(JobRun {
+            run,
+            line,
+            messages: Vec::new(),
+            end: None,
+            file: document.folder().join(self.farm.job(&document.stem())),
+            farm: self.farm.to,
+        });
+        Ok(())
+    }
+
+    /// Makes the folder of the frames, which the program expects.
+    fn make_folder(&self, document: &FilmDocument) -> Result<PathBuf, String> {
+        let folder = self.choices.folder_of(document);
+        make_folder(&folder).map_err(|problem| problem.message)?;
+        Ok(folder)
+    }
+
+    /// Takes what the runs have told.
+    fn update(&mut self) -> Vec<Command> {
+        let mut out = Vec::new();
+        if let Some(frames) = self.frames.as_mut().filter(|frames| frames.end.is_none()) {
+            frames.run.lines().into_iter().for_each(|line| frames.progress.take(line));
+            frames.end = frames.run.end();
+            frames.seconds = frames.clock.seconds();
+            if frames.end == Some(RunEnd::Failed) {
+                frames.progress.fail();
+            }
+            out.extend(frames.end.map(|end| Command::Tell(frames.told(end))));
+        }
+        if let Some(job) = self.job.as_mut().filter(|job| job.end.is_none()) {
+            let text = |line| match line {
+                RunLine::Result(text) | RunLine::Message(text) => text,
+            };
+            job.messages.extend(job.run.lines().into_iter().map(text));
+            job.end = job.run.end();
+            let file = job.file.display();
+            out.extend(job.end.map(|end| match end {
+                RunEnd::Done => Command::Tell(format!("The job is {file}")),
+                _ => Command::Tell("The job is not written: the panel Render tells why".to_owned()),
+            }));
+        }
+        out
+    }
+
+    fn show(&mut self, ui: &mut Ui, context: PanelContext<'_>) -> Vec<Command> {
+        let mut out = Vec::new();
+        let session = context.session;
+        let document = match document_of(session) {
+            Ok(document) => document,
+            Err(reason) => {
+                hint(ui, reason);
+                if ui.button("Save").clicked() {
+                    out.push(Command::Save);
+                }
+                return out;
+            }
+        };
+        if self.of.as_ref() != Some(&document.path) {
+            // Another document has frames of its own; folder, layers and farm stay.
+            self.of = Some(document.path.clone());
+            (self.choices.frames, self.choices.size) = (None, None);
+        }
+        ScrollArea::vertical().auto_shrink([false, false]).id_salt("frames").show(ui, |ui| {
+            ui.set_max_width(ui.available_width() - 8.0);
+            subject(ui, session, &document, &mut out);
+            // What is done first stands first: choices are seldom changed.
+            self.render_row(ui, context, &document, &mut out);
+            if let Some(problem) = &self.problem {
+                ui.label(RichText::new(problem).color(theme::of(ui).error));
+            }
+            if let Some(frames) = &self.frames {
+                progress::show(ui, frames, session, &mut out);
+            }
+            ui.add_space(4.0);
+            choices::show(ui, &mut self.choices, context, &document, &mut out);
+            if let Ok(line) = self.choices.render(&document, view_of(context)) {
+                command_text(ui, &line, "Copy the command that renders", &mut out);
+            }
+            ui.separator();
+            self.farm_part(ui, context, &document, &mut out);
+        });
+        out
+    }
+
+    /// Shows the button that renders, or the reason why nothing can be rendered.
+    fn render_row(
+        &self,
+        ui: &mut Ui,
+        context: PanelContext<'_>,
+        document: &FilmDocument,
+        out: &mut Vec<Command>,
+    ) {
+        let is_going_on = self.frames.as_ref().is_some_and(|frames| frames.end.is_none());
+        let line = self.choices.render(document, view_of(context));
+        let count = self.choices.list(document).map_or(0, |list| list.frames().len());
+        ui.horizontal(|ui| {
+            if is_going_on {
+                let help = "Ends it; frames that are whole stay, and the next run goes on there";
+                if ui.button("Stop").on_hover_text(help).clicked() {
+                    out.push(Command::Film(FilmCommand::StopFrames));
+                }
+                return;
+            }
+            let text = match count {
+                1 => "Render 1 frame".to_owned(),
+                count => format!("Render {count} frames"),
+            };
+            let text = RichText::new(text).strong();
+            let button = ui.add_enabled(line.is_ok(), Button::new(text));
+            let help = "Beside the window, which stays free. Frames of a run before that are whole \
+                        and the same are kept";
+            if button.on_hover_text(help).clicked() {
+                out.push(Command::Film(FilmCommand::Render));
+            }
+        });
+        if let Err(reason) = &line {
+            ui.label(RichText::new(reason).color(theme::of(ui).error));
+        }
+    }
+}
+
+impl FrameRun {
+    /// The end in words.
+    fn told(&self, end: RunEnd) -> String {
+        let [whole, all] = self.progress.count();
+        let folder = self.folder.display();
+        match end {
+            RunEnd::Done => format!("{whole} frames are whole, in {folder}"),
+            RunEnd::Stopped => format!("Stopped: {whole} of {all} frames are whole, in {folder}"),
+            RunEnd::Failed => match self.progress.failed().next() {
+                Some((frame, _)) => format!("Frame {frame} failed: the panel Render tells why"),
+                None => "Rendering failed: the panel Render tells why".to_owned(),
+            },
+        }
+    }
+}
+
+/// The view of the window, as the settings have it.
+fn view_of<'s>(context: PanelContext<'s>) -> Option<&'s crate::state::display::DisplayChoice> {
+    context.safety.settings.display.as_ref()
+}
+
+/// Shows which file is rendered, and that unsaved changes are not.
+fn subject(ui: &mut Ui, session: &Session, document: &FilmDocument, out: &mut Vec<Command>) {
+    let colors = theme::of(ui);
+    ui.horizontal_wrapped(|ui| {
+        ui.label(RichText::new(document.name()).strong())
+            .on_hover_text(document.path.display().to_string());
+        ui.label(RichText::new("as it is on the disk").color(colors.dim));
+    });
+    if is_unsaved(session) {
+        ui.horizontal_wrapped(|ui| {
+            let text = "What you changed is not saved, and not in the frames.";
+            ui.label(RichText::new(text).color(colors.warning));
+            let save = ui.small_button("Save now").on_hover_text("Saves what is open");
+            if save.clicked() {
+                out.push(Command::Save);
+            }
+        });
+    }
+    ui.add_space(2.0);
+}
+
+/// Shows a command line, with a button that copies it.
+pub(crate) fn command_text(ui: &mut Ui, line: &CommandLine, label: &str, out: &mut Vec<Command>) {
+    use eframe::egui::{Label, Role, WidgetInfo};
+    ui.horizontal_top(|ui| {
+        let copy = ui.small_button("Copy");
+        copy.widget_info(|| WidgetInfo::labeled(Role::Button, true, label));
+        let help = "Copies the command that does the same in a terminal";
+        if copy.on_hover_text(help).clicked() {
+            out.push(Command::Copy(line.text_from_anywhere()));
+        }
+        let text = RichText::new(line.text()).monospace().small().color(theme::of(ui).dim);
+        ui.add(Label::new(text).wrap()).on_hover_text(line.text_from_anywhere());
+    });
+}

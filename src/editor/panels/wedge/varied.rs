@@ -1,0 +1,366 @@
+//! Wedge that is drawn from the window: the values that vary, and the program that draws.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use eframe::egui::{
+    self, Button, CollapsingHeader, DragValue, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
+};
+
+use crate::clock::Clock;
+use crate::commands::{Command, FilmCommand};
+use crate::document::{ColorSpace, Target, Value, parse_hex};
+use crate::fields::lighting::OwnedKeys;
+use crate::fields::wedge::variation_of;
+use crate::files::make_folder;
+use crate::panels::frames::command_text;
+use crate::panels::frames::document::{document_of, is_unsaved};
+use crate::state::runs::{CommandLine, ProgramRun, RunEnd, RunLine, Spread, Variation};
+use crate::state::session::Session;
+use crate::widgets::color;
+use crate::widgets::text::hint;
+use crate::widgets::theme;
+
+/// Folder of sheets, beside the document.
+const FOLDER: &str = "wedges";
+/// Widths of pictures that are offered, in pixels.
+const WIDTHS: [u32; 3] = [160, 320, 640];
+/// Most cells that are drawn without a warning of the time.
+const MANY: usize = 64;
+
+/// Wedge that is drawn, or was drawn last.
+struct WedgeRun {
+    run: ProgramRun,
+    clock: Clock,
+    messages: Vec<String>,
+    count: usize,
+    end: Option<RunEnd>,
+    sheet: PathBuf,
+}
+
+/// Values that vary, and the last run.
+pub(super) struct DrawnWedge {
+    wake: Arc<dyn Fn() + Send + Sync>,
+    pub(super) varied: Vec<Variation>,
+    width: u32,
+    run: Option<WedgeRun>,
+    problem: Option<String>,
+}
+
+impl DrawnWedge {
+    pub(super) fn new(wake: Arc<dyn Fn() + Send + Sync>) -> Self {
+        Self { wake, varied: Vec::new(), width: WIDTHS[1], run: None, problem: None }
+    }
+
+    pub(super) fn run(&self) -> Option<&ProgramRun> {
+        self.run.as_ref().map(|run| &run.run)
+    }
+
+    /// Adds a value, in place of another variation of the same.
+    pub(super) fn vary(&mut self, variation: Variation) {
+        match self.varied.iter_mut().find(|known| known.target == variation.target) {
+            Some(known) => *known = variation,
+            None => self.varied.push(variation),
+        }
+    }
+
+    fn count(&self) -> usize {
+        self.varied.iter().map(Variation::count).product()
+    }
+
+    /// The command line that draws the wedge, and its sheet.
+    fn line(&self, session: &Session) -> Result<(CommandLine, PathBuf), String> {
+        let document = document_of(session)?;
+        let names = self.varied.iter().map(|varied| varied.target.as_str());
+        let name: String = names.collect::<Vec<_>>().join("-");
+        let is_plain = |sign: char| sign.is_ascii_alphanumeric() || sign == '_';
+        let name: String =
+            name.chars().map(|sign| if is_plain(sign) { sign } else { '-' }).take(60).collect();
+        let sheet = format!("{FOLDER}/{}-{name}.png", document.stem());
+        let shot = session.shot();
+        let [width, height] = shot.and_then(|shot| shot.stack().size()).unwrap_or([4, 3]);
+        let high = (u64::from(self.width) * u64::from(height) / u64::from(width.max(1))).max(1);
+        let size = [self.width, u32::try_from(high).unwrap_or(self.width)];
+        let frame = shot.map(|shot| shot.frame_at(session.view().time()));
+        let line = document.wedge(&self.varied, &sheet, size, frame);
+        let sheet = line.folder.join(&sheet);
+        Ok((line, sheet))
+    }
+
+    /// Draws the wedge, by the program of this file.
+    pub(super) fn draw(&mut self, session: &Session, program: &Path) {
+        self.problem = self.start(session, program).err();
+    }
+
+    fn start(&mut self, session: &Session, program: &Path) -> Result<(), String> {
+        let (line, sheet) = self.line(session)?;
+        make_folder(&line.folder.join(FOLDER)).map_err(|problem| problem.message)?;
+        let wake = self.wake.clone();
+        let run = ProgramRun::start(program, &line, move || wake())?;
+        self.run = Some(WedgeRun {
+            run,
+            clock: Clock::start(),
+            messages: Vec::new(),
+            count: self.count(),
+            end: None,
+            sheet,
+        });
+        Ok(())
+    }
+
+    /// Takes what the run has told.
+    pub(super) fn update(&mut self) -> Option<Command> {
+        let run = self.run.as_mut().filter(|run| run.end.is_none())?;
+        let text = |line| match line {
+            RunLine::Result(text) | RunLine::Message(text) => text,
+        };
+        run.messages.extend(run.run.lines().into_iter().map(text));
+        run.end = run.run.end();
+        let is_done = run.end? == RunEnd::Done;
+        is_done.then(|| Command::Film(FilmCommand::ShowWedge(run.sheet.clone())))
+    }
+
+    /// Shows the values that vary, and the button that draws.
+    pub(super) fn show(&mut self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+        let count = self.count();
+        let head = match self.varied.is_empty() {
+            true => "Vary values".to_owned(),
+            false => format!("Vary values: {count} cells"),
+        };
+        let is_new = self.run.is_none();
+        CollapsingHeader::new(head).id_salt("varied").default_open(is_new).show(ui, |ui| {
+            let mut removed = None;
+            for (index, varied) in self.varied.iter_mut().enumerate() {
+                if row(ui, index, varied) {
+                    removed = Some(index);
+                }
+            }
+            if let Some(index) = removed {
+                self.varied.remove(index);
+            }
+            self.add_menu(ui, session);
+            if self.varied.is_empty() {
+                hint(
+                    ui,
+                    "Each combination of the values is a picture on one sheet. The diamond beside \
+                     a value has \"Wedge this value\", too.",
+                );
+                return;
+            }
+            self.draw_row(ui, session, count, out);
+        });
+        if let Some(problem) = &self.problem {
+            ui.label(RichText::new(problem).color(theme::of(ui).error));
+        }
+        self.state(ui, out);
+    }
+
+    /// Shows the width of the pictures, the button, and the command line.
+    fn draw_row(&mut self, ui: &mut Ui, session: &Session, count: usize, out: &mut Vec<Command>) {
+        let line = self.line(session);
+        let is_going_on = self.run.as_ref().is_some_and(|run| run.end.is_none());
+        ui.horizontal_wrapped(|ui| {
+            let text = RichText::new(format!("Draw {count} cells")).strong();
+            let button = ui.add_enabled(line.is_ok() && !is_going_on, Button::new(text));
+            let help =
+                "Draws the pictures beside the window, which stays free, and shows the sheet";
+            if button.on_hover_text(help).clicked() {
+                out.push(Command::Film(FilmCommand::DrawWedge));
+            }
+            ui.spacing_mut().item_spacing.x = 2.0;
+            for width in WIDTHS {
+                let response = ui.selectable_label(self.width == width, width.to_string());
+                let name = format!("Cells {width} pixels wide");
+                response.widget_info(|| {
+                    WidgetInfo::selected(Role::RadioButton, true, self.width == width, &name)
+                });
+                if response.on_hover_text(&name).clicked() {
+                    self.width = width;
+                }
+            }
+        });
+        let colors = theme::of(ui);
+        if count > MANY {
+            let text = "These are many: it takes its time.";
+            ui.label(RichText::new(text).color(colors.warning));
+        }
+        if is_unsaved(session) {
+            ui.horizontal_wrapped(|ui| {
+                let text = "What you changed is not saved, and not in the pictures.";
+                ui.label(RichText::new(text).color(colors.warning));
+                if ui.small_button("Save now").clicked() {
+                    out.push(Command::Save);
+                }
+            });
+        }
+        match line {
+            Ok((line, _)) => command_text(ui, &line, "Copy the command that draws the wedge", out),
+            Err(reason) => {
+                ui.label(RichText::new(reason).color(colors.error));
+            }
+        }
+    }
+
+    /// Shows how far the run is, or what went wrong.
+    fn state(&self, ui: &mut Ui, out: &mut Vec<Command>) {
+        let Some(run) = &self.run else { return };
+        let colors = theme::of(ui);
+        let last = run.messages.last().map(String::as_str).unwrap_or_default();
+        match run.end {
+            None => {
+                let done = run.messages.iter().filter(|text| text.contains(" of ")).count();
+                ui.horizontal(|ui| {
+                    let text =
+                        format!("{done} of {} cells, {:.0} s", run.count, run.clock.seconds());
+                    ui.label(text);
+                    if ui.small_button("Stop").clicked() {
+                        out.push(Command::Film(FilmCommand::StopWedge));
+                    }
+                });
+                ui.ctx().request_repaint_after(std::time::Duration::from_millis(500));
+            }
+            Some(RunEnd::Failed) => {
+                for message in &run.messages {
+                    ui.label(RichText::new(message).color(colors.error));
+                }
+            }
+            Some(RunEnd::Stopped) => {
+                ui.label(RichText::new(format!("Stopped. {last}")).color(colors.warning));
+            }
+            Some(RunEnd::Done) => {}
+        }
+    }
+
+    /// Shows the menu of values that can vary.
+    fn add_menu(&mut self, ui: &mut Ui, session: &Session) {
+        let menu = ui.menu_button("Add a value", |ui| {
+            ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
+                let found = offered(session);
+                if found.is_empty() {
+                    hint(ui, "Select a node, or add a light.");
+                }
+                for (label, variation) in found {
+                    if ui.button(label).clicked() {
+                        self.vary(variation);
+                        ui.close();
+                    }
+                }
+            });
+        });
+        menu.response.on_hover_text("Values of the selected nodes and of the lights");
+    }
+}
+
+/// Values that are offered, each with its label: of the selected nodes, and of the lights.
+fn offered(session: &Session) -> Vec<(String, Variation)> {
+    let of_nodes = session.selection.nodes.iter().flat_map(|id| {
+        let node = session.graph().nodes.get(id);
+        let kind = node.and_then(|node| session.project.catalog.of(node));
+        let inputs = kind.map(|kind| kind.inputs.as_slice()).unwrap_or_default().iter();
+        let is_free = |name| session.graph().wire_into(id, name).is_none();
+        inputs
+            .filter(move |port| is_free(&port.name))
+            .map(move |port| session.selection.target(id, &port.name))
+            .map(|target| (OwnedKeys::of_look(session), target))
+    });
+    let owners = OwnedKeys::all(session);
+    let of_lights = owners.flat_map(|owned| {
+        owned.look().lights.iter().flat_map(move |(id, light)| {
+            let fields = light.fields().map(|field| field.name().to_owned());
+            fields.map(move |field| (owned, Target::Light { light: id.clone(), field }))
+        })
+    });
+    let named = |(owned, target): (OwnedKeys<'_>, Target)| {
+        let [owner, what] = owned.keys.base.names_of(&target);
+        Some((format!("{owner}: {what}"), variation_of(owned, &target)?))
+    };
+    of_nodes.chain(of_lights).filter_map(named).collect()
+}
+
+/// Shows a value that varies. Returns true if it is taken away.
+fn row(ui: &mut Ui, index: usize, varied: &mut Variation) -> bool {
+    let mut is_removed = false;
+    ui.push_id(index, |ui| {
+        ui.horizontal(|ui| {
+            let target = varied.target.clone();
+            let width = (ui.available_width() - 30.0).max(60.0);
+            let field = ui.add(TextEdit::singleline(&mut varied.target).desired_width(width));
+            field.widget_info(|| {
+                WidgetInfo::labeled(Role::TextInput, true, format!("Value {}", index + 1))
+            });
+            field.on_hover_text(
+                "Name of the value: a field of a light (key.intensity), an input of a node \
+                 (rim.falloff), an exposed value (width) or one of an object (hero.width)",
+            );
+            let remove = ui.small_button("×").on_hover_text("Does not vary it");
+            remove.widget_info(|| {
+                WidgetInfo::labeled(Role::Button, true, format!("Do not vary {target}"))
+            });
+            is_removed = remove.clicked();
+        });
+        let target = varied.target.clone();
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            match &mut varied.spread {
+                Spread::Numbers { from, to, count, is_angle } => {
+                    numbers(ui, &target, [from, to], count, *is_angle);
+                }
+                Spread::Colors(colors) => swatches(ui, &target, colors),
+            }
+        });
+    });
+    is_removed
+}
+
+/// Shows both ends of numbers, and how many there are.
+fn numbers(ui: &mut Ui, target: &str, ends: [&mut f64; 2], count: &mut u32, is_angle: bool) {
+    let (scale, suffix) = if is_angle { (1.0_f64.to_degrees(), "°") } else { (1.0, "") };
+    for (value, name) in ends.into_iter().zip(["from", "to"]) {
+        ui.label(RichText::new(name).color(theme::of(ui).dim));
+        let mut shown = *value * scale;
+        let drag = DragValue::new(&mut shown).speed(0.01 * scale).max_decimals(3).suffix(suffix);
+        let response = ui.add(drag);
+        response.widget_info(|| {
+            WidgetInfo::labeled(Role::SpinButton, true, format!("{target} {name}"))
+        });
+        if response.changed() && shown.is_finite() {
+            *value = (shown / scale * 1e6).round() / 1e6;
+        }
+    }
+    let drag = DragValue::new(count).range(1..=480).speed(0.05).suffix(" values");
+    let response = ui.add(drag);
+    response.widget_info(|| {
+        WidgetInfo::labeled(Role::SpinButton, true, format!("Number of values of {target}"))
+    });
+}
+
+/// Shows colors, each with a swatch that opens a picker, and the buttons for more and fewer.
+fn swatches(ui: &mut Ui, target: &str, colors: &mut Vec<[f64; 3]>) {
+    for (index, color) in colors.iter_mut().enumerate() {
+        let [r, g, b] = *color;
+        ui.push_id(index, |ui| {
+            let name = format!("Color {} of {target}", index + 1);
+            let space = ColorSpace::Display;
+            let picked = color::named_swatch(ui, &name, [r, g, b, 1.0], space, false);
+            if let Some((_, [r, g, b, _])) = picked {
+                *color = [r, g, b];
+            }
+        });
+    }
+    let last = colors.last().copied().unwrap_or([1.0; 3]);
+    if ui.small_button("+").on_hover_text("One color more").clicked() {
+        colors.push(last);
+    }
+    let fewer = ui.add_enabled(colors.len() > 1, egui::Button::new("−").small());
+    if fewer.on_hover_text("One color fewer").clicked() {
+        colors.pop();
+    }
+}
+
+/// The color that a value of a cell is, if it is one.
+pub(super) fn color_of(value: &Value) -> Option<egui::Color32> {
+    let Value::Text(text) = value else { return None };
+    let [r, g, b, _] = parse_hex(text)?;
+    let [r, g, b] = [r, g, b].map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
+    Some(egui::Color32::from_rgb(r, g, b))
+}

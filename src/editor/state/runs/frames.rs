@@ -1,0 +1,412 @@
+//! Choices of frames and of farms' jobs, and the command lines that they are.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use super::{CommandLine, Variation};
+use crate::film::{Contributions, FrameList, FramePattern, FrameRate, MatteKind};
+use crate::state::display::DisplayChoice;
+
+/// Words of `--aov` for parts of the picture, with what they are.
+pub(crate) const CONTRIBUTIONS: [(&str, &str); 6] = [
+    ("layers", "What each layer of the looks adds to the picture"),
+    ("lights", "What each light adds: graded by itself in the compositor"),
+    ("groups", "What each group of lights adds"),
+    ("lights-by-layer", "What each light adds within each layer"),
+    ("shadows", "The shadows of each light"),
+    ("named", "All outputs that looks name as passes"),
+];
+
+/// Words of `--matte`, with what they are.
+pub(crate) const MATTES: [(&str, &str); 4] = [
+    ("objects", "A Cryptomatte of the objects"),
+    ("looks", "A Cryptomatte of the looks"),
+    ("materials", "A Cryptomatte of the materials"),
+    ("lights", "A Cryptomatte of the light that is strongest"),
+];
+
+/// Document that is rendered: a file, as it is on the disk.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct FilmDocument {
+    /// The file of the shot, the scene or the look.
+    pub(crate) path: PathBuf,
+    /// Frames of the document: the shot's, or those of the scene's time.
+    pub(crate) frames: [i32; 2],
+    /// Frames a second, where the command line is to be told.
+    pub(crate) rate: Option<FrameRate>,
+    /// Width and height in pixels, where the document says them.
+    pub(crate) size: Option<[u32; 2]>,
+    /// Mesh that a look alone is shown on, and true if its z axis points up.
+    pub(crate) mesh: Option<(String, bool)>,
+    /// True for a shot, whose frames need not be said.
+    pub(crate) is_shot: bool,
+}
+
+impl FilmDocument {
+    /// The folder of the document, in which commands are called.
+    pub(crate) fn folder(&self) -> PathBuf {
+        let folder = std::path::absolute(&self.path).unwrap_or_else(|_| self.path.clone());
+        folder.parent().map(Path::to_path_buf).unwrap_or_default()
+    }
+
+    /// Name of the document's file.
+    pub(crate) fn name(&self) -> String {
+        self.path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+    }
+
+    /// Name of the document's file, without ending.
+    pub(crate) fn stem(&self) -> String {
+        self.path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+    }
+
+    fn mesh_words(&self, words: &mut Vec<String>) {
+        let Some((mesh, is_up)) = &self.mesh else { return };
+        words.extend(["--mesh".to_owned(), mesh.clone()]);
+        words.extend(is_up.then(|| "--z-up".to_owned()));
+    }
+}
+
+/// Numbers of an EXR.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum SampleDepth {
+    /// 16 bits.
+    #[default]
+    Half,
+    /// 32 bits.
+    Float,
+}
+
+/// Choices of frames that are rendered.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct FrameChoices {
+    /// First and last frame; `None` for those of the document.
+    pub(crate) frames: Option<[i32; 2]>,
+    /// Distance from one frame to the next, 1 for all.
+    pub(crate) step: u32,
+    /// Folder of the frames, from the document's.
+    pub(crate) folder: String,
+    /// Name of the files, with the place of the number.
+    pub(crate) name: String,
+    /// Width and height in pixels; `None` for those of the document.
+    pub(crate) size: Option<[u32; 2]>,
+    /// Words of `--aov`.
+    pub(crate) aovs: BTreeSet<String>,
+    /// More words of `--aov`, parted by blanks.
+    pub(crate) other_aovs: String,
+    /// Words of `--matte`.
+    pub(crate) mattes: BTreeSet<&'static str>,
+    /// Names of the layers.
+    pub(crate) naming: &'static str,
+    pub(crate) depth: SampleDepth,
+    /// True if PNGs are shown by the view of the window.
+    pub(crate) has_view: bool,
+}
+
+impl Default for FrameChoices {
+    fn default() -> Self {
+        Self {
+            frames: None,
+            step: 1,
+            folder: "out".to_owned(),
+            name: "####.exr".to_owned(),
+            size: None,
+            aovs: BTreeSet::new(),
+            other_aovs: String::new(),
+            mattes: BTreeSet::new(),
+            naming: "nuke",
+            depth: SampleDepth::Half,
+            has_view: true,
+        }
+    }
+}
+
+/// Choices of a farm's job.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct FarmChoices {
+    /// Word of the farm.
+    pub(crate) to: &'static str,
+    /// Greatest number of frames of a task.
+    pub(crate) chunk: u32,
+}
+
+impl Default for FarmChoices {
+    fn default() -> Self {
+        Self { to: "slurm", chunk: 10 }
+    }
+}
+
+impl FarmChoices {
+    /// Name of the job's file.
+    pub(crate) fn job(&self, stem: &str) -> String {
+        let ending = match self.to {
+            "slurm" => "sh",
+            "opencue" => "xml",
+            "flamenco" => "js",
+            _ => "job.json",
+        };
+        format!("{stem}.{ending}")
+    }
+}
+
+impl FrameChoices {
+    /// True if the files are PNGs, which have no layers.
+    pub(crate) fn is_png(&self) -> bool {
+        Path::new(&self.name).extension().is_some_and(|end| end.eq_ignore_ascii_case("png"))
+    }
+
+    /// Gives the files another ending.
+    pub(crate) fn set_ending(&mut self, ending: &str) {
+        let name = Path::new(&self.name).with_extension(ending);
+        self.name = name.to_string_lossy().into_owned();
+    }
+
+    /// Path of the files with the place of the number, from the document's folder.
+    pub(crate) fn output(&self) -> String {
+        let folder = self.folder.trim();
+        match folder {
+            "" | "." => self.name.clone(),
+            folder => Path::new(folder).join(&self.name).to_string_lossy().into_owned(),
+        }
+    }
+
+    /// Folder of the frames, outright.
+    pub(crate) fn folder_of(&self, document: &FilmDocument) -> PathBuf {
+        document.folder().join(self.folder.trim())
+    }
+
+    /// First and last frame.
+    pub(crate) fn range(&self, document: &FilmDocument) -> [i32; 2] {
+        self.frames.unwrap_or(document.frames)
+    }
+
+    /// The frames that are asked for.
+    ///
+    /// # Errors
+    /// The reason, as a sentence, where they are none or too many.
+    pub(crate) fn list(&self, document: &FilmDocument) -> Result<FrameList, String> {
+        let [first, last] = self.range(document);
+        let step = self.step.max(1);
+        let text = match step {
+            1 => format!("{first}-{last}"),
+            step => format!("{first}-{last}x{step}"),
+        };
+        text.parse()
+    }
+
+    /// The frames that are asked for, each with its file from the document's folder.
+    ///
+    /// # Errors
+    /// The reason, as a sentence, where the choices cannot be rendered.
+    pub(crate) fn files(&self, document: &FilmDocument) -> Result<Vec<(i32, String)>, String> {
+        let (pattern, list) = self.pattern_and_list(document)?;
+        let file = |frame: &i32| (*frame, pattern.path(*frame).display().to_string());
+        Ok(list.frames().iter().map(file).collect())
+    }
+
+    fn pattern_and_list(
+        &self,
+        document: &FilmDocument,
+    ) -> Result<(FramePattern, FrameList), String> {
+        let pattern = FramePattern::of(Path::new(&self.output()))?;
+        let pattern = pattern.ok_or("let #### stand for the number in the name of the files")?;
+        Ok((pattern, self.list(document)?))
+    }
+
+    /// The command line that renders the frames.
+    ///
+    /// # Errors
+    /// The reason, as a sentence, where the choices cannot be rendered.
+    pub(crate) fn render(
+        &self,
+        document: &FilmDocument,
+        view: Option<&DisplayChoice>,
+    ) -> Result<CommandLine, String> {
+        self.pattern_and_list(document)?;
+        let mut words = vec!["render".to_owned()];
+        self.words(document, view, &mut words);
+        Ok(CommandLine { folder: document.folder(), words })
+    }
+
+    /// The command line that writes a farm's job.
+    ///
+    /// # Errors
+    /// The reason, as a sentence, where the choices cannot be rendered.
+    pub(crate) fn job(
+        &self,
+        document: &FilmDocument,
+        view: Option<&DisplayChoice>,
+        farm: &FarmChoices,
+    ) -> Result<CommandLine, String> {
+        self.pattern_and_list(document)?;
+        let mut words = vec!["farm".to_owned()];
+        self.words(document, view, &mut words);
+        words.extend(["--to".to_owned(), farm.to.to_owned()]);
+        words.extend(["--chunk".to_owned(), farm.chunk.to_string()]);
+        words.extend(["--job".to_owned(), farm.job(&document.stem())]);
+        Ok(CommandLine { folder: document.folder(), words })
+    }
+
+    /// Adds the words that `render` and `farm` share.
+    fn words(
+        &self,
+        document: &FilmDocument,
+        view: Option<&DisplayChoice>,
+        words: &mut Vec<String>,
+    ) {
+        words.extend([document.name(), "-o".to_owned(), self.output()]);
+        // A shot knows its own frames.
+        let is_whole =
+            document.is_shot && self.step <= 1 && self.range(document) == document.frames;
+        let list = self.list(document).ok().filter(|_| !is_whole);
+        words.extend(list.map(|list| frames_word(&list.to_string())).into_iter().flatten());
+        if let Some(rate) = document.rate {
+            push(words, "--rate", rate.to_string());
+        }
+        if let Some([width, height]) = self.size.filter(|size| Some(*size) != document.size) {
+            push(words, "--size", format!("{width}x{height}"));
+        }
+        match self.is_png() {
+            true => {
+                if let Some(view) = view.filter(|_| self.has_view) {
+                    push(words, "--ocio", view.config.clone());
+                    push(words, "--display", view.display.clone());
+                    push(words, "--view", view.view.clone());
+                }
+            }
+            false => self.layer_words(words),
+        }
+        document.mesh_words(words);
+    }
+
+    /// Adds the words for layers, mattes and the numbers of an EXR.
+    fn layer_words(&self, words: &mut Vec<String>) {
+        let others = self.other_aovs.split_whitespace().map(str::to_owned);
+        let aovs: Vec<String> = self.aovs.iter().cloned().chain(others).collect();
+        let is_parted = aovs.iter().any(|aov| Contributions::all().any(|(it, _)| it == aov));
+        aovs.into_iter().for_each(|aov| push(words, "--aov", aov));
+        let mattes = MatteKind::all().map(|(word, _)| word);
+        let mattes: Vec<&str> = mattes.filter(|word| self.mattes.contains(word)).collect();
+        if !mattes.is_empty() {
+            push(words, "--matte", mattes.join(","));
+        }
+        if is_parted && self.naming != "nuke" {
+            push(words, "--naming", self.naming.to_owned());
+        }
+        if self.depth == SampleDepth::Float {
+            push(words, "--depth", "float".to_owned());
+        }
+    }
+}
+
+fn push(words: &mut Vec<String>, option: &str, value: String) {
+    words.extend([option.to_owned(), value]);
+}
+
+/// The words for frames: a value that begins with a sign is joined to its option.
+fn frames_word(list: &str) -> Vec<String> {
+    match list.starts_with('-') {
+        true => vec![format!("--frames={list}")],
+        false => vec!["--frames".to_owned(), list.to_owned()],
+    }
+}
+
+impl FilmDocument {
+    /// The command line that draws a wedge; `sheet` is its PNG from the document's folder, `frame`
+    /// the frame that is drawn.
+    pub(crate) fn wedge(
+        &self,
+        varied: &[Variation],
+        sheet: &str,
+        size: [u32; 2],
+        frame: Option<i32>,
+    ) -> CommandLine {
+        let mut words = vec!["wedge".to_owned(), self.name(), "-o".to_owned(), sheet.to_owned()];
+        for varied in varied {
+            words.extend(["--vary".to_owned(), varied.word()]);
+        }
+        let [width, height] = size;
+        words.extend(["--size".to_owned(), format!("{width}x{height}")]);
+        words.extend(frame.map(|frame| format!("--frames={frame}")));
+        words.extend(self.rate.map(|rate| format!("--rate={rate}")));
+        self.mesh_words(&mut words);
+        CommandLine { folder: self.folder(), words }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shot() -> FilmDocument {
+        FilmDocument {
+            path: PathBuf::from("/films/sh010.json"),
+            frames: [1, 48],
+            rate: None,
+            size: Some([1920, 1080]),
+            mesh: None,
+            is_shot: true,
+        }
+    }
+
+    #[test]
+    fn choices_are_a_command_line() {
+        let mut choices = FrameChoices::default();
+        let text = |choices: &FrameChoices| choices.render(&shot(), None).unwrap().text();
+        assert_eq!(text(&choices), "chiaro render sh010.json -o 'out/####.exr'");
+        choices.frames = Some([1, 24]);
+        choices.step = 2;
+        choices.size = Some([480, 270]);
+        choices.aovs.insert("lights".to_owned());
+        choices.other_aovs = " ink=outline.line ".to_owned();
+        choices.mattes.extend(["looks", "objects"]);
+        choices.naming = "blender";
+        choices.depth = SampleDepth::Float;
+        assert_eq!(
+            text(&choices),
+            "chiaro render sh010.json -o 'out/####.exr' --frames 1-23x2 --size 480x270 \
+             --aov lights --aov ink=outline.line --matte objects,looks --naming blender \
+             --depth float"
+        );
+        choices.set_ending("png");
+        let view = DisplayChoice {
+            config: "studio".to_owned(),
+            display: "sRGB".to_owned(),
+            view: "ACES 2.0".to_owned(),
+        };
+        let told = choices.render(&shot(), Some(&view)).unwrap().text();
+        assert!(told.ends_with("--ocio studio --display sRGB --view 'ACES 2.0'"), "{told}");
+        assert!(!told.contains("--aov") && !told.contains("--matte"), "{told}");
+    }
+
+    #[test]
+    fn frames_have_their_files_and_what_is_wrong_is_said() {
+        let mut choices = FrameChoices { frames: Some([-1, 1]), ..FrameChoices::default() };
+        let files = choices.files(&shot()).unwrap();
+        assert_eq!(files.len(), 3);
+        assert_eq!(files[2], (1, "out/0001.exr".to_owned()));
+        let words = choices.render(&shot(), None).unwrap().words;
+        assert!(words.contains(&"--frames=-1-1".to_owned()), "{words:?}");
+        choices.name = "frame.exr".to_owned();
+        assert!(choices.render(&shot(), None).unwrap_err().contains("####"));
+        choices = FrameChoices { frames: Some([9, 1]), ..FrameChoices::default() };
+        assert!(choices.render(&shot(), None).is_err());
+    }
+
+    #[test]
+    fn jobs_and_wedges_are_command_lines_too() {
+        let choices = FrameChoices::default();
+        let farm = FarmChoices { to: "openjd", chunk: 5 };
+        assert_eq!(
+            choices.job(&shot(), None, &farm).unwrap().text(),
+            "chiaro farm sh010.json -o 'out/####.exr' --to openjd --chunk 5 --job sh010.job.json"
+        );
+        let varied = [Variation::around("rim.falloff".to_owned(), 0.4, false)];
+        let mut look = shot();
+        look.mesh = Some(("shape:knot".to_owned(), true));
+        assert_eq!(
+            look.wedge(&varied, "wedge/rim.png", [480, 270], Some(3)).text(),
+            "chiaro wedge sh010.json -o wedge/rim.png --vary rim.falloff=0.2..0.6/4 \
+             --size 480x270 --frames=3 --mesh shape:knot --z-up"
+        );
+    }
+}

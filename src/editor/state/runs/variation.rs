@@ -1,0 +1,82 @@
+//! Values that a wedge tries, one after another.
+
+/// Way in which a value varies.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Spread {
+    /// So many numbers from one to another; angles, in radians, are shown in degrees.
+    Numbers { from: f64, to: f64, count: u32, is_angle: bool },
+    /// Colors as shown, red, green and blue.
+    Colors(Vec<[f64; 3]>),
+}
+
+/// Value that varies: its name, as `chiaro wedge --vary` takes it, and how.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Variation {
+    pub(crate) target: String,
+    pub(crate) spread: Spread,
+}
+
+impl Variation {
+    /// Numbers around the present one.
+    pub(crate) fn around(target: String, now: f64, is_angle: bool) -> Self {
+        let tidy = |x: f64| (x * 1e4).round() / 1e4;
+        let (from, to) = match now {
+            0.0 => (0.0, 1.0),
+            now => (tidy(now * 0.5), tidy(now * 1.5)),
+        };
+        Self { target, spread: Spread::Numbers { from, to, count: 4, is_angle } }
+    }
+
+    /// Colors around the present one: itself, warmer, colder and turned.
+    pub(crate) fn of_color(target: String, now: [f64; 3]) -> Self {
+        let [r, g, b] = now;
+        let bounded = |color: [f64; 3]| color.map(|x: f64| x.clamp(0.0, 1.0));
+        let warm = bounded([r * 1.15 + 0.1, g, b * 0.7]);
+        let cold = bounded([r * 0.7, g, b * 1.15 + 0.1]);
+        let colors = vec![bounded(now), warm, cold, bounded([g, b, r])];
+        Self { target, spread: Spread::Colors(colors) }
+    }
+
+    /// Number of values.
+    pub(crate) fn count(&self) -> usize {
+        match &self.spread {
+            Spread::Numbers { count, .. } => *count as usize,
+            Spread::Colors(colors) => colors.len(),
+        }
+    }
+
+    /// The word after `--vary`.
+    pub(crate) fn word(&self) -> String {
+        let values = match &self.spread {
+            Spread::Numbers { from, count: 0 | 1, .. } => format!("{from}"),
+            Spread::Numbers { from, to, count, .. } => format!("{from}..{to}/{count}"),
+            Spread::Colors(colors) => colors.iter().map(hex).collect::<Vec<_>>().join(","),
+        };
+        format!("{}={values}", self.target)
+    }
+}
+
+fn hex(color: &[f64; 3]) -> String {
+    let [r, g, b] = color.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_written_as_the_command_line_takes_them() {
+        let word = |spread| Variation { target: "rim.falloff".to_owned(), spread }.word();
+        assert_eq!(
+            word(Spread::Numbers { from: 0.3, to: 0.6, count: 3, is_angle: false }),
+            "rim.falloff=0.3..0.6/3"
+        );
+        let one = Spread::Numbers { from: 0.3, to: 0.6, count: 1, is_angle: false };
+        assert_eq!(word(one), "rim.falloff=0.3");
+        let colors = vec![[1.0, 0.5, 0.0], [0.0, 0.0, 1.0]];
+        assert_eq!(word(Spread::Colors(colors)), "rim.falloff=#ff8000,#0000ff");
+        let around = Variation::around("key.intensity".to_owned(), 2.0, false);
+        assert_eq!((around.word().as_str(), around.count()), ("key.intensity=1..3/4", 4));
+    }
+}
