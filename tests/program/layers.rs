@@ -245,7 +245,9 @@ fn wrong_layers_are_told_before_anything_is_drawn() {
         let said = String::from_utf8_lossy(&output.stderr);
         assert!(!output.status.success() && said.contains(told), "{arguments:?}: {said}");
     };
-    refused(&["-o", "a.exr", "--aov", "tone=kee.tone"], "did you mean");
+    refused(&["-o", "a.exr", "--aov", "tone=keyy.tone"], "did you mean `key`");
+    refused(&["-o", "a.exr", "--aov", "tone=keyy.tone"], "look.json: error[unknown-node]");
+    refused(&["-o", "a.exr", "--aov", "key.tone"], "--aov tone=key.tone");
     refused(&["-o", "a.exr", "--aov", "tone=key.tonne"], "did you mean `tone`");
     refused(&["-o", "a.exr", "--aov", "tone=Tow:key.tone"], "did you mean `Two`");
     refused(&["-o", "a.exr", "--aov", "key.tone"], "NAME=NODE.OUTPUT");
