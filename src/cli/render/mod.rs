@@ -240,7 +240,6 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     match &sequence {
         None => outputs.check(target, format.kind()).map_err(one)?,
         Some(FrameFiles { frames, pattern, .. }) => {
-            // Seconds go by before the first frame.
             output.message(&format!("reading {} ...", arguments.document.display()));
             earlier = EarlierFrames::read(frames, pattern, format, &outputs).map_err(one)?;
         }
@@ -260,7 +259,6 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     }
     if let Some(FrameFiles { frames, rate, pattern: files }) = &sequence {
         tell_before_series(arguments.strict, warnings, output)?;
-        output.message("compiling ...");
         reads_all(&mut outputs, &stage.setup, &stage.planner.assets);
         layers::write_tables(&stage.asked, (target, pattern), &mut outputs).map_err(one)?;
         let mut executor = match early {
@@ -329,9 +327,9 @@ fn looks_told(setup: &Setup, library: &Library) -> Vec<serde_json::Value> {
     looks.map(|look| json!({"name": look.name, "tiers": tier::counts(look, library)})).collect()
 }
 
-/// Tells warnings before a series of pictures, but not what is noted about meshes: who draws one
-/// series after another of a scene has that from `chiaro check`, `chiaro mesh` and each single
-/// picture.
+/// Tells, before a series of pictures, warnings and that looks are compiled now, but not what is
+/// noted about meshes: who draws one series after another of a scene has that from `chiaro check`,
+/// `chiaro mesh` and each single picture.
 ///
 /// # Errors
 /// As [`refuse_warnings`].
@@ -343,6 +341,8 @@ fn tell_before_series(
     refuse_warnings(is_strict, &mut warnings)?;
     warnings.retain(|told| told.severity != Severity::Note || !told.code.starts_with("mesh-"));
     output.diagnostics(&warnings);
+    // Seconds go by before the first picture.
+    output.message("compiling ...");
     Ok(())
 }
 

@@ -72,13 +72,13 @@ pub(super) fn write_all(
     let mut reasons: HashMap<String, i32> = HashMap::new();
     let told = |frame: &DrawnFrame| {
         summary.add(frame);
-        if let FrameState::Failed(problems) = &frame.state {
-            tell_failed(frame.frame, problems, &mut reasons, output);
-        }
         if sequence.has_json {
             output.result(&frame.json(sequence.rate).to_string());
-        } else {
-            output.message(&frame.text());
+        }
+        match &frame.state {
+            FrameState::Failed(problems) => tell_failed(frame, problems, &mut reasons, output),
+            _ if sequence.has_json => {}
+            _ => output.message(&frame.text()),
         }
         if let Some(lines) = sequence.progress {
             let all = sequence.frames.frames().len();
@@ -92,20 +92,20 @@ pub(super) fn write_all(
 
 /// Tells why a frame failed; of reasons that were told before, the frame that they were of.
 fn tell_failed(
-    frame: i32,
+    failed: &DrawnFrame,
     problems: &[Diagnostic],
     reasons: &mut HashMap<String, i32>,
     output: &Output,
 ) {
+    let Frame { frame, .. } = failed;
+    let text = failed.text();
     let all: Vec<String> = problems.iter().map(ToString::to_string).collect();
     match reasons.entry(all.join("\n")) {
-        Entry::Occupied(known) => {
-            output.message(&format!("frame {frame} failed as frame {}", known.get()));
-        }
+        Entry::Occupied(known) => output.message(&format!("{text}, as frame {}", known.get())),
         Entry::Vacant(new) => {
-            output.message(&format!("frame {frame} failed:"));
+            output.message(&text);
             output.diagnostics(problems);
-            new.insert(frame);
+            new.insert(*frame);
         }
     }
 }
