@@ -393,7 +393,7 @@ impl Summary {
     }
 
     fn add(&mut self, frame: &DrawnFrame) {
-        *match frame.state {
+        *match &frame.state {
             FrameState::Kept => &mut self.kept,
             FrameState::Equal { .. } => &mut self.equal,
             FrameState::New(_) => &mut self.drawn,
