@@ -9,16 +9,18 @@ use crate::ids::{NodeId, NodePath, PortName};
 use crate::state::session::Session;
 use crate::state::stack::Stack;
 use crate::state::stack::mask::{self, INVERTED, SOURCES};
+use crate::state::stack::tree::LayerTree;
 
 /// Shows the entries that mask a layer, or that change the mask which it has.
 pub(super) fn menu(
     ui: &mut Ui,
     session: &Session,
-    stack: &Stack,
+    tree: &LayerTree,
     layer: &NodeId,
     out: &mut Vec<Command>,
 ) {
     let look = session.look();
+    let Some(stack) = tree.stack_of(layer) else { return };
     if let Some((id, node)) = mask::of(look, layer) {
         let is_inverted = matches!(node.values.get(INVERTED), Some(Value::Bool(true)));
         let help = "What was hidden is shown, and what was shown is hidden";
@@ -52,7 +54,7 @@ pub(super) fn menu(
         name.unwrap_or_default()
     };
     let taken = "Its opacity comes by a wire already: put a Mask node into that wire";
-    let clipping = stack.clipping(look, catalog, layer);
+    let clipping = tree.clipping(look, catalog, layer);
     let help = match (&clipping, is_free) {
         (_, false) => taken.to_owned(),
         (Some((below, _)), _) => format!("Shows it only where {} is", name_of(below)),
@@ -72,7 +74,7 @@ pub(super) fn menu(
                     add(session, stack.mask(look, layer, source), out);
                 }
             }
-            let tones = stack.tones(look, catalog, layer);
+            let tones = tree.tones(look, catalog, layer);
             if !tones.is_empty() {
                 ui.separator();
             }
