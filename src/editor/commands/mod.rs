@@ -10,6 +10,7 @@ mod file_purpose;
 mod fit;
 mod graph;
 pub(crate) mod keyboard;
+mod masking;
 mod painting;
 mod panel_id;
 mod picture;
@@ -36,6 +37,7 @@ pub(crate) use display::DisplayCommand;
 pub(crate) use file_purpose::{FilePurpose, IMAGES, MESHES, PAINTING};
 pub(crate) use fit::{FitCommand, FitGoal, LightBrush, SketchCommand};
 pub(crate) use graph::{GraphCommand, Heading};
+pub(crate) use masking::MaskCommand;
 pub(crate) use painting::{GridPreset, PaintCommand, PaintTool, PictureImport};
 pub(crate) use panel_id::PanelId;
 pub(crate) use picture::{PictureExport, ViewCommand};
@@ -163,6 +165,8 @@ pub(crate) enum Command {
     Fit(FitCommand),
     /// Command about placing a light by what it does.
     Placing(PlacingCommand),
+    /// Command about a mask that is painted on the mesh.
+    Mask(MaskCommand),
     /// Command about the strokes of light, and about the look that was fitted to them.
     Sketch(SketchCommand),
     /// Command of the bar of unsaved work and changed files.

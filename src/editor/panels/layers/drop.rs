@@ -63,7 +63,8 @@ mod tests {
 
     #[test]
     fn a_place_is_over_after_or_in_the_row_under_the_pointer() {
-        let rows = [row("folder", None, 0, 0), row("a", Some("folder"), 0, 1), row("b", None, 1, 0)];
+        let rows =
+            [row("folder", None, 0, 0), row("a", Some("folder"), 0, 1), row("b", None, 1, 0)];
         let tree = LayerTree::default();
         let at = |height, closed: &HashSet<NodeId>, rows: &[TreeRow]| {
             let found = DropTarget::at(height, rows, closed, &tree);

@@ -3,7 +3,7 @@
 use eframe::egui::{Button, Ui};
 
 use super::select;
-use crate::commands::Command;
+use crate::commands::{Command, MaskCommand};
 use crate::document::{Edit, GraphId, Value};
 use crate::ids::{NodeId, NodePath, PortName};
 use crate::state::session::Session;
@@ -37,6 +37,12 @@ pub(super) fn menu(
         if ui.button("Show mask").on_hover_text(help).clicked() {
             out.push(Command::Show(NodePath::root(id.clone())));
         }
+        if session.mask_file(layer).is_some() {
+            let help = "Shows and hides parts of the layer with a brush on the model";
+            if ui.button("Paint mask").on_hover_text(help).clicked() {
+                out.push(Command::Mask(MaskCommand::Paint(layer.clone())));
+            }
+        }
         let help = "Takes the mask away, with what feeds it alone; the opacity stays";
         if ui.button("Remove mask").on_hover_text(help).clicked() {
             out.extend(stack.unmask(look, layer).map(Command::Edit));
@@ -69,6 +75,13 @@ pub(super) fn menu(
     }
     ui.add_enabled_ui(is_free, |ui| {
         let shown = ui.menu_button("Mask by", |ui| {
+            let help = "Hides the layer; what is painted on the model with a brush shows it. Kept in \
+                        a picture beside the look's file, by the mesh's UVs";
+            let unsaved = "Save the look first: the mask is a picture beside its file";
+            let button = ui.add_enabled(session.path().is_some(), Button::new("Paint on the model"));
+            if button.on_hover_text(help).on_disabled_hover_text(unsaved).clicked() {
+                out.push(Command::Mask(MaskCommand::New(layer.clone())));
+            }
             for source in &SOURCES {
                 if ui.button(source.name).on_hover_text(source.help).clicked() {
                     add(session, stack.mask(look, layer, source), out);

@@ -175,7 +175,7 @@ impl Layers {
                             };
                             button.widget_info(name);
                             if button.clicked() {
-                                add(&self.tree, session, preset, out);
+                                out.extend(add(session, preset));
                                 ui.close();
                             }
                         }
@@ -529,28 +529,32 @@ fn texture(
 
 /// Commands that add a layer of the preset with this name, as the menu does.
 pub(crate) fn add_preset(session: &Session, name: &str) -> Vec<Command> {
-    let mut out = Vec::new();
-    if let Some(preset) = PRESETS.iter().find(|preset| preset.name == name) {
-        add(&LayerTree::of(session.look(), &session.project.catalog), session, preset, &mut out);
-    }
-    out
+    let preset = PRESETS.iter().find(|preset| preset.name == name);
+    preset.map(|preset| add(session, preset)).unwrap_or_default()
 }
 
-/// Commands that add a new node as a layer: over the selected layer, into the selected folder, or on
-/// top of all. The edits `first` are of the same step.
+/// Commands that add a new node as a layer: over the selected layer, into the selected folder, or
+/// on top of all; with a ground below it where there is none. The edits `first` are of the same
+/// step.
 pub(crate) fn insert_layer(
     session: &Session,
-    first: Vec<Edit>,
-    id: NodeId,
-    node: Node,
+    (first, id, node): (Vec<Edit>, NodeId, Node),
 ) -> Vec<Command> {
     let tree = LayerTree::of(session.look(), &session.project.catalog);
-    insert(&tree, session, (first, id, node))
+    let place = place_for_new(&tree, session);
+    let mut edits = tree.insert(session.look(), &place, &id, node);
+    edits.extend(first);
+    let own = tree.own();
+    if own.ground.is_none() && place == (LayerPlace { folder: None, at: own.layers.len() }) {
+        edits.extend(add_ground(session, Endpoint::new(id.clone(), BELOW)));
+    }
+    vec![Command::Edit(Edit::Group { edits }), Command::Show(NodePath::root(id))]
 }
 
 /// Place of a new layer: over the selected one, or in the selected folder.
 fn place_for_new(tree: &LayerTree, session: &Session) -> LayerPlace {
-    let Some(selected) = session.selection.nodes.last().filter(|id| is_selected(session, id)) else {
+    let Some(selected) = session.selection.nodes.last().filter(|id| is_selected(session, id))
+    else {
         return LayerPlace::default();
     };
     if tree.is_folder(selected) {
@@ -562,26 +566,11 @@ fn place_for_new(tree: &LayerTree, session: &Session) -> LayerPlace {
     tree.place_of(selected).or_else(|| is_ground.then(lowest)).unwrap_or_default()
 }
 
-fn add(tree: &LayerTree, session: &Session, preset: &LayerPreset, out: &mut Vec<Command>) {
+fn add(session: &Session, preset: &LayerPreset) -> Vec<Command> {
+    let tree = LayerTree::of(session.look(), &session.project.catalog);
     let selected = session.selection.nodes.last();
     let beside = selected.filter(|id| is_selected(session, id) && tree.contains(id));
-    out.extend(insert(tree, session, preset.make(session, beside)));
-}
-
-/// Adds a layer, and a ground below it where there is none.
-fn insert(
-    tree: &LayerTree,
-    session: &Session,
-    (first, id, node): (Vec<Edit>, NodeId, Node),
-) -> Vec<Command> {
-    let place = place_for_new(tree, session);
-    let mut edits = tree.insert(session.look(), &place, &id, node);
-    edits.extend(first);
-    let own = tree.own();
-    if own.ground.is_none() && place == (LayerPlace { folder: None, at: own.layers.len() }) {
-        edits.extend(add_ground(session, Endpoint::new(id.clone(), BELOW)));
-    }
-    vec![Command::Edit(Edit::Group { edits }), Command::Show(NodePath::root(id))]
+    insert_layer(session, preset.make(session, beside))
 }
 
 /// Edits that add a Base node for an input that has no wire.

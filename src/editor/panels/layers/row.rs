@@ -185,7 +185,9 @@ impl Row<'_> {
         let Some(FolderRow { is_closed }) = self.folder else { return false };
         let (icon_of, label, help) = match is_closed {
             true => (Icon::Closed, format!("Open {title}"), "Lists its layers (Right)"),
-            false => (Icon::Opened, format!("Close {title}"), "Hides its layers in the list (Left)"),
+            false => {
+                (Icon::Opened, format!("Close {title}"), "Hides its layers in the list (Left)")
+            }
         };
         icon(ui, icon_of, true, &label, help).clicked()
     }
@@ -412,16 +414,14 @@ impl Row<'_> {
         }
         let known = modes.iter().find(|(_, known)| *known == word).map(|(label, _)| label.clone());
         let value = known.or(word.clone()).unwrap_or_default();
-        let combo = ComboBox::from_id_salt("mode").width(82.0).selected_text(&value).show_ui(
-            ui,
-            |ui| {
+        let combo =
+            ComboBox::from_id_salt("mode").width(82.0).selected_text(&value).show_ui(ui, |ui| {
                 for (label, known) in &modes {
                     if ui.selectable_label(*known == word, label).clicked() && *known != word {
                         out.extend(self.set_mode(known.as_deref()).map(Command::Edit));
                     }
                 }
-            },
-        );
+            });
         combo.response.widget_info(|| {
             let mut info =
                 WidgetInfo::labeled(Role::ComboBox, true, format!("Blending of {title}"));

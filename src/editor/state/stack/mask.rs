@@ -8,7 +8,7 @@ use crate::ids::{NodeId, PortName, make_slug};
 
 /// Kind of the node, and its inputs.
 const MASK: &str = "mask";
-const SHOWN: &str = "mask";
+pub(crate) const SHOWN: &str = "mask";
 pub(crate) const OPACITY: &str = "opacity";
 pub(crate) const INVERTED: &str = "inverted";
 /// Output of a layer that says where it is, and the input of a plain layer that does.
@@ -181,6 +181,15 @@ impl Stack {
     /// Masks a layer by an output.
     pub(crate) fn mask_by(look: &Look, layer: &NodeId, from: Endpoint) -> (NodeId, Edit) {
         MaskEdits::new(look, layer).finish(Some(from))
+    }
+
+    /// Masks a layer by a picture beside the look. Returns the new mask's id with the edit.
+    pub(crate) fn mask_by_picture(look: &Look, layer: &NodeId, file: &str) -> (NodeId, Edit) {
+        let mut making = MaskEdits::new(look, layer);
+        let text = |text: &str| Value::Text(text.to_owned());
+        let values = [("image", text(file)), ("encoding", text("data"))];
+        let image = making.node("image", values.into_iter(), 1);
+        making.finish(Some(Endpoint::new(image, "")))
     }
 
     /// Takes a layer's mask away, with what feeds it and nothing else, and gives the layer its

@@ -118,6 +118,7 @@ impl LayerTree {
     }
 
     /// The stack in a folder, or the look's own.
+    #[cfg(test)]
     pub(crate) fn stack_in(&self, folder: Option<&NodeId>) -> Option<&Stack> {
         self.stacks.get(&folder.cloned())
     }
@@ -241,9 +242,11 @@ impl LayerTree {
                         edits.push(Edit::AddWire { graph: GraphId::Look, wire, index: None });
                     }
                     // The wire of a removed layer goes with its node.
-                    None => edits.extend(old.filter(|old| outlets.contains(&old.from)).map(
-                        |wire| Edit::RemoveWire { graph: GraphId::Look, wire: wire.clone() },
-                    )),
+                    None => {
+                        edits.extend(old.filter(|old| outlets.contains(&old.from)).map(|wire| {
+                            Edit::RemoveWire { graph: GraphId::Look, wire: wire.clone() }
+                        }))
+                    }
                     Some(_) => {}
                 }
             }
@@ -301,9 +304,8 @@ impl LayerTree {
         // The layer itself comes first: undo names the step by it.
         let own = positions.shift_remove(&first).map(|place| IndexMap::from([(first, place)]));
         let moves = own.into_iter().chain((!positions.is_empty()).then_some(positions));
-        let mut edits: Vec<Edit> = moves
-            .map(|positions| Edit::MoveNodes { graph: GraphId::Look, positions })
-            .collect();
+        let mut edits: Vec<Edit> =
+            moves.map(|positions| Edit::MoveNodes { graph: GraphId::Look, positions }).collect();
         edits.extend(Self::rewire(look, new));
         Some(Edit::Group { edits })
     }
@@ -345,11 +347,9 @@ impl LayerTree {
                 let [x, y] = position(look, folder);
                 [x, y + DROP]
             }
-            (None, None) => {
-                stack.and_then(|stack| stack.output.as_ref()).map_or([0.0; 2], |id| {
-                    position(look, id)
-                })
-            }
+            (None, None) => stack
+                .and_then(|stack| stack.output.as_ref())
+                .map_or([0.0; 2], |id| position(look, id)),
         }
     }
 
@@ -383,8 +383,7 @@ impl LayerTree {
             gone.extend(self.with_inner(&id));
         }
         let mut new = self.clone();
-        let bases: Vec<NodeId> =
-            gone.iter().filter_map(|id| self.own_base(look, id)).collect();
+        let bases: Vec<NodeId> = gone.iter().filter_map(|id| self.own_base(look, id)).collect();
         new.stacks.retain(|folder, _| folder.as_ref().is_none_or(|id| !gone.contains(id)));
         for stack in new.stacks.values_mut() {
             stack.layers.retain(|layer| !gone.contains(&layer.id));
@@ -512,7 +511,12 @@ impl LayerTree {
     }
 
     /// Gives a folder a blend mode, so that it is isolated, or, without one, lets it pass through.
-    pub(crate) fn set_mode(&self, look: &Look, folder: &NodeId, mode: Option<&str>) -> Option<Edit> {
+    pub(crate) fn set_mode(
+        &self,
+        look: &Look,
+        folder: &NodeId,
+        mode: Option<&str>,
+    ) -> Option<Edit> {
         let node = look.graph.nodes.get(folder)?;
         let key = Some(folder.clone());
         let (graph, id) = (GraphId::Look, folder.clone());

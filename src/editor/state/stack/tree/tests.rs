@@ -226,3 +226,68 @@ fn a_ring_and_a_folder_that_lies_on_itself_end() {
     let (look, catalog) = setup(&ring);
     assert_eq!(rows(&look, &catalog), ["c", "b", "a"]);
 }
+
+/// Layers that add and cover, over a base of an alpha.
+fn painted(alpha: f64) -> (Look, Catalog) {
+    let text = r#"{"nodes": [
+        {"id": "base", "kind": "base", "values": {"color": [0.3, 0.2, 0.1, ALPHA]}},
+        {"id": "a", "kind": "blend", "values": {"color": [0.3, 0.1, 0.05], "tone": 0.5}},
+        {"id": "b", "kind": "blend",
+         "values": {"color": [0.2, 0.5, 0.9], "mode": "alpha", "opacity": 0.6}},
+        {"id": "c", "kind": "blend", "values": {"color": [0.1, 0.2, 0.0], "mode": "add"}},
+        {"id": "output", "kind": "output"}
+      ], "wires": [{"from": "base", "to": "a.below"}, {"from": "a", "to": "b.below"},
+        {"from": "b", "to": "c.below"}, {"from": "c", "to": "output.color"}]}"#;
+    setup(&text.replace("ALPHA", &alpha.to_string()))
+}
+
+/// The stack as it is below the Output, premultiplied, in f64 and as written.
+fn stack_value(look: &Look) -> [f64; 4] {
+    use crate::compile::CompileOptions;
+    use crate::frame::{Assets, EvalSample, SetupLook, eval_batches};
+    let source = Look::read("{}", "test").source.into();
+    let look = SetupLook { look: look.clone(), source, folder: Default::default() };
+    let root = Some((crate::ids::NodePath::root("c".into()), BELOW.into()));
+    let options = CompileOptions { root, unspecialized: true, ..CompileOptions::default() };
+    let (library, samples) = (Library::built_in(), [EvalSample::default()]);
+    let batches = eval_batches(&look, library, &samples, &options, &mut Assets::default()).unwrap();
+    crate::reference::evaluate(&batches[0], crate::interp::Precision::F64).unwrap()[0]
+}
+
+/// What adds and covers looks the same in an isolated folder in *Alpha* at full opacity, over what
+/// is opaque, half transparent, and nothing; a pass-through folder mixes by its opacity.
+#[test]
+fn a_folder_is_seen_as_its_layers_are() {
+    for alpha in [1.0, 0.4, 0.0] {
+        let (look, catalog) = painted(alpha);
+        let tree = LayerTree::of(&look, &catalog);
+        let (folder, edit) = tree.group(&look, &ids(&["b", "a"])).unwrap();
+        let passing = step(&look, edit);
+        let tree = LayerTree::of(&passing, &catalog);
+        let isolated = step(&passing, tree.set_mode(&passing, &folder, Some("alpha")).unwrap());
+        let plain = stack_value(&look);
+        let near = |look: &Look, wanted: [f64; 4], bound: f64| {
+            let found = stack_value(look);
+            let is_near = found.iter().zip(wanted).all(|(x, y)| (x - y).abs() <= bound);
+            assert!(is_near, "alpha {alpha}: {found:?}, not {wanted:?}");
+        };
+        near(&passing, plain, 0.0);
+        near(&isolated, plain, 2e-6);
+        let mut half = passing.clone();
+        let edit = Edit::SetValue {
+            graph: GraphId::Look,
+            id: folder.clone(),
+            port: mask::OPACITY.into(),
+            value: Value::Number(0.25),
+            index: None,
+        };
+        half.apply(edit).unwrap();
+        let mut hidden = look.clone();
+        for id in ["a", "b"] {
+            hidden.graph.nodes.get_mut(id).unwrap().muted = true;
+        }
+        let without = stack_value(&hidden);
+        let mixed = std::array::from_fn(|k| without[k] + 0.25 * (plain[k] - without[k]));
+        near(&half, mixed, 1e-12);
+    }
+}
