@@ -674,3 +674,50 @@ fn layers_are_put_into_a_folder_treated_as_one_and_taken_out_again() {
     hand.settle();
     assert_eq!(*hand.look(), before);
 }
+
+#[test]
+fn a_mask_is_painted_on_the_model_stroke_by_stroke() {
+    let mut hand = User::new();
+    let folder = open(
+        &mut hand,
+        &KEYED.split(r#""direction_keys""#).next().map_or_else(String::new, |look| {
+            look.trim_end().trim_end_matches(',').to_owned() + "}"
+        }),
+    );
+    let file = folder.path().join("look-mask.png");
+    let tones = || image::open(&file).unwrap().into_luma8().into_raw();
+    hand.press("More of Diffuse");
+    hand.press("Mask by");
+    hand.press("Paint on the model");
+    hand.settle();
+    assert!(tones().iter().all(|tone| *tone == 0), "hidden at first");
+    assert!(hand.app().session().compilation().problems().is_empty());
+    assert!(hand.says("Mask of Diffuse"));
+    let middle = hand.app().viewport().rect().unwrap().center();
+    hand.drag(middle - vec2(40.0, 0.0), middle + vec2(40.0, 0.0));
+    hand.settle();
+    let painted = tones();
+    let shown = painted.iter().filter(|tone| **tone == 255).count();
+    assert!(0 < shown && shown < painted.len() / 4, "{shown} of {}", painted.len());
+    // What is beside the model is nothing to paint.
+    let steps = hand.steps();
+    let corner = hand.app().viewport().rect().unwrap().right_bottom() - vec2(30.0, 30.0);
+    hand.drag(corner, corner - vec2(5.0, 0.0));
+    hand.settle();
+    assert_eq!(hand.steps(), steps);
+    hand.press_a(Role::Button, "Invert");
+    hand.settle();
+    assert_eq!(tones()[0], 255);
+    hand.undo();
+    hand.settle();
+    assert_eq!(tones(), painted);
+    hand.undo();
+    hand.settle();
+    assert!(tones().iter().all(|tone| *tone == 0), "as before the stroke");
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(!hand.says("Mask of Diffuse"), "painting has ended");
+    hand.undo();
+    hand.settle();
+    assert!(hand.look().graph.wire_into(&"diffuse".into(), &"opacity".into()).is_none());
+}

@@ -55,6 +55,8 @@ pub(crate) struct Layers {
     rows: Vec<TreeRow>,
     /// Folders whose layers are not listed.
     closed: HashSet<NodeId>,
+    /// Folder that is closed or opened once all rows are shown.
+    folding: Option<(NodeId, bool)>,
     renaming: Option<NameEdit<NodeId>>,
     /// Layers that are being dragged.
     dragged: Vec<NodeId>,
@@ -117,6 +119,10 @@ impl Layers {
             }
             self.drag(ui, (top, pitch), &rows, session, &mut out);
         });
+        if let Some((id, is_closed)) = self.folding.take() {
+            self.fold(&id, is_closed);
+            ui.request_repaint();
+        }
         out
     }
 
@@ -239,7 +245,7 @@ impl Layers {
         let is_dragged = self.dragged.contains(id);
         let shown = shown_row.show(ui, rect, texture, is_dragged, &mut self.renaming, out);
         if shown.is_fold_toggled {
-            self.fold(id, !is_closed);
+            self.folding = Some((id.clone(), !is_closed));
         }
         let mut act = |ui: &mut Ui| self.menu(ui, session, id, out);
         Popup::menu(&shown.more).show(&mut act);
@@ -378,12 +384,12 @@ impl Layers {
         if pressed(Modifiers::NONE, Key::ArrowLeft) {
             match place.folder.as_ref().filter(|_| !is_folder || self.closed.contains(&id)) {
                 Some(folder) => go_to(folder, out),
-                None if is_folder => self.fold(&id, true),
+                None if is_folder => self.folding = Some((id.clone(), true)),
                 None => {}
             }
         }
         if pressed(Modifiers::NONE, Key::ArrowRight) && is_folder {
-            self.fold(&id, false);
+            self.folding = Some((id.clone(), false));
         }
         if pressed(Modifiers::NONE, Key::F2) {
             self.rename(session, &id);

@@ -438,19 +438,20 @@ impl Row<'_> {
 
     /// The edit that gives the acting layers a mode; without one, folders pass through.
     fn set_mode(&self, word: Option<&str>) -> Option<Edit> {
-        let mut values = Vec::new();
-        let mut edits = Vec::new();
-        for id in self.acting {
-            let row = self.tree.is_folder(id);
-            if row && self.session.look().graph.nodes.get(id)?.kind != *ISOLATED
-                || row && word.is_none()
-            {
-                edits.extend(self.tree.set_mode(self.session.look(), id, word));
-            } else if let (Some(word), Some(port)) = (word, self.mode_port_of(id)) {
-                let target = Target::Input { node: NodePath::root(id.clone()), port };
-                values.push((target, Value::Text(word.to_owned())));
-            }
-        }
+        let (look, catalog) = (self.session.look(), &self.session.project.catalog);
+        let is_isolated =
+            |id: &NodeId| look.graph.nodes.get(id).is_some_and(|node| node.kind == *ISOLATED);
+        let is_changed =
+            |id: &&NodeId| self.tree.is_folder(id) && (word.is_none() || !is_isolated(id));
+        let (folders, others): (Vec<&NodeId>, Vec<&NodeId>) =
+            self.acting.iter().partition(is_changed);
+        let mut edits = LayerTree::set_modes(look, catalog, &folders, word);
+        let value = |id: &&NodeId| {
+            let node = NodePath::root((*id).clone());
+            let target = Target::Input { node, port: self.mode_port_of(id)? };
+            Some((target, Value::Text(word?.to_owned())))
+        };
+        let values: Vec<(Target, Value)> = others.iter().filter_map(value).collect();
         if !values.is_empty() {
             edits.push(self.session.keys().set_all_at(values));
         }

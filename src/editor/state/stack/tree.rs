@@ -5,6 +5,7 @@
 //! transparent *Base*. Every edit is thought of as another list, whose wires replace those that
 //! differ.
 
+use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 
 use indexmap::IndexMap;
@@ -508,6 +509,22 @@ impl LayerTree {
         edits.push(Edit::MoveNodes { graph: GraphId::Look, positions });
         edits.extend(Self::rewire(look, new));
         Some(Edit::Group { edits })
+    }
+
+    /// Edits that give folders a blend mode, or let them pass through, each after those before it.
+    pub(crate) fn set_modes(
+        look: &Look,
+        catalog: &Catalog,
+        folders: &[&NodeId],
+        mode: Option<&str>,
+    ) -> Vec<Edit> {
+        let mut edits = Vec::new();
+        let mut now = Cow::Borrowed(look);
+        for folder in folders {
+            let edit = Self::of(&now, catalog).set_mode(&now, folder, mode);
+            edits.extend(edit.filter(|edit| now.to_mut().apply(edit.clone()).is_ok()));
+        }
+        edits
     }
 
     /// Gives a folder a blend mode, so that it is isolated, or, without one, lets it pass through.

@@ -110,6 +110,9 @@ impl MaskTool {
         if step.is_none() {
             self.next(ui, session, &layer, rect);
         }
+        if step.is_some() && !self.waiting.is_empty() {
+            ui.request_repaint();
+        }
         self.keys(ui);
         let (is_down, is_pressed, modifiers, origin) = ui.input(|input| {
             let pointer = &input.pointer;
@@ -250,6 +253,7 @@ impl MaskTool {
         ] {
             if ui.button(label).on_hover_text(help).clicked() {
                 self.waiting.push_back(change);
+                ui.request_repaint();
             }
         }
         if ui.button("Done").on_hover_text("Ends painting (Esc)").clicked() {

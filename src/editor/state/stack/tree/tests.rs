@@ -203,6 +203,19 @@ fn a_mode_isolates_a_folder_over_nothing_and_passing_through_ends_that() {
 }
 
 #[test]
+fn several_folders_are_isolated_at_once() {
+    let (look, catalog, folder) = foldered();
+    let tree = LayerTree::of(&look, &catalog);
+    let (second, edit) = tree.group(&look, &ids(&["c"])).unwrap();
+    let look = step(&look, edit);
+    let edits = LayerTree::set_modes(&look, &catalog, &[&folder, &second], Some("alpha"));
+    let both = step(&look, Edit::Group { edits });
+    assert_eq!(rows(&both, &catalog), ["folder_2", ">c", "folder", ">b", ">a"]);
+    let edits = LayerTree::set_modes(&both, &catalog, &[&second, &folder], None);
+    assert_eq!(step(&both, Edit::Group { edits }).graph.nodes, look.graph.nodes);
+}
+
+#[test]
 fn alone_are_layers_with_what_lies_in_them_and_the_folders_around() {
     let (look, catalog, folder) = foldered();
     let tree = LayerTree::of(&look, &catalog);
