@@ -269,6 +269,7 @@ pub const EXCEPTIONS: &[Exception] = &[
         .within(2.0)
         .because("tones and opacities far above 1 multiply what colors were rounded by"),
     on("output", "").within(1e3).steep("dividing by a small alpha"),
+    on("stack_color", "").within(1e3).steep("dividing by a small alpha"),
 ];
 
 const POWER: &str = "far up a power, the exponent multiplies what the base was rounded by";

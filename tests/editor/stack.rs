@@ -608,3 +608,116 @@ fn a_layer_is_masked_clipped_and_freed_in_its_menu() {
     hand.settle();
     assert_eq!(*hand.look(), before);
 }
+
+#[test]
+fn layers_are_put_into_a_folder_treated_as_one_and_taken_out_again() {
+    let mut hand = figure1();
+    let before = hand.look().clone();
+    let wgsl = |hand: &User| hand.app().session().compilation().baked().unwrap().wgsl.clone();
+    let plain = wgsl(&hand);
+    let muted = |hand: &User, id: &str| hand.look().graph.nodes[id].muted;
+    let row = |hand: &User, label: &str| hand.place(label).left_top() + vec2(60.0, 26.0);
+
+    // Several at once are hidden by one eye and as one step.
+    hand.press("Layer Specular");
+    let at = row(&hand, "Layer Fill");
+    hand.click_with(Modifiers::SHIFT, at);
+    hand.settle();
+    assert_eq!(hand.selected(), ["fill", "diffuse", "specular"]);
+    hand.press("Show Diffuse");
+    assert!(["specular", "diffuse", "fill"].iter().all(|id| muted(&hand, id)));
+    hand.undo();
+    hand.settle();
+    assert_eq!(*hand.look(), before);
+    let at = row(&hand, "Layer Fill");
+    hand.click_with(Modifiers::COMMAND, at);
+    hand.settle();
+    assert_eq!(hand.selected(), ["diffuse", "specular"]);
+
+    // A folder of two leaves the picture as it is.
+    hand.click_with(Modifiers::COMMAND, row(&hand, "Layer Diffuse"));
+    hand.click_with(Modifiers::COMMAND, row(&hand, "Layer Diffuse"));
+    hand.settle();
+    hand.key_with(Modifiers::COMMAND, Key::G);
+    hand.settle();
+    let listed = ["Layer Back-light", "Layer Folder", "Layer Specular", "Layer Diffuse"];
+    assert_eq!(rows(&hand)[..4], listed);
+    assert_eq!(chain(hand.look()), ["back", "folder", "fill", "base"]);
+    assert!(hand.app().session().compilation().problems().is_empty());
+    assert_eq!(wgsl(&hand), plain, "the same shader");
+
+    // It is closed and opened, dragged into, and isolated by a mode.
+    hand.press("Close Folder");
+    assert_eq!(rows(&hand).len(), 4);
+    hand.press("Open Folder");
+    let (from, to) = (row(&hand, "Layer Fill"), row(&hand, "Layer Folder"));
+    hand.drag(from, to + vec2(0.0, 20.0));
+    hand.settle();
+    assert_eq!(rows(&hand)[2], "Layer Fill");
+    assert_eq!(chain(hand.look()), ["back", "folder", "base"]);
+    hand.press("Blending of Folder");
+    hand.press("Screen");
+    assert_eq!(hand.look().graph.nodes["folder"].kind, "folder");
+    assert!(hand.app().session().compilation().problems().is_empty());
+    hand.press("Solo Diffuse");
+    let alone = wgsl(&hand);
+    assert!(alone.contains("diffuse") && !alone.contains("specular"), "solo goes into folders");
+    hand.press("Show all");
+
+    hand.press("Layer Folder");
+    hand.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::G);
+    hand.settle();
+    assert_eq!(chain(hand.look()), ["back", "fill", "specular", "diffuse", "base"]);
+    for _ in 0..4 {
+        hand.undo();
+    }
+    hand.settle();
+    assert_eq!(*hand.look(), before);
+}
+
+#[test]
+fn a_mask_is_painted_on_the_model_stroke_by_stroke() {
+    let mut hand = User::new();
+    let folder = open(
+        &mut hand,
+        &KEYED.split(r#""direction_keys""#).next().map_or_else(String::new, |look| {
+            look.trim_end().trim_end_matches(',').to_owned() + "}"
+        }),
+    );
+    let file = folder.path().join("look-mask.png");
+    let tones = || image::open(&file).unwrap().into_luma8().into_raw();
+    hand.press("More of Diffuse");
+    hand.press("Mask by");
+    hand.press("Paint on the model");
+    hand.settle();
+    assert!(tones().iter().all(|tone| *tone == 0), "hidden at first");
+    assert!(hand.app().session().compilation().problems().is_empty());
+    assert!(hand.says("Mask of Diffuse"));
+    let middle = hand.app().viewport().rect().unwrap().center();
+    hand.drag(middle - vec2(40.0, 0.0), middle + vec2(40.0, 0.0));
+    hand.settle();
+    let painted = tones();
+    let shown = painted.iter().filter(|tone| **tone == 255).count();
+    assert!(0 < shown && shown < painted.len() / 4, "{shown} of {}", painted.len());
+    // What is beside the model is nothing to paint.
+    let steps = hand.steps();
+    let corner = hand.app().viewport().rect().unwrap().right_bottom() - vec2(30.0, 30.0);
+    hand.drag(corner, corner - vec2(5.0, 0.0));
+    hand.settle();
+    assert_eq!(hand.steps(), steps);
+    hand.press_a(Role::Button, "Invert");
+    hand.settle();
+    assert_eq!(tones()[0], 255);
+    hand.undo();
+    hand.settle();
+    assert_eq!(tones(), painted);
+    hand.undo();
+    hand.settle();
+    assert!(tones().iter().all(|tone| *tone == 0), "as before the stroke");
+    hand.key(Key::Escape);
+    hand.settle();
+    assert!(!hand.says("Mask of Diffuse"), "painting has ended");
+    hand.undo();
+    hand.settle();
+    assert!(hand.look().graph.wire_into(&"diffuse".into(), &"opacity".into()).is_none());
+}

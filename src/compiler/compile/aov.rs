@@ -14,7 +14,7 @@ use super::flatten::FlatGraph;
 use super::parting::{BentSum, LightShares};
 use super::transfer::Transfer;
 use crate::diag::{Diagnostic, Severity};
-use crate::document::{Look, NamedAov, Target};
+use crate::document::{Look, NamedAov, Target, Value};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::library::{Library, LightFeed, Treatment, Type};
 
@@ -167,8 +167,13 @@ struct PassageRow {
     below: &'static str,
 }
 
-const PASSAGES: [PassageRow; 6] = [
+/// Kind of folders whose layers lie on the stack below.
+const PASS_THROUGH: &str = "pass_through";
+
+const PASSAGES: [PassageRow; 7] = [
     PassageRow { kind: "blend", passage: Passage::Blend, below: "below" },
+    // With a share of its layers, a pass-through folder is a step; shown as they are, they are.
+    PassageRow { kind: PASS_THROUGH, passage: Passage::All, below: "below" },
     PassageRow { kind: "mix_colors", passage: Passage::Mix, below: "a" },
     // A limit that keeps hues dims everything alike.
     PassageRow { kind: "limit_color", passage: Passage::All, below: "color" },
@@ -297,6 +302,10 @@ impl TypedGraph {
                 break;
             }
             let node = &self.nodes[index];
+            if let Some(inside) = self.passed_through(index) {
+                open = Some(inside);
+                continue;
+            }
             let Some(below) = self.below(index) else {
                 // Before the first step, what takes one color is a node after the stack.
                 match self.one_color(index).filter(|_| stack.steps.is_empty()) {
@@ -324,6 +333,24 @@ impl TypedGraph {
             stack.top = first;
         }
         stack
+    }
+
+    /// The uppermost layer in a folder that shows its layers as they are: one through which the
+    /// stack goes on. `None` for all other nodes.
+    fn passed_through(&self, index: usize) -> Option<(usize, usize)> {
+        let node = Some(&self.nodes[index]).filter(|node| node.def.kind == PASS_THROUGH)?;
+        let TypedSource::Param(id, Value::Number(opacity)) =
+            node.inputs.get(self.input(index, "opacity")?)?.as_ref()?.source
+        else {
+            return None;
+        };
+        let param = self.params.get(id)?;
+        let is_exposed = self.exposed.iter().any(|exposed| match &exposed.target {
+            Target::Input { node, port } => (node, port) == (&param.path, &param.port),
+            Target::Light { .. } => false,
+        });
+        let is_still = !is_exposed && !self.is_keyed(&param.path, &param.port);
+        self.wire(index, self.input(index, "inside")?).filter(|_| is_still && opacity >= 1.0)
     }
 
     /// The input of a step that takes what is below; `None` for what is no step.

@@ -10,7 +10,8 @@ use super::files::{self, PendingAction};
 use crate::app::look_export::stem_of;
 use crate::canvas::edits;
 use crate::commands::{
-    Command, FilePurpose, FitCommand, PaintCommand, PanelId, PictureExport, ViewCommand, keyboard,
+    Command, FilePurpose, FitCommand, MaskCommand, PaintCommand, PanelId, PictureExport,
+    ViewCommand, keyboard,
 };
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Projection};
@@ -167,6 +168,7 @@ impl App {
             Command::Film(command) => self.apply_to_film(ui, command),
             Command::Fit(command) => self.apply_to_fitting(ui, command),
             Command::Placing(command) => self.apply_to_placing(ui, command),
+            Command::Mask(command) => self.apply_to_masking(ui, command),
             Command::Sketch(command) => self.apply_to_sketch(command),
             Command::Recovery(command) => self.apply_to_recovery(command),
             Command::Tell(text) => self.message = Some(text),
@@ -239,6 +241,7 @@ impl App {
         self.bench.tools.of_mut::<Probe>().turn(on);
         if on {
             self.bench.tools.of_mut::<PlacingTool>().turn(false);
+            self.apply_to_masking(ui, MaskCommand::Leave);
             self.turn_fitting(ui, false);
             self.dock.open(PanelId::PROBE);
         }

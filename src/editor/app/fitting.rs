@@ -3,7 +3,7 @@
 use eframe::egui::Ui;
 
 use super::App;
-use crate::commands::{FitCommand, PanelId, SketchCommand};
+use crate::commands::{FitCommand, MaskCommand, PanelId, SketchCommand};
 use crate::tools::fitting::FitTool;
 use crate::tools::placing::PlacingTool;
 use crate::tools::probe::Probe;
@@ -52,6 +52,7 @@ impl App {
         if on {
             self.bench.tools.of_mut::<Probe>().turn(false);
             self.bench.tools.of_mut::<PlacingTool>().turn(false);
+            self.apply_to_masking(ui, MaskCommand::Leave);
             self.bench.viewport.stop_turning();
             self.start = None;
             self.dock.open(PanelId::PICTURE);

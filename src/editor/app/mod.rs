@@ -11,6 +11,7 @@ mod files;
 mod film;
 mod fitting;
 pub(crate) mod look_export;
+mod masking;
 mod painting;
 pub(crate) mod path_field;
 mod placing;
@@ -36,8 +37,8 @@ use crate::app::tour::Tour;
 use crate::canvas::Canvas;
 use crate::commands::table::{self, CommandRow, KeyScope};
 use crate::commands::{
-    Command, FilePurpose, FitCommand, IMAGES, MESHES, PanelId, PictureExport, PlacingCommand,
-    SceneCommand, ViewCommand, keyboard,
+    Command, FilePurpose, FitCommand, IMAGES, MESHES, MaskCommand, PanelId, PictureExport,
+    PlacingCommand, SceneCommand, ViewCommand, keyboard,
 };
 use crate::diag::has_errors;
 use crate::files::{Disk, SharedFiles};
@@ -55,6 +56,7 @@ use crate::state::session::painting::is_painting_shown;
 use crate::state::settings::Settings;
 use crate::state::wedge::WedgeSheet;
 use crate::tools::fitting::FitTool;
+use crate::tools::masking::MaskTool;
 use crate::tools::placing::PlacingTool;
 use crate::tools::playback::Playback;
 use crate::tools::probe::Probe;
@@ -637,6 +639,10 @@ impl App {
         let places = self.bench.tools.of::<PlacingTool>().is_on() && self.start.is_none();
         if places && is_free && !is_typing && keyboard::take(ui, escape) {
             commands.push(Command::Placing(PlacingCommand::Leave));
+        }
+        let masks = self.bench.tools.of::<MaskTool>().is_on() && self.start.is_none();
+        if masks && is_free && !is_typing && keyboard::take(ui, escape) {
+            commands.push(Command::Mask(MaskCommand::Leave));
         }
         let looks_through = self.viewport().is_looking_through() && self.start.is_none();
         if looks_through && is_free && !is_typing && keyboard::take(ui, escape) {

@@ -3,7 +3,7 @@
 use eframe::egui::Ui;
 
 use super::App;
-use crate::commands::{PanelId, PlacingCommand};
+use crate::commands::{MaskCommand, PanelId, PlacingCommand};
 use crate::tools::placing::PlacingTool;
 use crate::tools::probe::Probe;
 
@@ -29,6 +29,7 @@ impl App {
         if is_on {
             bench.tools.of_mut::<Probe>().turn(false);
             bench.viewport.stop_turning();
+            self.apply_to_masking(ui, MaskCommand::Leave);
             self.turn_fitting(ui, false);
             self.start = None;
             self.dock.open(PanelId::PICTURE);

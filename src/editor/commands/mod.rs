@@ -11,6 +11,7 @@ mod film;
 mod fit;
 mod graph;
 pub(crate) mod keyboard;
+mod masking;
 mod painting;
 mod panel_id;
 mod picture;
@@ -38,6 +39,7 @@ pub(crate) use file_purpose::{FilePurpose, IMAGES, MESHES, PAINTING};
 pub(crate) use film::FilmCommand;
 pub(crate) use fit::{FitCommand, FitGoal, LightBrush, SketchCommand};
 pub(crate) use graph::{GraphCommand, Heading};
+pub(crate) use masking::MaskCommand;
 pub(crate) use painting::{GridPreset, PaintCommand, PaintTool, PictureImport};
 pub(crate) use panel_id::PanelId;
 pub(crate) use picture::{PictureExport, ViewCommand};
@@ -167,6 +169,8 @@ pub(crate) enum Command {
     Fit(FitCommand),
     /// Command about placing a light by what it does.
     Placing(PlacingCommand),
+    /// Command about a mask that is painted on the mesh.
+    Mask(MaskCommand),
     /// Command about the strokes of light, and about the look that was fitted to them.
     Sketch(SketchCommand),
     /// Command of the bar of unsaved work and changed files.

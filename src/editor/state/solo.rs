@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use indexmap::IndexSet;
 
-use super::stack::Stack;
+use super::stack::tree::LayerTree;
 use crate::catalog::Catalog;
 use crate::document::{Look, Scene, Target};
 use crate::ids::{LightId, NodeId};
@@ -60,12 +60,12 @@ impl Solo {
     pub(crate) fn alone<'l>(&self, look: &'l Look, catalog: &Catalog) -> Cow<'l, Look> {
         let mut shown = Cow::Borrowed(look);
         if !self.layers.is_empty() {
-            let stack = Stack::of(look, catalog);
-            if stack.layers.iter().any(|layer| self.layers.contains(&layer.id)) {
+            let tree = LayerTree::of(look, catalog);
+            if self.layers.iter().any(|id| tree.contains(id)) {
                 let nodes = &mut shown.to_mut().graph.nodes;
-                for layer in &stack.layers {
-                    if let Some(node) = nodes.get_mut(&layer.id) {
-                        node.muted = !self.layers.contains(&layer.id);
+                for (id, muted) in tree.muted_alone(&|id| self.layers.contains(id)) {
+                    if let Some(node) = nodes.get_mut(&id) {
+                        node.muted = muted;
                     }
                 }
             }
@@ -148,6 +148,13 @@ impl Solo {
     /// The solo with a layer shown alone, or no longer; with `adds`, beside those that are.
     pub(crate) fn toggle_layer(&self, id: &NodeId, adds: bool) -> Self {
         Self { layers: toggled(&self.layers, id, adds), ..self.clone() }
+    }
+
+    /// The solo with these layers shown alone, or no longer, where they are that already.
+    pub(crate) fn toggle_layers(&self, ids: Vec<NodeId>) -> Self {
+        let ids: IndexSet<NodeId> = ids.into_iter().collect();
+        let layers = if ids == self.layers { IndexSet::new() } else { ids };
+        Self { layers, ..self.clone() }
     }
 
     /// The solo with a light shown alone, or no longer; with `adds`, beside those that are.

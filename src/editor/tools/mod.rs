@@ -5,6 +5,8 @@
 pub(crate) mod fitting;
 pub(crate) mod flip;
 pub(crate) mod handles;
+pub(crate) mod masking;
+mod notice;
 pub(crate) mod onion;
 pub(crate) mod picture_plan;
 pub(crate) mod placing;
@@ -32,6 +34,7 @@ pub(crate) static TOOLS: &[ToolRow] = &[
     safe_frame::TOOL,
     probe::TOOL,
     placing::TOOL,
+    masking::TOOL,
     fitting::TOOL,
     wipe::TOOL,
     flip::TOOL,

@@ -26,12 +26,16 @@ pub(crate) enum Icon {
     Mask,
     /// Three dots: there is more.
     More,
+    /// A triangle that points down: what lies in it is listed.
+    Opened,
+    /// A triangle that points right: what lies in it is not listed.
+    Closed,
 }
 
 /// Shows a button with an icon. `is_on` is the state that the icon shows: seen, shining, alone.
 pub(crate) fn icon(ui: &mut Ui, icon: Icon, is_on: bool, label: &str, help: &str) -> Response {
     let (rect, response) = ui.allocate_exact_size(vec2(ICON, ICON), Sense::click());
-    let is_toggle = !matches!(icon, Icon::More | Icon::Mask);
+    let is_toggle = matches!(icon, Icon::Eye | Icon::Bulb | Icon::Solo);
     response.widget_info(|| match is_toggle {
         true => WidgetInfo::selected(Role::CheckBox, true, is_on, label),
         false => WidgetInfo::labeled(Role::Button, true, label),
@@ -90,6 +94,14 @@ pub(crate) fn draw(painter: &Painter, icon: Icon, at: Pos2, ink: Color32, is_on:
             let sheet = Rect::from_center_size(at, vec2(15.0, 11.0));
             painter.rect_stroke(sheet, 2.0, stroke, egui::StrokeKind::Inside);
             painter.circle_filled(at, 3.2, ink);
+        }
+        Icon::Opened | Icon::Closed => {
+            let corners = [vec2(-4.5, -2.5), vec2(4.5, -2.5), vec2(0.0, 4.0)];
+            let turned = |corner: egui::Vec2| match icon {
+                Icon::Closed => at + vec2(corner.y, corner.x),
+                _ => at + corner,
+            };
+            painter.add(Shape::convex_polygon(corners.map(turned).to_vec(), ink, Stroke::NONE));
         }
         Icon::More => {
             for x in [-4.5, 0.0, 4.5] {

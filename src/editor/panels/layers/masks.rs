@@ -3,22 +3,24 @@
 use eframe::egui::{Button, Ui};
 
 use super::select;
-use crate::commands::Command;
+use crate::commands::{Command, MaskCommand};
 use crate::document::{Edit, GraphId, Value};
 use crate::ids::{NodeId, NodePath, PortName};
 use crate::state::session::Session;
 use crate::state::stack::Stack;
 use crate::state::stack::mask::{self, INVERTED, SOURCES};
+use crate::state::stack::tree::LayerTree;
 
 /// Shows the entries that mask a layer, or that change the mask which it has.
 pub(super) fn menu(
     ui: &mut Ui,
     session: &Session,
-    stack: &Stack,
+    tree: &LayerTree,
     layer: &NodeId,
     out: &mut Vec<Command>,
 ) {
     let look = session.look();
+    let Some(stack) = tree.stack_of(layer) else { return };
     if let Some((id, node)) = mask::of(look, layer) {
         let is_inverted = matches!(node.values.get(INVERTED), Some(Value::Bool(true)));
         let help = "What was hidden is shown, and what was shown is hidden";
@@ -34,6 +36,12 @@ pub(super) fn menu(
         let help = "Selects it, to set it in the inspector";
         if ui.button("Show mask").on_hover_text(help).clicked() {
             out.push(Command::Show(NodePath::root(id.clone())));
+        }
+        if session.mask_file(layer).is_some() {
+            let help = "Shows and hides parts of the layer with a brush on the model";
+            if ui.button("Paint mask").on_hover_text(help).clicked() {
+                out.push(Command::Mask(MaskCommand::Paint(layer.clone())));
+            }
         }
         let help = "Takes the mask away, with what feeds it alone; the opacity stays";
         if ui.button("Remove mask").on_hover_text(help).clicked() {
@@ -52,7 +60,7 @@ pub(super) fn menu(
         name.unwrap_or_default()
     };
     let taken = "Its opacity comes by a wire already: put a Mask node into that wire";
-    let clipping = stack.clipping(look, catalog, layer);
+    let clipping = tree.clipping(look, catalog, layer);
     let help = match (&clipping, is_free) {
         (_, false) => taken.to_owned(),
         (Some((below, _)), _) => format!("Shows it only where {} is", name_of(below)),
@@ -67,12 +75,19 @@ pub(super) fn menu(
     }
     ui.add_enabled_ui(is_free, |ui| {
         let shown = ui.menu_button("Mask by", |ui| {
+            let help = "Hides the layer; what is painted on the model with a brush shows it. Kept in \
+                        a picture beside the look's file, by the mesh's UVs";
+            let unsaved = "Save the look first: the mask is a picture beside its file";
+            let button = ui.add_enabled(session.path().is_some(), Button::new("Paint on the model"));
+            if button.on_hover_text(help).on_disabled_hover_text(unsaved).clicked() {
+                out.push(Command::Mask(MaskCommand::New(layer.clone())));
+            }
             for source in &SOURCES {
                 if ui.button(source.name).on_hover_text(source.help).clicked() {
                     add(session, stack.mask(look, layer, source), out);
                 }
             }
-            let tones = stack.tones(look, catalog, layer);
+            let tones = tree.tones(look, catalog, layer);
             if !tones.is_empty() {
                 ui.separator();
             }

@@ -1,12 +1,13 @@
 //! The look as a stack of layers, as in a painting program: another view of the graph. Changes here
 //! are edits of the nodes and wires, one undo step each; changes of the graph show here.
 
+mod drop;
 mod masks;
 mod picture;
 mod presets;
 mod row;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use eframe::egui;
@@ -22,7 +23,8 @@ use crate::ids::{NodeId, NodePath, make_slug};
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::session::Session;
-use crate::state::stack::{BELOW, Stack};
+use crate::state::stack::BELOW;
+use crate::state::stack::tree::{LayerPlace, LayerTree, TreeRow};
 use crate::state::worker::BackgroundJobs;
 use crate::viewport::solo_bar;
 use crate::widgets::menu::scrolling;
@@ -30,8 +32,9 @@ use crate::widgets::rows::{NameEdit, leave_with_pointer, undo_keys};
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
+use drop::DropTarget;
 use presets::{LayerPreset, PRESETS};
-use row::{ROW, Row};
+use row::{FolderRow, ROW, Row};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LAYERS,
@@ -42,15 +45,21 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 )
 .with_jobs(|bench| &bench.thumbs);
 
-/// The panel, and the stack that it found in the graph.
+/// The panel, and the layers that it found in the graph.
 #[derive(Default)]
 pub(crate) struct Layers {
-    /// Document and revision that the stack was found in.
+    /// Document and revision that the layers were found in.
     of: Option<(DocumentNumber, LookRevision)>,
-    stack: Stack,
+    tree: LayerTree,
+    /// Layers that are listed.
+    rows: Vec<TreeRow>,
+    /// Folders whose layers are not listed.
+    closed: HashSet<NodeId>,
+    /// Folder that is closed or opened once all rows are shown.
+    folding: Option<(NodeId, bool)>,
     renaming: Option<NameEdit<NodeId>>,
-    /// Layer that is being dragged.
-    dragged: Option<NodeId>,
+    /// Layers that are being dragged.
+    dragged: Vec<NodeId>,
     /// Node that was selected when the panel was shown last.
     shown_for: Option<NodeId>,
     pictures: HashMap<NodeId, LayerPicture>,
@@ -73,68 +82,92 @@ impl Layers {
         if !session.view.solo.layers.is_empty() {
             out.extend(solo_bar::show(ui, session));
         }
-        if !self.stack.has_output() {
+        if !self.tree.has_output() {
             hint(ui, "The look has no Output node, so that there is nothing to see as layers.");
             return out;
         }
         ui.spacing_mut().item_spacing.y = 2.0;
-        let count = self.stack.layers.len();
-        let selected =
-            session.selection.nodes.last().filter(|id| is_selected(session, id)).cloned();
-        let goal = selected
-            .as_ref()
-            .filter(|_| self.shown_for != selected)
-            .and_then(|id| self.stack.index_of(id));
-        self.shown_for = selected;
+        let goal = self.reveal_selected(session);
+        let count = self.rows.len();
         let area = ScrollArea::vertical().auto_shrink([false, false]).id_salt("layers");
         area.show_viewport(ui, |ui, viewport| {
             let pitch = ROW + ui.spacing().item_spacing.y;
             ui.set_height(pitch * (count + 1) as f32);
             let top = ui.max_rect().top();
-            let rect_of = |index: usize, ui: &Ui| {
-                let min = pos2(ui.max_rect().left(), top + index as f32 * pitch);
-                Rect::from_min_size(min, egui::vec2(ui.available_width() - 8.0, ROW))
+            let rect_of = |index: usize, depth: usize, ui: &Ui| {
+                let indent = row::indent(depth, ui.available_width());
+                let min = pos2(ui.max_rect().left() + indent, top + index as f32 * pitch);
+                Rect::from_min_size(min, egui::vec2(ui.available_width() - 8.0 - indent, ROW))
             };
             if let Some(index) = goal {
-                ui.scroll_to_rect(rect_of(index, ui), None);
+                ui.scroll_to_rect(rect_of(index, 0, ui), None);
             }
             let first = (viewport.top() / pitch).floor().max(0.0) as usize;
             let last = ((viewport.bottom() / pitch).ceil().max(0.0) as usize).min(count + 1);
             let mut rows = Vec::new();
             for index in first..last {
-                let rect = rect_of(index, ui);
-                if index < count {
-                    let id = self.stack.layers[index].id.clone();
-                    rows.push((index, self.layer(ui, rect, session, thumbs, &id, &mut out)));
-                } else {
-                    self.ground(ui, rect, session, thumbs, &mut out);
+                match self.rows.get(index).cloned() {
+                    Some(row) => {
+                        let rect = rect_of(index, row.depth, ui);
+                        rows.push((index, self.layer(ui, rect, session, thumbs, &row, &mut out)));
+                    }
+                    None => self.ground(ui, rect_of(index, 0, ui), session, thumbs, &mut out),
                 }
             }
             for (index, response) in &rows {
                 self.row_keys(ui, response, *index, session, &mut out);
             }
-            self.drag(ui, top, pitch, &rows, session, &mut out);
+            self.drag(ui, (top, pitch), &rows, session, &mut out);
         });
+        if let Some((id, is_closed)) = self.folding.take() {
+            self.fold(&id, is_closed);
+            ui.request_repaint();
+        }
         out
     }
 
-    /// Finds the stack anew where the document or its revision has changed.
+    /// Opens the folders around the layer that was selected since the panel was shown last. Returns
+    /// the number of the layer's row.
+    fn reveal_selected(&mut self, session: &Session) -> Option<usize> {
+        let selected =
+            session.selection.nodes.last().filter(|id| is_selected(session, id)).cloned();
+        if self.shown_for == selected {
+            return None;
+        }
+        self.shown_for.clone_from(&selected);
+        let id = selected?;
+        let around = self.tree.folders_around(&id);
+        if around.iter().any(|folder| self.closed.contains(folder)) {
+            self.closed.retain(|folder| !around.contains(folder));
+            self.list();
+        }
+        self.rows.iter().position(|row| row.id == id)
+    }
+
+    /// Finds the layers anew where the document or its revision has changed.
     fn sync(&mut self, session: &Session) {
         let of = (session.revisions().document, session.revision());
         if self.of != Some(of) {
             if self.of.is_none_or(|old| old.0 != of.0) {
                 self.pictures.clear();
+                self.closed.clear();
                 self.renaming = None;
             }
             self.of = Some(of);
-            self.stack = Stack::of(session.look(), &session.project.catalog);
-            self.dragged = self.dragged.take().filter(|id| self.stack.index_of(id).is_some());
+            self.tree = LayerTree::of(session.look(), &session.project.catalog);
+            self.dragged.retain(|id| self.tree.contains(id));
+            self.closed.retain(|id| self.tree.is_folder(id));
+            self.list();
         }
+    }
+
+    fn list(&mut self) {
+        self.rows = self.tree.rows(|id| self.closed.contains(id));
     }
 
     fn bar(&self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         ui.horizontal(|ui| {
-            ui.add_enabled_ui(self.stack.has_output(), |ui| {
+            ui.add_enabled_ui(self.tree.has_output(), |ui| {
                 let menu = ui.menu_button("Add layer", |ui| {
                     scrolling(ui, |ui| {
                         for preset in &PRESETS {
@@ -148,9 +181,19 @@ impl Layers {
                             };
                             button.widget_info(name);
                             if button.clicked() {
-                                add(&self.stack, session, preset, out);
+                                out.extend(add(session, preset));
                                 ui.close();
                             }
+                        }
+                        ui.separator();
+                        let help = "An empty folder for layers: they are hidden, masked, faded and \
+                                    moved together";
+                        if ui.button("New folder").on_hover_text(help).clicked() {
+                            let place = place_for_new(&self.tree, session);
+                            let (id, edit) = self.tree.add_folder(session.look(), &place);
+                            out.push(Command::Edit(edit));
+                            select(session, vec![id], out);
+                            ui.close();
                         }
                     });
                 });
@@ -158,10 +201,12 @@ impl Layers {
                 menu.response.on_hover_text("Puts a layer over the selected one, or on top of all");
             });
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let count = self.stack.layers.len();
+                let count = self.tree.len();
                 let text = format!("{count} {}", if count == 1 { "layer" } else { "layers" });
                 let help = "The uppermost is laid on last, as in a painting program.\nDrag rows to \
-                            reorder; Alt and an arrow key move the one with the keyboard.";
+                            reorder, or into a folder; Alt and an arrow key move the one with the \
+                            keyboard. Ctrl and Shift select several, which are hidden, faded, \
+                            moved and deleted together.";
                 ui.label(RichText::new(text).color(theme::of(ui).dim)).on_hover_text(help);
             });
         });
@@ -174,9 +219,10 @@ impl Layers {
         rect: Rect,
         session: &Session,
         thumbs: &Thumbs,
-        id: &NodeId,
+        row: &TreeRow,
         out: &mut Vec<Command>,
     ) -> Response {
+        let id = &row.id;
         let Some((node, kind)) = session
             .look()
             .graph
@@ -186,20 +232,49 @@ impl Layers {
         else {
             return ui.allocate_rect(rect, egui::Sense::hover());
         };
-        let row = Row { session, id, node, kind };
-        let mode = row.mode().unwrap_or_default();
-        let texture = self.texture(ui, session, thumbs, id, Some(&mode));
-        let is_dragged = self.dragged.as_ref() == Some(id);
-        let shown = row.show(ui, rect, texture, is_dragged, &mut self.renaming, out);
+        let acting = self.acting(session, id);
+        let is_closed = self.closed.contains(id);
+        let folder = row.is_folder.then_some(FolderRow { is_closed });
+        let (rows, tree) = (&self.rows[..], &self.tree);
+        let shown_row = Row { session, id, node, kind, tree, rows, acting: &acting, folder };
+        let mode = shown_row.mode().unwrap_or_else(|| match row.is_folder {
+            true => "alpha".to_owned(),
+            false => String::new(),
+        });
+        let texture = texture(&mut self.pictures, ui, session, thumbs, id, Some(&mode));
+        let is_dragged = self.dragged.contains(id);
+        let shown = shown_row.show(ui, rect, texture, is_dragged, &mut self.renaming, out);
+        if shown.is_fold_toggled {
+            self.folding = Some((id.clone(), !is_closed));
+        }
         let mut act = |ui: &mut Ui| self.menu(ui, session, id, out);
         Popup::menu(&shown.more).show(&mut act);
         Popup::context_menu(&shown.whole).show(&mut act);
         shown.whole
     }
 
-    /// Shows the menu of a layer.
+    /// Layers that an action on a row is for: all selected ones, if the row's is among them.
+    fn acting(&self, session: &Session, id: &NodeId) -> Vec<NodeId> {
+        let is_one = is_selected(session, id);
+        let selected = session.selection.nodes().filter(|id| is_one && self.tree.contains(id));
+        let all: Vec<NodeId> = selected.cloned().collect();
+        if all.len() > 1 { all } else { vec![id.clone()] }
+    }
+
+    /// Lists the layers in a folder, or no longer.
+    fn fold(&mut self, id: &NodeId, is_closed: bool) {
+        if is_closed {
+            self.closed.insert(id.clone());
+        } else {
+            self.closed.remove(id);
+        }
+        self.list();
+    }
+
+    /// Shows the menu of a layer, or of all that are selected.
     fn menu(&mut self, ui: &mut Ui, session: &Session, id: &NodeId, out: &mut Vec<Command>) {
-        let Some(index) = self.stack.index_of(id) else { return };
+        let acting = self.acting(session, id);
+        let many = if acting.len() > 1 { "s" } else { "" };
         ChangedRow::of_node(session, &NodePath::root(id.clone())).menu(ui, out);
         let entry = |ui: &mut Ui, label: &str, help: &str, is_on: bool| {
             ui.add_enabled(is_on, egui::Button::new(label)).on_hover_text(help).clicked()
@@ -207,28 +282,38 @@ impl Layers {
         if entry(ui, "Rename layer", "F2, or a double click on the name", true) {
             self.rename(session, id);
         }
-        if entry(ui, "Duplicate layer", "Puts a copy over it (Ctrl+D)", true) {
-            self.duplicate(session, index, out);
+        if entry(ui, &format!("Duplicate layer{many}"), "Puts a copy over it (Ctrl+D)", true) {
+            self.duplicate(session, id, out);
         }
-        if entry(ui, "Move layer up", "Lays it on later (Alt+Up)", index > 0) {
-            self.move_by(session, index, -1, out);
+        let can = |is_up| self.tree.beside(&acting, is_up, |id| self.closed.contains(id)).is_some();
+        if entry(ui, &format!("Move layer{many} up"), "Lays it on later (Alt+Up)", can(true)) {
+            self.move_by(session, id, true, out);
         }
-        if entry(
-            ui,
-            "Move layer down",
-            "Lays it on earlier (Alt+Down)",
-            index + 1 < self.stack.layers.len(),
-        ) {
-            self.move_by(session, index, 1, out);
+        if entry(ui, &format!("Move layer{many} down"), "Lays it on earlier (Alt+Down)", can(false))
+        {
+            self.move_by(session, id, false, out);
         }
         if entry(ui, "Show on the canvas", "Brings its node into view", true) {
             out.push(Command::Show(crate::ids::NodePath::root(id.clone())));
         }
         ui.separator();
-        masks::menu(ui, session, &self.stack, id, out);
+        let help = "They lie on what is below as before, and are hidden, masked and faded together \
+                    (Ctrl+G)";
+        if entry(ui, "Put into a new folder", help, true) {
+            self.group(session, id, out);
+        }
+        if self.tree.is_folder(id) {
+            let help = "Leaves its layers in its place (Ctrl+Shift+G)";
+            if entry(ui, "Take the folder away", help, true) {
+                out.extend(self.tree.ungroup(session.look(), &acting).map(Command::Edit));
+            }
+        }
         ui.separator();
-        if entry(ui, "Delete layer", "Takes it out; the others close up (Del)", true) {
-            out.push(Command::Edit(self.stack.remove(session.look(), std::slice::from_ref(id))));
+        masks::menu(ui, session, &self.tree, id, out);
+        ui.separator();
+        let help = "Takes it out; the others close up (Del)";
+        if entry(ui, &format!("Delete layer{many}"), help, true) {
+            out.push(Command::Edit(self.tree.remove(session.look(), &acting)));
         }
     }
 
@@ -237,16 +322,26 @@ impl Layers {
         self.renaming = Some(NameEdit::new(id.clone(), name));
     }
 
-    fn duplicate(&self, session: &Session, index: usize, out: &mut Vec<Command>) {
-        if let Some((id, edit)) = self.stack.duplicate(session.look(), index) {
+    fn duplicate(&self, session: &Session, id: &NodeId, out: &mut Vec<Command>) {
+        let acting = self.acting(session, id);
+        if let Some((ids, edit)) = self.tree.duplicate(session.look(), &acting) {
+            out.push(Command::Edit(edit));
+            select(session, ids, out);
+        }
+    }
+
+    fn group(&self, session: &Session, id: &NodeId, out: &mut Vec<Command>) {
+        if let Some((id, edit)) = self.tree.group(session.look(), &self.acting(session, id)) {
             out.push(Command::Edit(edit));
             select(session, vec![id], out);
         }
     }
 
-    fn move_by(&self, session: &Session, index: usize, by: isize, out: &mut Vec<Command>) {
-        let Some(to) = index.checked_add_signed(by) else { return };
-        out.extend(self.stack.reorder(session.look(), index, to).map(Command::Edit));
+    fn move_by(&self, session: &Session, id: &NodeId, is_up: bool, out: &mut Vec<Command>) {
+        let acting = self.acting(session, id);
+        let place = self.tree.beside(&acting, is_up, |id| self.closed.contains(id));
+        let edit = place.and_then(|place| self.tree.move_to(session.look(), &acting, &place));
+        out.extend(edit.map(Command::Edit));
     }
 
     /// Handles the keys of the row that has the focus.
@@ -262,74 +357,98 @@ impl Layers {
         if !response.has_focus() {
             return;
         }
-        let filter = EventFilter { vertical_arrows: true, ..EventFilter::default() };
+        let filter = EventFilter {
+            vertical_arrows: true,
+            horizontal_arrows: true,
+            ..EventFilter::default()
+        };
         ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
         let pressed = |modifiers, key| ui.input_mut(|input| input.consume_key(modifiers, key));
-        let id = self.stack.layers[index].id.clone();
+        let Some(TreeRow { id, is_folder, place, .. }) = self.rows.get(index).cloned() else {
+            return;
+        };
+        let go_to = |id: &NodeId, out: &mut Vec<Command>| {
+            select(session, vec![id.clone()], out);
+            ui.memory_mut(|memory| memory.request_focus(row::focus_id(id)));
+        };
         for (key, by) in [(Key::ArrowUp, -1), (Key::ArrowDown, 1)] {
             if pressed(Modifiers::ALT, key) {
-                self.move_by(session, index, by, out);
+                self.move_by(session, &id, by < 0, out);
             } else if pressed(Modifiers::NONE, key)
                 && let Some(next) =
-                    index.checked_add_signed(by).and_then(|next| self.stack.layers.get(next))
+                    index.checked_add_signed(by).and_then(|next| self.rows.get(next))
             {
-                select(session, vec![next.id.clone()], out);
-                ui.memory_mut(|memory| memory.request_focus(row::focus_id(&next.id)));
+                go_to(&next.id, out);
             }
+        }
+        if pressed(Modifiers::NONE, Key::ArrowLeft) {
+            match place.folder.as_ref().filter(|_| !is_folder || self.closed.contains(&id)) {
+                Some(folder) => go_to(folder, out),
+                None if is_folder => self.folding = Some((id.clone(), true)),
+                None => {}
+            }
+        }
+        if pressed(Modifiers::NONE, Key::ArrowRight) && is_folder {
+            self.folding = Some((id.clone(), false));
         }
         if pressed(Modifiers::NONE, Key::F2) {
             self.rename(session, &id);
         }
         if pressed(Modifiers::COMMAND, Key::D) {
-            self.duplicate(session, index, out);
+            self.duplicate(session, &id, out);
+        }
+        let acting = self.acting(session, &id);
+        if pressed(Modifiers::COMMAND | Modifiers::SHIFT, Key::G) {
+            out.extend(self.tree.ungroup(session.look(), &acting).map(Command::Edit));
+        } else if pressed(Modifiers::COMMAND, Key::G) {
+            self.group(session, &id, out);
         }
         if pressed(Modifiers::NONE, Key::Delete) || pressed(Modifiers::NONE, Key::Backspace) {
-            // Delete removes all selected layers, if this one is among them.
-            let selected: Vec<NodeId> = session
-                .selection
-                .nodes()
-                .filter(|id| self.stack.index_of(id).is_some())
-                .cloned()
-                .collect();
-            let ids = if selected.contains(&id) { selected } else { vec![id] };
-            out.push(Command::Edit(self.stack.remove(session.look(), &ids)));
+            out.push(Command::Edit(self.tree.remove(session.look(), &acting)));
         }
         undo_keys(ui, out);
     }
 
-    /// Handles the drag of a row; a line marks the place where the layer would lie.
+    /// Handles the drag of rows; a line marks the place where they would lie.
     fn drag(
         &mut self,
         ui: &Ui,
-        top: f32,
-        pitch: f32,
+        (top, pitch): (f32, f32),
         rows: &[(usize, Response)],
         session: &Session,
         out: &mut Vec<Command>,
     ) {
         if let Some((index, _)) = rows.iter().find(|(_, response)| response.drag_started()) {
-            self.dragged = Some(self.stack.layers[*index].id.clone());
+            let id = self.rows.get(*index).map(|row| row.id.clone());
+            self.dragged = id.map_or_else(Vec::new, |id| self.acting(session, &id));
         }
-        let Some(from) = self.dragged.as_ref().and_then(|id| self.stack.index_of(id)) else {
+        if self.dragged.is_empty() {
             return;
-        };
+        }
         if ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
-            self.dragged = None;
+            self.dragged.clear();
             return;
         }
         let Some(at) = ui.input(|input| input.pointer.latest_pos()) else { return };
-        let count = self.stack.layers.len();
-        let gap = (((at.y - top) / pitch).round().max(0.0) as usize).min(count);
-        let to = if gap > from { gap - 1 } else { gap };
-        if to != from {
-            let y = top + gap as f32 * pitch - 1.0;
+        let target = DropTarget::at((at.y - top) / pitch, &self.rows, &self.closed, &self.tree);
+        let edit = self.tree.move_to(session.look(), &self.dragged, &target.place);
+        if edit.is_some() {
             let stroke = Stroke::new(2.0, theme::of(ui).accent);
-            ui.painter().hline(ui.max_rect().left()..=ui.max_rect().right() - 8.0, y, stroke);
+            let left = ui.max_rect().left();
+            let x = (left + row::indent(target.depth, ui.available_width()))
+                ..=(ui.max_rect().right() - 8.0);
+            let y = top + target.line as f32 * pitch;
+            if target.is_within {
+                let rect = Rect::from_x_y_ranges(x, y..=(y + ROW));
+                ui.painter().rect_stroke(rect, 4.0, stroke, egui::StrokeKind::Inside);
+            } else {
+                ui.painter().hline(x, y - 1.0, stroke);
+            }
         }
         ui.ctx().set_cursor_icon(egui::CursorIcon::Grabbing);
         if ui.input(|input| !input.pointer.primary_down()) {
-            self.dragged = None;
-            out.extend(self.stack.reorder(session.look(), from, to).map(Command::Edit));
+            self.dragged.clear();
+            out.extend(edit.map(Command::Edit));
         }
     }
 
@@ -342,7 +461,7 @@ impl Layers {
         thumbs: &Thumbs,
         out: &mut Vec<Command>,
     ) {
-        let Some(ground) = self.stack.ground.clone() else {
+        let Some(ground) = self.tree.own().ground.clone() else {
             let mut child = ui.new_child(
                 egui::UiBuilder::new()
                     .max_rect(rect)
@@ -351,7 +470,7 @@ impl Layers {
             child.label(RichText::new("Nothing lies below").color(theme::of(ui).warning));
             let help = "Adds a Base node: the color under the first layer";
             if child.button("Add a base").on_hover_text(help).clicked()
-                && let Some(to) = self.stack.lowest_inlet()
+                && let Some(to) = self.tree.own().lowest_inlet()
             {
                 out.push(Command::Edit(Edit::Group { edits: add_ground(session, to.clone()) }));
             }
@@ -371,85 +490,93 @@ impl Layers {
             }
             return;
         };
-        let texture = self.texture(ui, session, thumbs, &ground.node, None);
-        Row { session, id: &ground.node, node, kind }.show_ground(ui, rect, texture, out);
+        let texture = texture(&mut self.pictures, ui, session, thumbs, &ground.node, None);
+        let (tree, rows, id) = (&self.tree, &self.rows[..], &ground.node);
+        let row = Row { session, id, node, kind, tree, rows, acting: &[], folder: None };
+        row.show_ground(ui, rect, texture, out);
     }
+}
 
-    /// Thumbnail of a layer, if there is one; requests it once the window rests.
-    fn texture(
-        &mut self,
-        ui: &Ui,
-        session: &Session,
-        thumbs: &Thumbs,
-        id: &NodeId,
-        mode: Option<&str>,
-    ) -> Option<egui::TextureId> {
-        let now = (session.revisions().document, session.revision(), surroundings_key(session));
-        let seen = self.pictures.get(id);
-        let is_known = seen.is_some_and(|seen| seen.of == now && thumbs.is_done(seen.key));
-        if !is_known {
-            thumbs.look_again(ui);
-        }
-        // One thumbnail at a time: while one is being drawn, preparing the next gains nothing.
-        if !is_known && thumbs.rests() && !thumbs.is_busy() && session.journals.held().is_none() {
-            let look = picture::of(session.look(), id, mode);
-            let lifts = mode.is_some_and(|mode| mode == "add" || mode.is_empty());
-            let shot = if lifts { Shot::Lifted } else { Shot::Near };
-            let side = (row::PICTURE - 2.0) * ui.pixels_per_point();
-            let key = key_on(&look, shot, side, session);
-            let shown = seen.and_then(|seen| seen.shown);
-            self.pictures.insert(id.clone(), LayerPicture { of: now, key, shown });
-            if !thumbs.is_done(key) {
-                let what = (Arc::new(look), session.look.folder());
-                thumbs.ask(key, || session.shown_origin(), what, session, shot, side);
-            }
-        }
-        let seen = self.pictures.get_mut(id)?;
-        if thumbs.is_done(seen.key) {
-            seen.shown = Some(seen.key);
-        }
-        thumbs.known(seen.shown?)
+/// Thumbnail of a layer, if there is one; requests it once the window rests.
+fn texture(
+    pictures: &mut HashMap<NodeId, LayerPicture>,
+    ui: &Ui,
+    session: &Session,
+    thumbs: &Thumbs,
+    id: &NodeId,
+    mode: Option<&str>,
+) -> Option<egui::TextureId> {
+    let now = (session.revisions().document, session.revision(), surroundings_key(session));
+    let seen = pictures.get(id);
+    let is_known = seen.is_some_and(|seen| seen.of == now && thumbs.is_done(seen.key));
+    if !is_known {
+        thumbs.look_again(ui);
     }
+    // One thumbnail at a time: while one is being drawn, preparing the next gains nothing.
+    if !is_known && thumbs.rests() && !thumbs.is_busy() && session.journals.held().is_none() {
+        let look = picture::of(session.look(), id, mode);
+        let lifts = mode.is_some_and(|mode| mode == "add" || mode.is_empty());
+        let shot = if lifts { Shot::Lifted } else { Shot::Near };
+        let side = (row::PICTURE - 2.0) * ui.pixels_per_point();
+        let key = key_on(&look, shot, side, session);
+        let shown = seen.and_then(|seen| seen.shown);
+        pictures.insert(id.clone(), LayerPicture { of: now, key, shown });
+        if !thumbs.is_done(key) {
+            let what = (Arc::new(look), session.look.folder());
+            thumbs.ask(key, || session.shown_origin(), what, session, shot, side);
+        }
+    }
+    let seen = pictures.get_mut(id)?;
+    if thumbs.is_done(seen.key) {
+        seen.shown = Some(seen.key);
+    }
+    thumbs.known(seen.shown?)
 }
 
 /// Commands that add a layer of the preset with this name, as the menu does.
 pub(crate) fn add_preset(session: &Session, name: &str) -> Vec<Command> {
-    let mut out = Vec::new();
-    if let Some(preset) = PRESETS.iter().find(|preset| preset.name == name) {
-        add(&Stack::of(session.look(), &session.project.catalog), session, preset, &mut out);
-    }
-    out
+    let preset = PRESETS.iter().find(|preset| preset.name == name);
+    preset.map(|preset| add(session, preset)).unwrap_or_default()
 }
 
-/// Adds a layer over the selected one, and a ground below it where there is none.
-fn add(stack: &Stack, session: &Session, preset: &LayerPreset, out: &mut Vec<Command>) {
-    let look = session.look();
-    let beside = session
-        .selection
-        .nodes
-        .last()
-        .filter(|id| is_selected(session, id) && stack.index_of(id).is_some());
-    let at = match beside.and_then(|id| stack.index_of(id)) {
-        Some(index) => index,
-        // A new layer goes directly over the ground, where the ground is selected.
-        None if stack
-            .ground
-            .as_ref()
-            .is_some_and(|ground| session.selection.nodes.last() == Some(&ground.node)) =>
-        {
-            stack.layers.len()
-        }
-        None => 0,
-    };
-    let (first, id, node) = preset.make(session, beside);
-    let place = stack.insert(look, at, &id, node);
-    let mut edits = place;
+/// Commands that add a new node as a layer: over the selected layer, into the selected folder, or
+/// on top of all; with a ground below it where there is none. The edits `first` are of the same
+/// step.
+pub(crate) fn insert_layer(
+    session: &Session,
+    (first, id, node): (Vec<Edit>, NodeId, Node),
+) -> Vec<Command> {
+    let tree = LayerTree::of(session.look(), &session.project.catalog);
+    let place = place_for_new(&tree, session);
+    let mut edits = tree.insert(session.look(), &place, &id, node);
     edits.extend(first);
-    if stack.ground.is_none() && at == stack.layers.len() {
+    let own = tree.own();
+    if own.ground.is_none() && place == (LayerPlace { folder: None, at: own.layers.len() }) {
         edits.extend(add_ground(session, Endpoint::new(id.clone(), BELOW)));
     }
-    out.push(Command::Edit(Edit::Group { edits }));
-    out.push(Command::Show(NodePath::root(id)));
+    vec![Command::Edit(Edit::Group { edits }), Command::Show(NodePath::root(id))]
+}
+
+/// Place of a new layer: over the selected one, or in the selected folder.
+fn place_for_new(tree: &LayerTree, session: &Session) -> LayerPlace {
+    let Some(selected) = session.selection.nodes.last().filter(|id| is_selected(session, id))
+    else {
+        return LayerPlace::default();
+    };
+    if tree.is_folder(selected) {
+        return LayerPlace { folder: Some(selected.clone()), at: 0 };
+    }
+    // A new layer goes directly over the ground, where the ground is selected.
+    let is_ground = tree.own().ground.as_ref().is_some_and(|ground| ground.node == *selected);
+    let lowest = || LayerPlace { folder: None, at: tree.own().layers.len() };
+    tree.place_of(selected).or_else(|| is_ground.then(lowest)).unwrap_or_default()
+}
+
+fn add(session: &Session, preset: &LayerPreset) -> Vec<Command> {
+    let tree = LayerTree::of(session.look(), &session.project.catalog);
+    let selected = session.selection.nodes.last();
+    let beside = selected.filter(|id| is_selected(session, id) && tree.contains(id));
+    insert_layer(session, preset.make(session, beside))
 }
 
 /// Edits that add a Base node for an input that has no wire.

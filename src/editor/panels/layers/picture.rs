@@ -6,6 +6,7 @@ use crate::document::{Endpoint, Graph, Look, Node, Value, Wire};
 use crate::ids::{NodeId, PortName};
 
 use crate::state::stack::BELOW;
+use crate::state::stack::tree::INSIDE;
 
 /// Id of the ground; no slug of a name begins so.
 const GROUND: &str = "chiaro-ground";
@@ -41,9 +42,14 @@ pub(super) fn of(look: &Look, id: &NodeId, mode: Option<&str>) -> Look {
             _ => 0.0,
         };
         add(GROUND, "base", &[("color", Value::Vector(vec![ground, ground, ground, 1.0]))]);
-        graph
-            .wires
-            .push(Wire { from: Endpoint::new(GROUND, ""), to: Endpoint::new(id.clone(), BELOW) });
+        // A pass-through folder's layers lie on what is below it, as the folder does.
+        let on_below = look.graph.wires.iter().filter(|wire| {
+            graph.nodes.contains_key(&wire.to.node) && is_on_below(&look.graph, id, wire)
+        });
+        let own = Endpoint::new(id.clone(), BELOW);
+        let inlets: HashSet<Endpoint> = on_below.map(|wire| wire.to.clone()).chain([own]).collect();
+        let on_ground = inlets.into_iter().map(|to| Wire { from: Endpoint::new(GROUND, ""), to });
+        graph.wires.extend(on_ground);
     }
     graph
         .wires
@@ -59,8 +65,7 @@ fn upstream(graph: &Graph, id: &NodeId, is_layer: bool) -> Graph {
     for wire in &graph.wires {
         into.entry(&wire.to.node).or_default().push(wire);
     }
-    let is_wanted =
-        |wire: &Wire| !(is_layer && wire.to.node == *id && wire.to.port.as_str() == BELOW);
+    let is_wanted = |wire: &Wire| !(is_layer && is_on_below(graph, id, wire));
     while let Some(node) = open.pop() {
         for wire in into.get(node).into_iter().flatten().filter(|wire| is_wanted(wire)) {
             if kept.insert(&wire.from.node) {
@@ -75,4 +80,13 @@ fn upstream(graph: &Graph, id: &NodeId, is_layer: bool) -> Graph {
         wires: wires.cloned().collect(),
         ..Graph::default()
     }
+}
+
+/// True for a wire into a layer, or into one in a pass-through folder, from what lies below.
+fn is_on_below(graph: &Graph, id: &NodeId, wire: &Wire) -> bool {
+    let is_of_stack = [BELOW, INSIDE].contains(&wire.to.port.as_str());
+    let below = || graph.wire_into(id, &PortName::from(BELOW));
+    is_of_stack
+        && (wire.to.node == *id && wire.to.port.as_str() == BELOW
+            || below().is_some_and(|below| below.from.node == wire.from.node))
 }

@@ -12,10 +12,11 @@ use crate::catalog::{NodeKind, Port};
 use crate::commands::Command;
 use crate::document::{Edit, GraphId, Node, Target, Value};
 use crate::fields::shot::ChangedRow;
-use crate::ids::{NodeId, NodePath};
+use crate::ids::{NodeId, NodePath, PortName};
 use crate::library::Type;
 use crate::state::session::Session;
 use crate::state::stack::mask::{self, OPACITY};
+use crate::state::stack::tree::{ISOLATED, LayerTree, TreeRow};
 use crate::values;
 use crate::widgets::rows::{ICON, Icon, NameEdit, card_ground, icon, picture_frame, whole};
 use crate::widgets::spots::{self, Spot};
@@ -28,18 +29,49 @@ const NARROW: f32 = 230.0;
 /// Side of a thumbnail, in points.
 pub(super) const PICTURE: f32 = 46.0;
 
+/// Indent of what lies in a folder, in points.
+const INDENT: f32 = 14.0;
+/// Label of the mode of folders whose layers lie on what is below.
+const PASS_LABEL: &str = "Pass through";
+/// Explanation of the modes of folders.
+const FOLDER_MODES: &str = "Pass through: its layers lie on what is below as if they were not in a \
+                            folder, and its opacity and mask count for all of them.\nAny other: \
+                            isolated. Its layers are blended among themselves first, over nothing, \
+                            and then laid over what is below as one layer in this mode.";
+
 /// Node shown as a row.
 pub(super) struct Row<'a> {
     pub(super) session: &'a Session,
     pub(super) id: &'a NodeId,
     pub(super) node: &'a Node,
     pub(super) kind: &'a NodeKind,
+    pub(super) tree: &'a LayerTree,
+    /// Rows that are listed.
+    pub(super) rows: &'a [TreeRow],
+    /// Layers that what is done in the row is for.
+    pub(super) acting: &'a [NodeId],
+    /// What the row of a folder has besides; `None` for other layers.
+    pub(super) folder: Option<FolderRow>,
+}
+
+/// Row of a folder.
+#[derive(Clone, Copy)]
+pub(super) struct FolderRow {
+    /// True if its layers are not listed.
+    pub(super) is_closed: bool,
 }
 
 /// Responses of a row's widgets.
 pub(super) struct RowResponse {
     pub(super) whole: Response,
     pub(super) more: Response,
+    /// True if the folder is to be closed or opened.
+    pub(super) is_fold_toggled: bool,
+}
+
+/// Indent of a row in a list of some width, in points: less where deep folders leave no room.
+pub(super) fn indent(depth: usize, width: f32) -> f32 {
+    (INDENT * depth as f32).min((width - NARROW).max(width * 0.12))
 }
 
 /// Id by which a row has the focus, wherever the row lies.
@@ -109,6 +141,7 @@ impl Row<'_> {
         ui.spacing_mut().item_spacing.x = 4.0;
         self.eye(ui, &title, out);
         let is_faint = self.is_hidden();
+        let is_fold_toggled = self.fold_button(ui, &title);
         // A narrow panel has room for the settings alone; a wide one also for the thumbnail.
         if rect.width() > NARROW {
             self.picture(ui, texture, is_faint);
@@ -141,8 +174,22 @@ impl Row<'_> {
         self.opacity(&mut below, &title, out);
         let mut help = changed.help();
         help += if help.is_empty() { "" } else { "\n" };
-        help += "Click selects its node too · drag to reorder · right click for more";
-        RowResponse { whole: if whole.dragged() { whole } else { whole.on_hover_text(help) }, more }
+        help += "Click selects its node too, with Ctrl or Shift several · drag to reorder · right click for \
+                 more";
+        let whole = if whole.dragged() { whole } else { whole.on_hover_text(help) };
+        RowResponse { whole, more, is_fold_toggled }
+    }
+
+    /// Shows the button that closes or opens a folder. Returns true if it was pressed.
+    fn fold_button(&self, ui: &mut Ui, title: &str) -> bool {
+        let Some(FolderRow { is_closed }) = self.folder else { return false };
+        let (icon_of, label, help) = match is_closed {
+            true => (Icon::Closed, format!("Open {title}"), "Lists its layers (Right)"),
+            false => {
+                (Icon::Opened, format!("Close {title}"), "Hides its layers in the list (Left)")
+            }
+        };
+        icon(ui, icon_of, true, &label, help).clicked()
     }
 
     /// Shows the ground that the lowest layer lies on.
@@ -193,7 +240,11 @@ impl Row<'_> {
             return;
         }
         whole.request_focus();
-        let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
+        let (adds, is_range) = ui.input(|input| (input.modifiers.command, input.modifiers.shift));
+        if let Some(ids) = self.range().filter(|_| is_range) {
+            super::select(self.session, ids, out);
+            return;
+        }
         let mut ids = if adds && self.session.selection.open_groups().is_empty() {
             self.session.selection.nodes().cloned().collect()
         } else {
@@ -206,9 +257,32 @@ impl Row<'_> {
         super::select(self.session, ids, out);
     }
 
+    /// Layers from the one that was selected first to this one, that one last.
+    fn range(&self) -> Option<Vec<NodeId>> {
+        let first = self.session.selection.nodes.last();
+        let first = first.filter(|id| super::is_selected(self.session, id))?;
+        let index = |id: &NodeId| self.rows.iter().position(|row| row.id == *id);
+        let (from, to) = (index(first)?, index(self.id)?);
+        let mut ids: Vec<NodeId> =
+            self.rows[from.min(to)..=from.max(to)].iter().map(|row| row.id.clone()).collect();
+        if from < to {
+            ids.reverse();
+        }
+        Some(ids)
+    }
+
+    /// True for a layer that is not seen: it, or a folder around it, is hidden, or others are shown
+    /// alone.
     fn is_hidden(&self) -> bool {
         let alone = &self.session.view.solo.layers;
-        if alone.is_empty() { self.node.muted } else { !alone.contains(self.id) }
+        let around = self.tree.folders_around(self.id);
+        let nodes = &self.session.look().graph.nodes;
+        if alone.is_empty() || around.iter().any(|folder| alone.contains(folder)) {
+            let is_muted = |id| nodes.get(id).is_some_and(|node| node.muted);
+            return self.node.muted || around.iter().any(is_muted);
+        }
+        let has_alone = || alone.iter().any(|id| self.tree.folders_around(id).contains(self.id));
+        !alone.contains(self.id) && !has_alone()
     }
 
     fn eye(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
@@ -221,12 +295,9 @@ impl Row<'_> {
         };
         let response = icon(ui, Icon::Eye, !self.node.muted, &format!("Show {title}"), help);
         if response.clicked() {
-            let edit = Edit::SetMuted {
-                graph: GraphId::Look,
-                id: self.id.clone(),
-                muted: !self.node.muted,
-            };
-            out.push(Command::Edit(edit));
+            let muted = !self.node.muted;
+            let edit = |id: &NodeId| Edit::SetMuted { graph: GraphId::Look, id: id.clone(), muted };
+            out.push(Command::Edit(one_step(self.acting.iter().map(edit))));
         }
     }
 
@@ -237,7 +308,10 @@ impl Row<'_> {
                     others.\nOnly in this window: nothing of it is saved.";
         if icon(ui, Icon::Solo, is_on, &format!("Solo {title}"), help).clicked() {
             let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
-            out.push(Command::Solo(solo.toggle_layer(self.id, adds)));
+            out.push(Command::Solo(match self.acting.len() > 1 && !adds {
+                true => solo.toggle_layers(self.acting.to_vec()),
+                false => solo.toggle_layer(self.id, adds),
+            }));
         }
     }
 
@@ -317,37 +391,78 @@ impl Row<'_> {
         response.on_hover_text("Double click to rename");
     }
 
-    fn blending(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
-        let Some(port) = self.mode_port() else { return };
-        let word = self.mode().unwrap_or_default();
-        let label = |word: &str| {
-            port.options
-                .iter()
-                .find(|(known, _)| known == word)
-                .map_or(word.to_owned(), |o| o.1.clone())
+    /// Label and word of each mode that the layer can have; no word to pass through.
+    fn modes(&self) -> Vec<(String, Option<String>)> {
+        let of = |port: &Port| {
+            let options = port.options.iter();
+            options.map(|(word, label)| (label.to_string(), Some(word.to_string()))).collect()
         };
-        let combo = ComboBox::from_id_salt("mode").width(82.0).selected_text(label(&word)).show_ui(
-            ui,
-            |ui| {
-                for (known, label) in &port.options {
+        if self.folder.is_none() {
+            return self.mode_port().map(of).unwrap_or_default();
+        }
+        let isolated = self.session.project.catalog.get(ISOLATED);
+        let port = isolated.and_then(|kind| Some(&kind.inputs[kind.input(MODES[0])?]));
+        let passes = [(PASS_LABEL.to_owned(), None)];
+        passes.into_iter().chain(port.map(of).unwrap_or_default()).collect()
+    }
+
+    fn blending(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
+        let modes = self.modes();
+        let word = self.mode();
+        if modes.is_empty() || self.folder.is_none() && word.is_none() {
+            return;
+        }
+        let known = modes.iter().find(|(_, known)| *known == word).map(|(label, _)| label.clone());
+        let value = known.or(word.clone()).unwrap_or_default();
+        let combo =
+            ComboBox::from_id_salt("mode").width(82.0).selected_text(&value).show_ui(ui, |ui| {
+                for (label, known) in &modes {
                     if ui.selectable_label(*known == word, label).clicked() && *known != word {
-                        out.push(Command::Edit(
-                            self.session
-                                .keys()
-                                .set_at(&self.target(port), Value::Text(known.clone())),
-                        ));
+                        out.extend(self.set_mode(known.as_deref()).map(Command::Edit));
                     }
                 }
-            },
-        );
-        let value = label(&word);
+            });
         combo.response.widget_info(|| {
             let mut info =
                 WidgetInfo::labeled(Role::ComboBox, true, format!("Blending of {title}"));
             info.current_text_value = Some(value.clone());
             info
         });
-        combo.response.on_hover_text(&port.help);
+        let help = match (self.folder.is_some(), self.mode_port()) {
+            (true, _) => FOLDER_MODES,
+            (false, Some(port)) => &port.help,
+            (false, None) => "",
+        };
+        combo.response.on_hover_text(help);
+    }
+
+    /// The edit that gives the acting layers a mode; without one, folders pass through.
+    fn set_mode(&self, word: Option<&str>) -> Option<Edit> {
+        let (look, catalog) = (self.session.look(), &self.session.project.catalog);
+        let is_isolated =
+            |id: &NodeId| look.graph.nodes.get(id).is_some_and(|node| node.kind == *ISOLATED);
+        let is_changed =
+            |id: &&NodeId| self.tree.is_folder(id) && (word.is_none() || !is_isolated(id));
+        let (folders, others): (Vec<&NodeId>, Vec<&NodeId>) =
+            self.acting.iter().partition(is_changed);
+        let mut edits = LayerTree::set_modes(look, catalog, &folders, word);
+        let value = |id: &&NodeId| {
+            let node = NodePath::root((*id).clone());
+            let target = Target::Input { node, port: self.mode_port_of(id)? };
+            Some((target, Value::Text(word?.to_owned())))
+        };
+        let values: Vec<(Target, Value)> = others.iter().filter_map(value).collect();
+        if !values.is_empty() {
+            edits.push(self.session.keys().set_all_at(values));
+        }
+        (!edits.is_empty()).then(|| one_step(edits))
+    }
+
+    /// The input of a layer that holds its blend mode.
+    fn mode_port_of(&self, id: &NodeId) -> Option<PortName> {
+        let kind = self.session.project.catalog.of(self.session.look().graph.nodes.get(id)?)?;
+        let ports = MODES.iter().filter_map(|name| Some(&kind.inputs[kind.input(name)?]));
+        ports.filter(|port| port.ty == Type::Choice).map(|port| port.name.clone()).next()
     }
 
     /// Shows that the layer has a mask; a click selects it.
@@ -360,17 +475,28 @@ impl Row<'_> {
         }
     }
 
-    /// The input that holds the layer's opacity: its own, or that of its mask.
-    fn opacity_input(&self) -> Option<(&NodeId, &Port)> {
-        if let Some((id, node)) = mask::of(self.session.look(), self.id) {
-            let kind = self.session.project.catalog.of(node)?;
-            return Some((id, &kind.inputs[kind.input(OPACITY)?]));
-        }
-        self.port(OPACITY).map(|port| (self.id, port))
+    /// The input that holds a layer's opacity: its own, or that of its mask.
+    fn opacity_input<'l>(&'l self, layer: &'l NodeId) -> Option<(&'l NodeId, &'l Port)> {
+        let look = self.session.look();
+        let own = || look.graph.nodes.get_key_value(layer);
+        let (id, node) = mask::of(look, layer).or_else(own)?;
+        let kind = self.session.project.catalog.of(node)?;
+        Some((id, &kind.inputs[kind.input(OPACITY)?]))
+    }
+
+    /// The opacities of the acting layers that no wire decides.
+    fn opacities(&self) -> Vec<Target> {
+        let target = |id: &NodeId| {
+            let (holder, port) = self.opacity_input(id)?;
+            let is_wired = self.session.look().graph.wire_into(holder, &port.name).is_some();
+            let node = NodePath::root(holder.clone());
+            (!is_wired).then(|| Target::Input { node, port: port.name.clone() })
+        };
+        self.acting.iter().filter_map(target).collect()
     }
 
     fn opacity(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
-        let Some((holder, port)) = self.opacity_input() else { return };
+        let Some((holder, port)) = self.opacity_input(self.id) else { return };
         if self.session.look().graph.wire_into(holder, &port.name).is_some() {
             let text = RichText::new("opacity by wire").small().color(theme::of(ui).dim);
             ui.add(Label::new(text).truncate()).on_hover_text("A wire decides the opacity");
@@ -402,13 +528,17 @@ impl Row<'_> {
             if response.changed() && percent.is_finite() {
                 // Values are whole percents: nobody sees smaller steps, and files stay readable.
                 let value = Value::Number(percent.round() / 100.0);
-                out.push(Command::EditHeld(
-                    response.id,
-                    self.session.keys().set_at(&target, value),
-                ));
+                let all = self.opacities().into_iter().map(|target| (target, value.clone()));
+                out.push(Command::EditHeld(response.id, self.session.keys().set_all_at(all)));
             }
         }
     }
+}
+
+/// Several edits as one step.
+fn one_step(edits: impl IntoIterator<Item = Edit>) -> Edit {
+    let mut edits: Vec<Edit> = edits.into_iter().collect();
+    if edits.len() == 1 { edits.remove(0) } else { Edit::Group { edits } }
 }
 
 /// Child of `ui` that lays out a row of widgets in `rect`.

@@ -4,6 +4,7 @@
 mod holding;
 mod importing;
 mod keeping;
+mod masks;
 mod nodes;
 pub(crate) mod painting;
 mod parts;
@@ -32,6 +33,7 @@ use crate::state::crashes::CrashLog;
 use crate::state::display::PictureDisplay;
 use crate::state::document::{OpenDocument, TextFile};
 use crate::state::keying::{KeyEvaluation, KeyPlace, KeyedLook, Owner};
+use crate::state::masks::MaskSteps;
 use crate::state::orbit::Orbit;
 use crate::state::painting::look;
 use crate::state::painting::work::OpenPainting;
@@ -57,6 +59,8 @@ pub struct Session {
     /// True if the open look does not show the painting: undo takes back nothing that is not seen.
     pub(crate) hides_painting: bool,
     pub(crate) sketchbook: Sketchbook,
+    /// Steps of masks that are painted on the mesh.
+    pub(crate) masks: MaskSteps,
     pub(crate) project: Project,
     pub(crate) selection: Selection,
     pub(crate) view: ViewState,
@@ -96,6 +100,7 @@ impl Session {
             painting: None,
             hides_painting: false,
             sketchbook: Sketchbook::default(),
+            masks: MaskSteps::default(),
             project: Project::new(library, files.clone(), move || nodes_are_read()),
             selection: Selection::default(),
             view: ViewState::default(),
@@ -214,6 +219,7 @@ impl Session {
         self.revisions.document.advance();
         self.set_preview(None);
         self.sketchbook.put_aside(&self.look);
+        self.masks = MaskSteps::default();
         self.remember_times();
         self.look.file = TextFile::new(source);
         self.look.path = path;

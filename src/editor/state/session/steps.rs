@@ -8,6 +8,7 @@ use super::Session;
 use crate::document::Look;
 use crate::state::document::OpenDocument;
 use crate::state::document::times::Times;
+use crate::state::masks::MaskSteps;
 use crate::state::painting::work::OpenPainting;
 use crate::state::revision::StepTime;
 use crate::state::scene::{OpenScene, real};
@@ -22,6 +23,7 @@ pub(super) enum DocumentKind {
     Shot,
     Painting,
     Sketch,
+    Mask,
 }
 
 /// Steps of the look, and of the other documents whose steps undo takes back.
@@ -35,6 +37,8 @@ pub struct Steps<'a> {
     pub(super) painting: Option<&'a OpenPainting>,
     /// The sketch, where it is shown.
     pub(super) sketch: Option<&'a Sketch>,
+    /// The strokes on masks, while masks are painted.
+    pub(super) masks: Option<&'a MaskSteps>,
 }
 
 impl<'a> Steps<'a> {
@@ -45,6 +49,11 @@ impl<'a> Steps<'a> {
         let of_painting = self.painting.and_then(|work| work.document.times.last());
         let of_sketch = self.sketch.and_then(|sketch| sketch.times.last());
         let of_shot = self.shot.and_then(|shot| shot.document.times.last());
+        let of_masks = self.masks.and_then(|masks| masks.times.last());
+        let others = of_look.max(of_scene).max(of_painting).max(of_sketch).max(of_shot);
+        if of_masks.is_some() && of_masks > others {
+            return DocumentKind::Mask;
+        }
         if of_shot.is_some() && of_shot >= of_sketch.max(of_painting) {
             return DocumentKind::Shot;
         }
@@ -72,6 +81,7 @@ impl<'a> Steps<'a> {
             (self.shot.and_then(|shot| shot.document.times.next()), DocumentKind::Shot),
             (of_painting, DocumentKind::Painting),
             (of_sketch, DocumentKind::Sketch),
+            (self.masks.and_then(|masks| masks.times.next()), DocumentKind::Mask),
         ];
         let there = all.into_iter().filter_map(|(time, of)| Some((time?, of)));
         there.min_by_key(|(time, _)| *time).map_or(DocumentKind::Look, |(_, of)| of)
@@ -97,6 +107,7 @@ impl<'a> Steps<'a> {
             DocumentKind::Shot => self.shot?.document.history.undo_label(),
             DocumentKind::Painting => self.painting?.history().undo_label(),
             DocumentKind::Sketch => self.sketch?.undo_label(),
+            DocumentKind::Mask => self.masks?.undo_label(),
         }
     }
 
@@ -108,6 +119,7 @@ impl<'a> Steps<'a> {
             DocumentKind::Shot => self.shot?.document.history.redo_label(),
             DocumentKind::Painting => self.painting?.history().redo_label(),
             DocumentKind::Sketch => self.sketch?.redo_label(),
+            DocumentKind::Mask => self.masks?.redo_label(),
         }
     }
 
@@ -130,6 +142,10 @@ impl<'a> Steps<'a> {
             let labels = sketch.labels().map(|label| -> &str { label });
             steps.extend(sketch.times.all().zip(labels));
         }
+        if let Some(masks) = self.masks {
+            let labels = masks.labels().map(|label| -> &str { label });
+            steps.extend(masks.times.all().zip(labels));
+        }
         steps.sort_by_key(|(time, _)| *time);
         // What look and scene did at once is one step.
         steps.dedup_by(|(time, _), (before, _)| time == before && is_known(time.1));
@@ -142,7 +158,9 @@ impl<'a> Steps<'a> {
         let of_painting = self.painting.map_or(0, |work| work.history().place());
         let of_sketch = self.sketch.map_or(0, Sketch::place);
         let of_shot = self.shot.map_or(0, |shot| shot.document.history.place());
+        let of_masks = self.masks.map_or(0, MaskSteps::place);
         let all = self.look.history.place() + of_scene + of_shot + of_painting + of_sketch;
+        let all = all + of_masks;
         all - self.joint()
     }
 
@@ -174,7 +192,9 @@ fn other_of(of: DocumentKind) -> Option<DocumentKind> {
     match of {
         DocumentKind::Look => Some(DocumentKind::Scene),
         DocumentKind::Scene => Some(DocumentKind::Look),
-        DocumentKind::Shot | DocumentKind::Painting | DocumentKind::Sketch => None,
+        DocumentKind::Shot | DocumentKind::Painting | DocumentKind::Sketch | DocumentKind::Mask => {
+            None
+        }
     }
 }
 
@@ -216,6 +236,7 @@ impl Session {
             shot: self.shot(),
             painting: self.painting.as_ref().filter(|_| !self.hides_painting),
             sketch: Some(&self.sketchbook.sketch).filter(|sketch| sketch.is_open),
+            masks: Some(&self.masks).filter(|masks| masks.is_open),
         }
     }
 
@@ -248,6 +269,10 @@ impl Session {
                 did
             }
             (DocumentKind::Sketch, ..) => self.sketchbook.sketch.undo(),
+            (DocumentKind::Mask, ..) => {
+                let found = self.masks.undo();
+                self.bring_mask_back(found)
+            }
             _ => self.undo_look(),
         }
     }
@@ -282,6 +307,10 @@ impl Session {
                 did
             }
             (DocumentKind::Sketch, ..) => self.sketchbook.sketch.redo(now),
+            (DocumentKind::Mask, ..) => {
+                let found = self.masks.redo(now);
+                self.bring_mask_back(found)
+            }
             _ => self.redo_look(now),
         }
     }

@@ -1,5 +1,6 @@
 //! Masks of layers: a *Mask* node in a layer's opacity, and what says where the layer is shown.
 
+use super::tree::LayerTree;
 use super::{STEP, Stack};
 use crate::catalog::Catalog;
 use crate::document::{Edit, Endpoint, GraphId, Look, Node, Value, Wire};
@@ -7,7 +8,7 @@ use crate::ids::{NodeId, PortName, make_slug};
 
 /// Kind of the node, and its inputs.
 const MASK: &str = "mask";
-const SHOWN: &str = "mask";
+pub(crate) const SHOWN: &str = "mask";
 pub(crate) const OPACITY: &str = "opacity";
 pub(crate) const INVERTED: &str = "inverted";
 /// Output of a layer that says where it is, and the input of a plain layer that does.
@@ -129,19 +130,19 @@ fn tone_of(look: &Look, catalog: &Catalog, layer: &NodeId) -> Option<Endpoint> {
     look.graph.wire_into(layer, &PortName::new(TONE)).map(|wire| wire.from.clone())
 }
 
-impl Stack {
-    /// Layers below whose tone can mask a layer, from the top, each with the output.
+impl LayerTree {
+    /// Other layers whose tone can mask a layer, from the top, each with the output.
     pub(crate) fn tones(
         &self,
         look: &Look,
         catalog: &Catalog,
         layer: &NodeId,
     ) -> Vec<(NodeId, Endpoint)> {
-        let others = self.layers.iter().filter(|other| other.id != *layer);
+        let others = self.rows(|_| false).into_iter().filter(|row| row.id != *layer);
         // What depends on the layer itself would close a ring.
         let found = others.filter_map(|other| {
             let tone = tone_of(look, catalog, &other.id)?;
-            (!depends_on(look, &tone.node, layer)).then(|| (other.id.clone(), tone))
+            (!depends_on(look, &tone.node, layer)).then_some((other.id, tone))
         });
         found.collect()
     }
@@ -153,10 +154,13 @@ impl Stack {
         catalog: &Catalog,
         layer: &NodeId,
     ) -> Option<(NodeId, Endpoint)> {
-        let below = self.layers.get(self.index_of(layer)? + 1)?;
+        let stack = self.stack_of(layer)?;
+        let below = stack.layers.get(stack.index_of(layer)? + 1)?;
         self.tones(look, catalog, layer).into_iter().find(|(id, _)| *id == below.id)
     }
+}
 
+impl Stack {
     /// Masks a layer by a source. Returns the new mask's id with the edit.
     pub(crate) fn mask(&self, look: &Look, layer: &NodeId, source: &MaskSource) -> (NodeId, Edit) {
         let mut making = MaskEdits::new(look, layer);
@@ -177,6 +181,15 @@ impl Stack {
     /// Masks a layer by an output.
     pub(crate) fn mask_by(look: &Look, layer: &NodeId, from: Endpoint) -> (NodeId, Edit) {
         MaskEdits::new(look, layer).finish(Some(from))
+    }
+
+    /// Masks a layer by a picture beside the look. Returns the new mask's id with the edit.
+    pub(crate) fn mask_by_picture(look: &Look, layer: &NodeId, file: &str) -> (NodeId, Edit) {
+        let mut making = MaskEdits::new(look, layer);
+        let text = |text: &str| Value::Text(text.to_owned());
+        let values = [("image", text(file)), ("encoding", text("data"))];
+        let image = making.node("image", values.into_iter(), 1);
+        making.finish(Some(Endpoint::new(image, "")))
     }
 
     /// Takes a layer's mask away, with what feeds it and nothing else, and gives the layer its
@@ -294,12 +307,12 @@ mod tests {
         {"from": "b.tone", "to": "c.tone"}, {"from": "b.below", "to": "c.below"},
         {"from": "c", "to": "output.color"}]}"#;
 
-    fn setup() -> (Look, Catalog, Stack) {
+    fn setup() -> (Look, Catalog, LayerTree) {
         let look = Look::read(LOOK, "test").value.unwrap();
         let mut catalog = Catalog::new(Library::built_in());
         catalog.sync(&look, Library::built_in());
-        let stack = Stack::of(&look, &catalog);
-        (look, catalog, stack)
+        let tree = LayerTree::of(&look, &catalog);
+        (look, catalog, tree)
     }
 
     fn problems(look: &Look) -> Vec<String> {
@@ -310,7 +323,8 @@ mod tests {
     #[test]
     fn every_source_makes_a_mask_that_compiles_and_is_taken_away_again() {
         for source in &SOURCES {
-            let (mut look, catalog, stack) = setup();
+            let (mut look, catalog, tree) = setup();
+            let stack = tree.own();
             let before = look.clone();
             assert!(is_free(&look, &catalog, &"b".into()));
             let (mask, edit) = stack.mask(&look, &"b".into(), source);
@@ -329,20 +343,20 @@ mod tests {
 
     #[test]
     fn a_layer_is_clipped_to_the_one_below() {
-        let (mut look, catalog, stack) = setup();
-        let (below, tone) = stack.clipping(&look, &catalog, &"b".into()).unwrap();
+        let (mut look, catalog, tree) = setup();
+        let (below, tone) = tree.clipping(&look, &catalog, &"b".into()).unwrap();
         assert_eq!((below.as_str(), tone.port.as_str()), ("a", "tone"));
         let (_, edit) = Stack::mask_by(&look, &"b".into(), tone);
         look.apply(edit).unwrap();
         assert_eq!(problems(&look), [""; 0]);
         // Nodes are fed as a whole: what lies above a layer depends on it.
         let ids = |layer: &str| {
-            let tones = stack.tones(&look, &catalog, &layer.into());
+            let tones = tree.tones(&look, &catalog, &layer.into());
             tones.into_iter().map(|(id, _)| id.to_string()).collect::<Vec<_>>()
         };
         assert_eq!(ids("b"), ["a"]);
         assert_eq!(ids("a"), [""; 0]);
         assert_eq!(ids("c"), ["b", "a"]);
-        assert!(stack.clipping(&look, &catalog, &"a".into()).is_none(), "nothing is below");
+        assert!(tree.clipping(&look, &catalog, &"a".into()).is_none(), "nothing is below");
     }
 }
