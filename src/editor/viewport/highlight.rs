@@ -9,7 +9,7 @@
 use std::sync::Arc;
 
 use eframe::egui::{
-    Align2, Color32, FontId, Id, Pos2, Rect, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2,
+    Align2, Color32, FontId, Id, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2,
 };
 use glam::{DVec3, Vec3};
 
@@ -368,11 +368,7 @@ impl HighlightGizmo {
             let area = Rect::from_center_size(at, Vec2::splat(2.0 * REACH));
             let response = ui.interact(area, id, Sense::focusable_noninteractive());
             let value = self.setting(handle).map_or(0.0, |setting| setting.value);
-            response.widget_info(|| {
-                let mut info = WidgetInfo::slider(true, value, &label);
-                info.typ = Role::Slider;
-                info
-            });
+            response.widget_info(|| WidgetInfo::slider(true, value, &label));
             handle::focus_ring(ui, &response, at, 6.0);
             let steps = if response.has_focus() { handle::arrows(ui, id) } else { Vec2::ZERO };
             if steps != Vec2::ZERO {
