@@ -100,4 +100,10 @@ fn bands_edges_and_a_highlight_are_shaped_on_the_object() {
     hand.drag(stretch, stretch + (stretch - center));
     hand.settle();
     assert!(number(&hand, "cut_highlight", "stretch") > 0.2);
+    let size = at(&hand, "Size");
+    let way = (size - at(&hand, "Move")).normalized();
+    hand.drag(size, size + 20.0 * way);
+    hand.settle();
+    let radii = ["offset", "falloff", "cutoff"].map(|port| number(&hand, "cut_highlight", port));
+    assert!(radii[0] > 0.3 && radii[0] == radii[2], "larger, and hard: {radii:?}");
 }

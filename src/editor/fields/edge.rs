@@ -372,6 +372,7 @@ pub(crate) fn in_order(angles: [f64; 3]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::library::Library;
 
     #[test]
     fn an_edge_is_read_from_the_angles_that_it_wrote() {
@@ -400,6 +401,29 @@ mod tests {
         assert_eq!(hard.moved_to(f64::NAN), hard);
         assert_eq!(hard.softened(f64::INFINITY), hard);
         assert_eq!(hard.moved_to(PI).softened(1.0).softness, 0.0, "no room is left there");
+    }
+
+    #[test]
+    fn where_keys_move_one_angle_an_edge_keys_all_three() {
+        let mut session = Session::new(std::sync::Arc::new(Library::built_in().clone()), || {});
+        let targets = PROFILE.map(|port| session.selection.target(&"diffuse".into(), &port.into()));
+        let edit = session.keys().new_set(KeyDirection::View, Some(&targets[2]));
+        session.apply(edit, None).expect("keys");
+        let edge = ProfileEdge { at: 0.9, softness: 0.2 };
+        let kind = session.project.catalog.of(&session.look().graph.nodes["diffuse"]);
+        let field = EdgeField::of_node(&session, &"diffuse".into(), kind.expect("a layer"));
+        let set = field.expect("it has a profile").set(egui::Id::unique("edge"), edge);
+        let Command::EditHeld(_, edit) = set else { panic!("{set:?}") };
+        session.apply(edit, None).expect("one step");
+        let key = session.look().direction_keys[0].keys[0].values.clone();
+        for (target, angle) in targets.iter().zip(edge.angles()) {
+            assert_eq!(key.get(target), Some(&Value::Number(angle)), "{target}");
+        }
+        let own = &session.look().graph.nodes["diffuse"].values;
+        assert!(PROFILE.iter().all(|port| !own.contains_key(*port)), "the key alone was set");
+        session.apply(session.keys().unkey_together(&targets), None).expect("one step");
+        assert!(session.look().direction_keys[0].keys[0].values.is_empty());
+        assert_eq!(session.keys().value_now(&targets[1]), Some(Value::Number(0.9)), "it stays");
     }
 
     #[test]

@@ -1,5 +1,5 @@
 //! Handles of the selected highlight layer on the object: its middle moves it, the ring turns it,
-//! one knob stretches it and one splits it.
+//! and knobs stretch it, split it and make it larger.
 //!
 //! The middle is the place whose normal is the middle direction of the layer (the half-vector,
 //! moved along its two upright axes). A scan has such places by the dozen, so normals are averaged
@@ -34,6 +34,8 @@ const NEAR: f32 = 26.0;
 /// Points that a stretch by the factor e takes, and that a split of 1 takes.
 const STRETCH: f32 = 40.0;
 const SPLIT: f32 = 90.0;
+/// Points that a radius of 1 takes.
+const SIZE: f32 = 70.0;
 /// Range of the stretch that is dragged.
 const STRETCHED: [f64; 2] = [-0.5, 0.95];
 /// Half of the side of the window that normals are averaged over, in pixels of the surface.
@@ -50,10 +52,11 @@ pub(super) enum HighlightHandle {
     Ring,
     Stretch,
     Split,
+    Size,
 }
 
 impl HighlightHandle {
-    const ALL: [Self; 4] = [Self::Middle, Self::Stretch, Self::Split, Self::Ring];
+    const ALL: [Self; 5] = [Self::Middle, Self::Stretch, Self::Split, Self::Size, Self::Ring];
 
     fn label(self) -> &'static str {
         match self {
@@ -61,6 +64,7 @@ impl HighlightHandle {
             Self::Ring => "Turn",
             Self::Stretch => "Stretch",
             Self::Split => "Split",
+            Self::Size => "Size",
         }
     }
 
@@ -70,6 +74,7 @@ impl HighlightHandle {
             Self::Ring => "Drag to turn the highlight · Shift turns it by steps of 15°",
             Self::Stretch => "Drag outward to stretch the highlight, inward to shorten it",
             Self::Split => "Drag outward to split the highlight, inward to join it",
+            Self::Size => "Drag outward to make the highlight larger",
         }
     }
 }
@@ -188,12 +193,17 @@ impl HighlightGizmo {
             HighlightHandle::Ring => at + RING * y,
             HighlightHandle::Stretch => at + stretch_way(layer.stretch.value) * x,
             HighlightHandle::Split => at - split_way(layer.split.value) * x,
+            HighlightHandle::Size => {
+                at + (NEAR + SIZE * layer.edge()?.at.min(1.0) as f32) * (x - y).normalized()
+            }
         })
     }
 
+    /// Setting of a handle that has one of its own.
     fn setting(&self, handle: HighlightHandle) -> Option<&Setting<f64>> {
         let layer = self.layer()?;
         Some(match handle {
+            HighlightHandle::Size => return None,
             HighlightHandle::Middle => layer.moved.iter().max_by_key(|setting| setting.is_wired)?,
             HighlightHandle::Ring => &layer.turn,
             HighlightHandle::Stretch => &layer.stretch,
@@ -201,11 +211,17 @@ impl HighlightGizmo {
         })
     }
 
+    /// True for a handle whose value can be set.
+    fn is_free(&self, handle: HighlightHandle) -> bool {
+        match self.setting(handle) {
+            Some(setting) => !setting.is_wired,
+            None => self.layer().is_some_and(|layer| layer.edge().is_some()),
+        }
+    }
+
     /// Handles that can be dragged, with their places.
     fn handles(&self, rect: Rect) -> impl Iterator<Item = (HighlightHandle, Pos2)> {
-        let free = HighlightHandle::ALL
-            .into_iter()
-            .filter(|handle| self.setting(*handle).is_some_and(|setting| !setting.is_wired));
+        let free = HighlightHandle::ALL.into_iter().filter(|handle| self.is_free(*handle));
         free.filter_map(move |handle| Some((handle, self.place(handle, rect)?)))
     }
 
@@ -272,8 +288,17 @@ impl HighlightGizmo {
                 let way = f64::from((-(at - middle).dot(x) - NEAR) / SPLIT);
                 vec![set(&layer.split, way.clamp(0.0, 1.0))]
             }
+            HighlightHandle::Size => {
+                let (middle, [x, y]) = self.places(rect)?;
+                let way = (at - middle).dot((x - y).normalized());
+                let radius = (f64::from((way - NEAR) / SIZE).clamp(0.0, 1.0) * 1e4).round() / 1e4;
+                layer.values_of(layer.edge()?.moved_to(radius))
+            }
         };
-        let edit = session.keys().set_all_at(values);
+        let edit = match held.handle {
+            HighlightHandle::Size => session.keys().set_together(&values),
+            _ => session.keys().set_all_at(values),
+        };
         Some(Command::EditHeld(Id::unique(("highlight", held.handle.label())), edit))
     }
 
@@ -322,7 +347,7 @@ impl HighlightGizmo {
                         painter.line_segment(ends, Stroke::new(2.0, color));
                     }
                 }
-                HighlightHandle::Middle | HighlightHandle::Ring => {
+                HighlightHandle::Middle | HighlightHandle::Ring | HighlightHandle::Size => {
                     painter.circle_filled(at, size + 2.0, halo);
                     painter.circle_filled(at, size, color);
                 }

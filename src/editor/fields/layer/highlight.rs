@@ -2,6 +2,8 @@
 
 use super::Setting;
 use super::place::NodeInGraph;
+use crate::document::{Target, Value};
+use crate::fields::edge::{ProfileEdge, in_order};
 use crate::ids::LightId;
 use crate::state::session::Session;
 
@@ -18,6 +20,24 @@ pub(crate) struct SelectedHighlight {
     pub(crate) stretch: Setting<f64>,
     /// Distance of its halves along the first axis.
     pub(crate) split: Setting<f64>,
+    /// Offset, fall-off and cut-off, in radians.
+    shape: [Setting<f64>; 3],
+}
+
+impl SelectedHighlight {
+    /// Edge of the highlight, as far from its middle as it is large; `None` where its profile is no
+    /// edge, or comes by wires.
+    pub(crate) fn edge(&self) -> Option<ProfileEdge> {
+        let is_free = self.shape.iter().all(|setting| !setting.is_wired);
+        let angles = in_order(self.shape.each_ref().map(|setting| setting.at_key));
+        ProfileEdge::of(angles).filter(|_| is_free)
+    }
+
+    /// Values of the three angles for an edge.
+    pub(crate) fn values_of(&self, edge: ProfileEdge) -> Vec<(Target, Value)> {
+        let targets = self.shape.iter().map(|setting| setting.target.clone());
+        targets.zip(edge.angles().map(Value::Number)).collect()
+    }
 }
 
 /// Highlight layer of the node that was selected last, if there is one.
@@ -32,6 +52,7 @@ pub(crate) fn selected_highlight(session: &Session) -> Option<SelectedHighlight>
         turn: place.number("turn")?,
         stretch: place.number("stretch")?,
         split: place.number("split")?,
+        shape: place.shape()?,
         light: place.light()?,
     })
 }
