@@ -259,9 +259,9 @@ fn band_row(
             bands.remove(index);
         } else if act(ui, "+", "Split", "Makes two bands of this one", count < Bands::MOST) {
             bands.split(index);
-        } else if act(ui, "⏷", "Darken", "Its color to the next band", number < count) {
+        } else if act(ui, "⏷", "Move down", "Its color to the next band", number < count) {
             bands.swap(index, index + 1);
-        } else if act(ui, "⏶", "Lighten", "Its color to the band before", index > 0) {
+        } else if act(ui, "⏶", "Move up", "Its color to the band before", index > 0) {
             bands.swap(index, index - 1);
         }
     });
