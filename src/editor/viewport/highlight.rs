@@ -372,6 +372,10 @@ impl HighlightGizmo {
             HighlightHandle::Stretch => {
                 format!("Stretch {}", values::number_text(layer.stretch.value, 2))
             }
+            HighlightHandle::Size => {
+                let edge = layer.edge().map_or(0.0, |edge| edge.at.to_degrees());
+                format!("{}°", values::number_text(edge, 1))
+            }
             HighlightHandle::Split => {
                 format!("Split {}", values::number_text(layer.split.value, 2))
             }
