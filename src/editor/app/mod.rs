@@ -9,6 +9,7 @@ pub(crate) mod dialogs;
 pub(crate) mod dock;
 mod files;
 mod fitting;
+mod library;
 pub(crate) mod look_export;
 mod painting;
 pub(crate) mod path_field;

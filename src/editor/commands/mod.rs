@@ -10,6 +10,7 @@ mod file_purpose;
 mod fit;
 mod graph;
 pub(crate) mod keyboard;
+mod library;
 mod painting;
 mod panel_id;
 mod picture;
@@ -36,6 +37,7 @@ pub(crate) use display::DisplayCommand;
 pub(crate) use file_purpose::{FilePurpose, IMAGES, MESHES, PAINTING};
 pub(crate) use fit::{FitCommand, FitGoal, LightBrush, SketchCommand};
 pub(crate) use graph::{GraphCommand, Heading};
+pub(crate) use library::{LibraryCommand, PartSpot};
 pub(crate) use painting::{GridPreset, PaintCommand, PaintTool, PictureImport};
 pub(crate) use panel_id::PanelId;
 pub(crate) use picture::{PictureExport, ViewCommand};
@@ -155,6 +157,8 @@ pub(crate) enum Command {
     View(ViewCommand),
     /// Command about the graph on the canvas.
     Graph(GraphCommand),
+    /// Command about the library of parts.
+    Library(LibraryCommand),
     /// Command about the scene around the look.
     Scene(SceneCommand),
     /// Command about the HCBTF that is being painted.

@@ -10,6 +10,7 @@ use crate::hcbtf::Device;
 use crate::painter::Painting;
 use crate::panels::cost::Cost;
 use crate::panels::export::ExportCards;
+use crate::panels::library::saved::SavedParts;
 use crate::panels::links::Links;
 use crate::panels::wedge::Wedge;
 use crate::render::Gpu;
@@ -29,6 +30,7 @@ pub(crate) struct Workbench {
     pub(crate) links: Links,
     pub(crate) export: ExportCards,
     pub(crate) wedge: Wedge,
+    pub(crate) parts: SavedParts,
     pub(crate) thumbs: Thumbs,
     /// State of the other panels.
     pub(crate) memory: PanelMemory,
@@ -53,6 +55,7 @@ impl Workbench {
             links: Links::new(wake.clone()),
             export: ExportCards::new(wake.clone()),
             wedge: Wedge::new(wake.clone()),
+            parts: SavedParts::new(wake.clone()),
             thumbs: Thumbs::new(gpu, crashes, wake),
             picture,
             memory: PanelMemory::default(),
