@@ -73,7 +73,9 @@ fn a_layer_goes_from_one_look_to_another() {
     hand.double_click(part);
     hand.settle();
     assert_eq!(layers(&hand), ["rim", "body", "base"]);
-    assert!(hand.look().graph.nodes.contains_key("tint") && hand.look().lights.contains_key("back"));
+    assert!(
+        hand.look().graph.nodes.contains_key("tint") && hand.look().lights.contains_key("back")
+    );
     let told = hand.app().message().unwrap_or_default().to_owned();
     assert!(told.contains("copied into this look, over Body · with its light Moon"), "{told}");
     assert_eq!(hand.selected(), ["rim"]);

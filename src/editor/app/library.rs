@@ -56,7 +56,7 @@ impl App {
     }
 
     fn place_part(&mut self, part: &Part, spot: PartSpot) {
-        let PartContent { kind, look } = match &part.content {
+        let PartContent { kind, look, .. } = match &part.content {
             Ok(content) => content,
             Err(why) => {
                 self.message = Some(format!("\"{}\" cannot be read: {why}", part.name));

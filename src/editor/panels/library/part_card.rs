@@ -14,7 +14,6 @@ use super::drops;
 use crate::commands::{Command, LibraryCommand, PartSpot};
 use crate::document::{Look, Ramp, Value};
 use crate::state::crashes::DocumentOrigin;
-use crate::state::parts::placing::shown;
 use crate::state::parts::{Part, PartKind};
 use crate::state::session::Session;
 use crate::widgets::ramp;
@@ -40,10 +39,10 @@ pub(super) struct PartCard {
 
 impl PartCard {
     pub(super) fn new(part: &Arc<Part>, folder: Option<PathBuf>) -> Self {
-        let look = part.content.as_ref().ok().and_then(|content| {
-            let look = shown(&content.look, content.kind)?;
+        let shown = part.content.as_ref().ok().and_then(|content| content.shown.clone());
+        let look = shown.map(|look| {
             let key = key_of(&look, Shot::Whole, SIDE);
-            Some((Arc::new(look), key))
+            (look, key)
         });
         Self { part: part.clone(), folder, look }
     }

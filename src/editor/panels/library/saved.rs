@@ -123,7 +123,7 @@ impl SavedParts {
             for shelf in &shelves {
                 count += self.shelf(ui, session, shelf, (query, thumbs), &mut out);
             }
-            self.title(ui, "Comes with Chiaro", None, &mut out);
+            title(ui, "Comes with Chiaro", None, &mut out);
             count += self.grid(ui, session, None, (query, thumbs), &mut out);
             if count == 0 {
                 hint(ui, "No part has these words in its name, its tags or its description");
@@ -164,7 +164,7 @@ impl SavedParts {
         egui_frame(ui).show(ui, |ui| {
             let word = form.draft.kind.word();
             ui.label(RichText::new(format!("Save to the library: {word}")).strong());
-            let mut field = |ui: &mut Ui, text: &mut String, label: &str, help: &str| {
+            let field = |ui: &mut Ui, text: &mut String, label: &str, help: &str| {
                 let edit = TextEdit::singleline(text)
                     .hint_text(label)
                     .desired_width(f32::INFINITY)
@@ -263,7 +263,7 @@ impl SavedParts {
         search: (&str, &Thumbs),
         out: &mut Vec<Command>,
     ) -> usize {
-        self.title(ui, shelf.title, Some(shelf), out);
+        title(ui, shelf.title, Some(shelf), out);
         let found = self.found.iter().find(|found| found.folder == shelf.folder);
         if let Some(lacking) = found.and_then(|found| found.lacking.as_ref()) {
             ui.label(RichText::new(lacking).small().color(theme::of(ui).warning));
@@ -274,24 +274,6 @@ impl SavedParts {
             Some(_) => {}
         }
         self.grid(ui, session, Some(&shelf.folder), search, out)
-    }
-
-    fn title(&self, ui: &mut Ui, title: &str, shelf: Option<&Shelf>, out: &mut Vec<Command>) {
-        ui.horizontal(|ui| {
-            let label = Label::new(RichText::new(title).strong()).truncate();
-            let label = ui.add(label);
-            let Some(shelf) = shelf else { return };
-            label.on_hover_text(shelf.folder.display().to_string());
-            if shelf.is_shared {
-                let button = ui.small_button("Take off").on_hover_text("Its files stay");
-                let name = format!("Take off {}", shelf.folder.display());
-                button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
-                if button.clicked() {
-                    let folder = shelf.folder.clone();
-                    out.push(Command::Library(LibraryCommand::RemoveFolder(folder)));
-                }
-            }
-        });
     }
 
     /// Shows the parts of a folder, or of Chiaro, that are found; returns their number.
@@ -353,6 +335,25 @@ impl SavedParts {
             }
         });
     }
+}
+
+/// Shows the title of a folder.
+fn title(ui: &mut Ui, title: &str, shelf: Option<&Shelf>, out: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        let label = Label::new(RichText::new(title).strong()).truncate();
+        let label = ui.add(label);
+        let Some(shelf) = shelf else { return };
+        label.on_hover_text(shelf.folder.display().to_string());
+        if shelf.is_shared {
+            let button = ui.small_button("Take off").on_hover_text("Its files stay");
+            let name = format!("Take off {}", shelf.folder.display());
+            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+            if button.clicked() {
+                let folder = shelf.folder.clone();
+                out.push(Command::Library(LibraryCommand::RemoveFolder(folder)));
+            }
+        }
+    });
 }
 
 fn egui_frame(ui: &Ui) -> eframe::egui::Frame {

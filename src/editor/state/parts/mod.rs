@@ -189,6 +189,8 @@ pub(crate) struct Part {
 pub(crate) struct PartContent {
     pub(crate) kind: PartKind,
     pub(crate) look: Arc<Look>,
+    /// Look that the part is shown by; `None` where there is nothing to draw.
+    pub(crate) shown: Option<Arc<Look>>,
 }
 
 impl Part {
@@ -198,7 +200,10 @@ impl Part {
         let name = if look.name.is_empty() { stem() } else { look.name.clone() };
         let (tags, about) = (look.tags.clone(), look.about.clone());
         let content = PartKind::of(&look, catalog)
-            .map(|kind| PartContent { kind, look: Arc::new(look) })
+            .map(|kind| {
+                let shown = placing::shown(&look, kind).map(Arc::new);
+                PartContent { kind, look: Arc::new(look), shown }
+            })
             .ok_or_else(|| "There is nothing in it: no node, no group and no light".to_owned());
         Self { path, name, tags, about, content }
     }

@@ -97,11 +97,13 @@ fn between(
     let mut trial = to.look.clone();
     trial.apply(pasted.edit.clone()).map_err(|problem| problem.message)?;
     let catalog = to.catalog_of(&trial);
+    // Groups of the part may have other names in the trial.
+    let own = to.catalog_of(part);
     let here = |id: &NodeId| {
         let index = part.graph.nodes.get_index_of(id)?;
         pasted.nodes.get(index).cloned()
     };
-    let (inlet, outlet) = match ends(part, &catalog) {
+    let (inlet, outlet) = match ends(part, &own) {
         Some([bottom, top]) => (
             here(bottom).map(|id| Endpoint::new(id, BELOW)),
             here(top).map(|id| Endpoint::new(id, BELOW)),
@@ -114,7 +116,7 @@ fn between(
         ));
     };
     let mut edits = vec![pasted.edit];
-    edits.extend(room(to.look, &trial, &pasted.nodes, from.as_ref(), &into));
+    edits.extend(room(to.look, &trial, (&pasted.nodes, &outlet.node), from.as_ref(), &into));
     edits.extend(rename(to.look, &trial, &outlet.node));
     let wires =
         [from.map(|from| Wire { from, to: inlet }), Some(Wire { from: outlet.clone(), to: into })];
@@ -247,7 +249,7 @@ fn paste(
 
 /// The wire by which a layer, or the ground, gives its stack on.
 fn wire_over<'l>(look: &'l Look, stack: &Stack, id: &NodeId) -> Option<&'l Wire> {
-    let is_stack = |port: &PortName| port.is_empty() || port.as_str() == BELOW;
+    let is_stack = |port: &PortName| port.as_str().is_empty() || port.as_str() == BELOW;
     let is_ground = stack.ground.as_ref().is_some_and(|ground| ground.node == *id);
     let mut wires = look.graph.wires.iter().filter(|wire| wire.from.node == *id);
     let leads_on = |wire: &&Wire| {
@@ -306,17 +308,17 @@ fn through(
     (inlet, outlet)
 }
 
-/// Moves of nodes, so that placed ones lie between two others: what lies to the right of them is
-/// moved on.
+/// Moves of nodes, so that placed ones lie between two others, with the last on their level: what
+/// lies to the right of them is moved on.
 fn room(
     look: &Look,
     trial: &Look,
-    placed: &[NodeId],
+    (placed, last): (&[NodeId], &NodeId),
     from: Option<&Endpoint>,
     into: &Endpoint,
 ) -> Vec<Edit> {
     let place = |id: &NodeId| trial.graph.nodes.get(id).map(|node| node.position);
-    let (Some(target), Some(last)) = (place(&into.node), placed.last().and_then(place)) else {
+    let (Some(target), Some(last)) = (place(&into.node), place(last)) else {
         return Vec::new();
     };
     let xs = || placed.iter().filter_map(place).map(|[x, _]| x);

@@ -87,7 +87,7 @@ fn found_in(
     if files.metadata(folder).is_none() {
         return found;
     }
-    let walked = files.walk(folder, BOUNDS, &|inner| !is_hidden(inner));
+    let walked = files.walk(folder, BOUNDS, &|inner| inner == folder || !is_hidden(inner));
     if walked.is_cut {
         found.lacking =
             Some(format!("It has more than {} entries; others are left out", BOUNDS.entries));

@@ -208,7 +208,11 @@ impl PartSource<'_> {
         if targets.any(is_of_part) {
             notes.push("Keys stay with this look".to_owned());
         }
-        let open = self.look.graph.wires.iter().filter(|wire| {
+        let graph = match choice {
+            PartChoice::Nodes(_) => self.graph,
+            _ => &self.look.graph,
+        };
+        let open = graph.wires.iter().filter(|wire| {
             let nodes = &part.graph.nodes;
             nodes.contains_key(&wire.to.node)
                 && wire.to.port.as_str() != BELOW
