@@ -8,12 +8,15 @@ pub(super) fn rank(query: &str, texts: &[&str]) -> Option<usize> {
     }
     let texts: Vec<String> = texts.iter().map(|text| text.to_lowercase()).collect();
     let query = query.to_lowercase();
-    let parts = |text: &'_ str| text.split(|c: char| !c.is_alphanumeric()).map(str::to_owned);
     let wanted = parts(&query).filter(|word| !word.is_empty());
-    let place = |word: String| {
-        texts.iter().position(|text| parts(text).any(|known| known.starts_with(&word)))
-    };
+    let place =
+        |word: &str| texts.iter().position(|text| parts(text).any(|known| known.starts_with(word)));
     wanted.map(place).try_fold(0, |most, place| Some(most.max(place?)))
+}
+
+/// Words of a text.
+fn parts(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !c.is_alphanumeric())
 }
 
 #[cfg(test)]
