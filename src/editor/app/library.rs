@@ -36,8 +36,8 @@ impl App {
                 let from = self.session.path().and_then(Path::parent).map(absolute);
                 let catalog = &self.session.project.catalog;
                 match saving::save(&draft, &absolute(&folder), from.as_deref(), catalog) {
-                    Ok((path, told)) => {
-                        self.bench.parts.saved(&path);
+                    Ok((_, told)) => {
+                        self.bench.parts.saved();
                         self.message = Some(told);
                     }
                     Err(why_not) => self.message = Some(why_not),

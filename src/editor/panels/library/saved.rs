@@ -29,7 +29,7 @@ const GAP: f32 = 6.0;
 /// Folder of the library, as the panel lists it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Shelf {
-    title: &'static str,
+    title: String,
     folder: PathBuf,
     /// True for a folder that can be taken off the list.
     is_shared: bool,
@@ -99,7 +99,7 @@ impl SavedParts {
     }
 
     /// Notes that a part was saved: its folder is read again.
-    pub(crate) fn saved(&mut self, _path: &Path) {
+    pub(crate) fn saved(&mut self) {
         self.form = None;
         self.is_stale = true;
     }
@@ -137,7 +137,8 @@ impl SavedParts {
     fn read(&mut self, ui: &Ui, session: &Session, shelves: &[Shelf]) {
         let folders: Vec<PathBuf> = shelves.iter().map(|shelf| shelf.folder.clone()).collect();
         let is_focused = ui.input(|input| input.focused);
-        let has_come_back = is_focused && !std::mem::replace(&mut self.was_focused, is_focused);
+        let was_focused = std::mem::replace(&mut self.was_focused, is_focused);
+        let has_come_back = is_focused && !was_focused;
         let wake = self.wake.clone();
         let reader = self.reader.get_or_insert_with(|| {
             PartsReader::new(session.assets.source().clone(), move || wake())
@@ -187,14 +188,14 @@ impl SavedParts {
                 .as_ref()
                 .and_then(|folder| shelves.iter().find(|shelf| shelf.folder == *folder))
                 .or(shelves.first());
-            let text = chosen.map_or("No folder", |shelf| shelf.title);
+            let text = chosen.map_or("No folder", |shelf| &shelf.title);
             ui.horizontal_wrapped(|ui| {
                 ui.label("In");
                 let combo =
                     ComboBox::from_id_salt("folder").selected_text(text).show_ui(ui, |ui| {
                         for shelf in shelves {
                             let is_chosen = chosen == Some(shelf);
-                            let row = ui.selectable_label(is_chosen, shelf.title);
+                            let row = ui.selectable_label(is_chosen, &shelf.title);
                             if row.on_hover_text(shelf.folder.display().to_string()).clicked() {
                                 form.folder = Some(shelf.folder.clone());
                             }
@@ -263,7 +264,7 @@ impl SavedParts {
         search: (&str, &Thumbs),
         out: &mut Vec<Command>,
     ) -> usize {
-        title(ui, shelf.title, Some(shelf), out);
+        title(ui, &shelf.title, Some(shelf), out);
         let found = self.found.iter().find(|found| found.folder == shelf.folder);
         if let Some(lacking) = found.and_then(|found| found.lacking.as_ref()) {
             ui.label(RichText::new(lacking).small().color(theme::of(ui).warning));
@@ -364,9 +365,9 @@ fn egui_frame(ui: &Ui) -> eframe::egui::Frame {
 /// Folders of the library: the user's own, the project's, and those that others share.
 fn shelves(session: &Session, safety: &Safety) -> Vec<Shelf> {
     let mut shelves: Vec<Shelf> = Vec::new();
-    let mut add = |title, folder: PathBuf, is_shared| {
+    let mut add = |title: &str, folder: PathBuf, is_shared| {
         if shelves.iter().all(|shelf| shelf.folder != folder) {
-            shelves.push(Shelf { title, folder, is_shared });
+            shelves.push(Shelf { title: title.to_owned(), folder, is_shared });
         }
     };
     if let Some(folder) = safety.library() {
@@ -378,7 +379,8 @@ fn shelves(session: &Session, safety: &Safety) -> Vec<Shelf> {
         add("This project", folder, false);
     }
     for folder in &safety.settings.library_folders {
-        add("Shared", folder.clone(), true);
+        let name = folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy();
+        add(&format!("Shared: {name}"), folder.clone(), true);
     }
     shelves
 }
