@@ -188,7 +188,7 @@ impl SavedParts {
                 .as_ref()
                 .and_then(|folder| shelves.iter().find(|shelf| shelf.folder == *folder))
                 .or(shelves.first());
-            let text = chosen.map_or("No folder", |shelf| &shelf.title);
+            let text = chosen.map_or("No folder", |shelf| shelf.title.as_str());
             ui.horizontal_wrapped(|ui| {
                 ui.label("In");
                 let combo =
