@@ -7,7 +7,7 @@ use super::files::PendingAction;
 use crate::commands::{LibraryCommand, PanelId, PartSpot};
 use crate::document::GraphId;
 use crate::ids::{NodeId, ObjectId, PortName};
-use crate::state::parts::placing::{self, Placement, Target, rebase};
+use crate::state::parts::placing::{self, Placement, Recipient, rebase};
 use crate::state::parts::saving::{self, PartSource};
 use crate::state::parts::{Part, PartContent, PartKind};
 use crate::state::paths::absolute;
@@ -113,7 +113,7 @@ impl App {
         spot: &PartSpot,
     ) -> Result<Placement, String> {
         let session = &self.session;
-        let to = self.target();
+        let to = self.recipient();
         let graph = session.selection.graph_id();
         let middle = || {
             let at = self.bench.canvas.place_for(None);
@@ -158,7 +158,7 @@ impl App {
         let Some((id, node)) = id.and_then(|id| graph.nodes.get_key_value(&id)) else {
             return Err(format!("Select the node that \"{}\" is for", part.name));
         };
-        let to = self.target();
+        let to = self.recipient();
         let mut values = placing::values(to, node, look, port.as_ref());
         if values.is_empty() {
             values = placing::values(to, node, look, None);
@@ -217,8 +217,8 @@ impl App {
         found.is_some_and(|object| object.looks.values().any(|look| *look == name))
     }
 
-    fn target(&self) -> Target<'_> {
-        Target {
+    fn recipient(&self) -> Recipient<'_> {
+        Recipient {
             look: self.session.look(),
             catalog: &self.session.project.catalog,
             library: &self.session.project.library,

@@ -28,13 +28,13 @@ pub(crate) struct Placement {
 
 /// Look that a part is placed in.
 #[derive(Clone, Copy)]
-pub(crate) struct Target<'a> {
+pub(crate) struct Recipient<'a> {
     pub(crate) look: &'a Look,
     pub(crate) catalog: &'a Catalog,
     pub(crate) library: &'a Library,
 }
 
-impl Target<'_> {
+impl Recipient<'_> {
     /// The catalog of the look after an edit.
     fn catalog_of(self, trial: &Look) -> Catalog {
         let mut catalog = Catalog::new(self.library);
@@ -48,7 +48,7 @@ impl Target<'_> {
 /// # Errors
 /// The reason why they cannot be laid there.
 pub(crate) fn layer(
-    to: Target<'_>,
+    to: Recipient<'_>,
     (name, part): (&str, &Look),
     over: Option<&NodeId>,
 ) -> Result<Placement, String> {
@@ -76,7 +76,7 @@ pub(crate) fn layer(
 /// # Errors
 /// The reason why it does not fit there.
 pub(crate) fn in_wire(
-    to: Target<'_>,
+    to: Recipient<'_>,
     (name, part): (&str, &Look),
     wire: &Wire,
 ) -> Result<Placement, String> {
@@ -87,7 +87,7 @@ pub(crate) fn in_wire(
 
 /// Puts a part between an output and an input, where there is room made for it.
 fn between(
-    to: Target<'_>,
+    to: Recipient<'_>,
     (name, part): (&str, &Look),
     from: Option<Endpoint>,
     into: Endpoint,
@@ -135,7 +135,7 @@ fn between(
 /// # Errors
 /// The reason why they cannot be added.
 pub(crate) fn nodes(
-    to: Target<'_>,
+    to: Recipient<'_>,
     graph: &GraphId,
     (name, part): (&str, &Look),
     at: [f64; 2],
@@ -206,7 +206,7 @@ pub(crate) fn lights(look: &Look, (name, part): (&str, &Look)) -> Result<Placeme
 /// Values of a profile or a ramp for a node of a kind: by name, and a ramp or a curve also for the
 /// only input of that type, or for `port`. Empty where the node takes none of them.
 pub(crate) fn values(
-    to: Target<'_>,
+    to: Recipient<'_>,
     node: &Node,
     part: &Look,
     port: Option<&PortName>,
@@ -353,14 +353,14 @@ fn rename(look: &Look, trial: &Look, id: &NodeId) -> Option<Edit> {
 }
 
 /// Display name of a node of the look's own graph.
-fn title(to: Target<'_>, id: &NodeId) -> String {
+fn title(to: Recipient<'_>, id: &NodeId) -> String {
     let Some(node) = to.look.graph.nodes.get(id) else { return id.to_string() };
     let kind = || to.catalog.of(node).map_or_else(|| id.to_string(), |kind| kind.label.to_string());
     if node.name.is_empty() { kind() } else { node.name.clone() }
 }
 
 /// What a part brings along, and what of its names the look had already.
-fn along(to: Target<'_>, part: &Look) -> String {
+fn along(to: Recipient<'_>, part: &Look) -> String {
     let mut told = String::new();
     let mut tell = |what: &str, names: Vec<String>| {
         if !names.is_empty() {
@@ -461,7 +461,7 @@ pub(crate) fn shown(part: &Look, kind: PartKind) -> Option<Look> {
             look.lights.clone_from(&part.lights);
             let mut catalog = Catalog::new(library);
             catalog.sync(&look, library);
-            let to = Target { look: &look, catalog: &catalog, library };
+            let to = Recipient { look: &look, catalog: &catalog, library };
             let placed = layer(to, ("", part), None).ok()?;
             look.apply(placed.edit).ok()?;
             Some(look)

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use super::placing::{self, Target};
+use super::placing::{self, Recipient};
 use super::saving::{PartChoice, PartDraft, PartSource, save};
 use super::{FoundParts, Part, PartKind, PartsReader, shipped};
 use crate::catalog::Catalog;
@@ -62,8 +62,8 @@ fn draft(look: &Look, choice: &PartChoice) -> Result<PartDraft, String> {
     PartSource { look, graph: &look.graph, catalog: &catalog }.draft(choice)
 }
 
-fn to<'a>(look: &'a Look, catalog: &'a Catalog) -> Target<'a> {
-    Target { look, catalog, library: Library::built_in() }
+fn to<'a>(look: &'a Look, catalog: &'a Catalog) -> Recipient<'a> {
+    Recipient { look, catalog, library: Library::built_in() }
 }
 
 fn order(look: &Look) -> Vec<String> {
