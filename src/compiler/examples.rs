@@ -17,6 +17,36 @@ include!(concat!(env!("OUT_DIR"), "/examples.rs"));
 /// Contents of the gallery: `examples/gallery.json`.
 pub const GALLERY: &str = include_str!("examples/gallery.json");
 
+/// Subjects of the examples, and the examples of each, the best first: `examples/order.txt`.
+const ORDER: &str = include_str!("examples/order.txt");
+
+/// Subject that examples are sorted under.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Subject {
+    /// Title of the subject.
+    pub title: &'static str,
+    /// Line on what the examples have in common.
+    pub about: &'static str,
+    /// Names of the examples, without [`PREFIX`], each with its tags: words to find it by.
+    pub examples: Vec<(&'static str, &'static str)>,
+}
+
+/// Subjects of all example documents, in the order of [`documents`].
+pub fn subjects() -> Vec<Subject> {
+    let mut subjects: Vec<Subject> = Vec::new();
+    for line in ORDER.lines() {
+        let (first, rest) = line.split_once(" | ").unwrap_or((line, ""));
+        match (first.strip_prefix("# "), subjects.last_mut()) {
+            (Some(title), _) => {
+                subjects.push(Subject { title, about: rest, examples: Vec::new() });
+            }
+            (None, Some(subject)) => subject.examples.push((first, rest)),
+            (None, None) => {}
+        }
+    }
+    subjects
+}
+
 /// Names of all example looks, scenes and HCBTFs, without [`PREFIX`].
 pub fn documents() -> impl Iterator<Item = &'static str> {
     EXAMPLES.iter().map(|(name, _)| *name).filter(|name| name.ends_with(".json"))
@@ -85,5 +115,14 @@ mod tests {
             let text = super::text(Path::new(&format!("{PREFIX}{name}"))).unwrap();
             assert!(!text.contains("\"../"), "{name}");
         }
+    }
+
+    #[test]
+    fn every_document_has_one_subject_and_tags() {
+        let subjects = subjects();
+        let listed = subjects.iter().flat_map(|subject| &subject.examples);
+        assert!(listed.clone().map(|(name, _)| *name).eq(documents()), "in the same order");
+        assert!(listed.clone().all(|(_, tags)| !tags.is_empty()));
+        assert!(subjects.iter().all(|subject| !subject.about.is_empty()));
     }
 }

@@ -50,6 +50,7 @@ pub struct Table<'a> {
     /// Type of the content in the crate.
     pub content: Content,
     /// File below `base` that lists paths, one a line, that come first; other paths follow by name.
+    /// Words after ` | ` and lines that are no paths are for others.
     pub order: Option<&'a str>,
 }
 
@@ -138,7 +139,8 @@ fn ranks(file: &Path) -> HashMap<String, usize> {
     watch(file);
     let text =
         fs::read_to_string(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
-    text.lines().map(str::to_owned).zip(0..).collect()
+    let path = |line: &str| line.split_once(" | ").map_or(line, |(path, _)| path).to_owned();
+    text.lines().map(path).zip(0..).collect()
 }
 
 /// Tells cargo to run the build script again when a file or folder changes.

@@ -16,6 +16,7 @@ mod keys;
 mod kills;
 mod layer_links;
 mod layout;
+mod library;
 mod light_panels;
 mod light_shots;
 mod monkey;

@@ -488,7 +488,7 @@ fn a_look_of_the_library_opens_as_a_new_one() {
         .and_then(|node| node.accesskit_node().label())
         .expect("one");
     hand.press(&name);
-    assert_eq!(hand.look().name, "Layers");
+    assert_eq!(Some(hand.look().name.as_str()), name.strip_prefix("Open the look "));
     assert!(hand.app().session().path().is_none() && !hand.app().session().is_dirty());
 }
 
@@ -548,14 +548,10 @@ fn what_was_opened_before_is_among_the_looks() {
     hand.press("Looks");
     let search = hand.place("Search looks").center();
     hand.click(search);
-    hand.type_text("·");
+    hand.type_text("layers figure");
     hand.settle();
     hand.press("Open the look Layers · Figure 1");
     assert!(hand.app().session().path().is_none(), "the example");
-    hand.click(search);
-    hand.key(Key::End);
-    hand.key(Key::Backspace);
-    hand.settle();
     hand.press("Open the look figure1-layers");
     assert!(
         hand.app().session().path().is_some_and(|path| path.ends_with("figure1-layers.json")),

@@ -126,6 +126,10 @@ fn the_start_page_has_every_example_and_leaves_when_one_is_opened() {
         files("scenes").len()
     );
     assert!(!has(&hand, "Recent files") && !says(&hand, "is gone"));
+    // Nothing is clicked first: what is typed is searched for.
+    hand.type_text("layers rim");
+    hand.settle();
+    assert!(!has(&hand, "Open the look Anime face"), "only what has all words");
     press(&mut hand, "Open the look Layers · Figure 1");
     assert!(!hand.app().shows_start_page());
     assert_eq!((hand.look().name.as_str(), hand.app().session().path()), ("Layers", None));
@@ -197,6 +201,10 @@ fn what_was_open_is_offered_and_what_is_gone_is_forgotten() {
             && has(&hand, "lost is gone")
     );
     assert!(has(&hand, "Open the scene stage"));
+    // The tile of the file that is gone has a place of its own.
+    let rect = |label: &str| hand.harness.get_by_label(label).rect();
+    let others = ["Open the look rim", "Open the scene stage", "Open the look odd"].map(rect);
+    assert!(others.iter().all(|other| !other.intersects(rect("lost is gone").shrink(1.0))));
     press(&mut hand, "Forget lost");
     assert!(!has(&hand, "lost is gone") && !hand.app().settings().recent.contains(&lost));
     assert!(hand.app().shows_start_page(), "forgetting opens nothing");
@@ -253,34 +261,39 @@ fn paintings_that_were_open_show_themselves_and_examples_are_no_files() {
 fn the_keyboard_reaches_everything() {
     let home = Home::new();
     let mut hand = home.window(None);
+    assert_eq!(focused(&hand).as_deref(), Some("Find an example"));
+    hand.key(Key::Escape);
+    assert!(hand.app().shows_start_page(), "the field is left first");
     hand.key(Key::ArrowDown);
     assert_eq!(focused(&hand).as_deref(), Some("Take the tour"));
     hand.key(Key::Tab);
     assert_eq!(focused(&hand).as_deref(), Some("New look"));
     let mut seen = Vec::new();
+    let is_example = |label: &String| label.starts_with("Open the look");
     for _ in 0..40 {
         hand.key(Key::Tab);
         seen.extend(focused(&hand));
-        if seen.last().is_some_and(|label| label == "Open the look Litsphere · Figure 2") {
+        if seen.iter().filter(|label| is_example(label)).count() == 11 {
             break;
         }
     }
     assert!(seen.iter().any(|label| label == "Open a file"), "{seen:?}");
-    let examples = seen.iter().filter(|label| label.starts_with("Open the look")).count();
-    assert!(examples >= 11, "{seen:?}");
-    let first = seen.iter().position(|label| label == "Open the look Layers · Figure 1").unwrap();
+    assert!(seen.iter().any(|label| label == "Ink and print"), "subjects too: {seen:?}");
+    let first = seen.iter().position(is_example).unwrap();
+    assert_eq!(seen[first], "Open the look Anime face", "what sells comes first: {seen:?}");
     hand.key(Key::Escape);
     hand.key(Key::Escape);
     assert!(!hand.app().shows_start_page());
     hand.key_with(Modifiers::ALT, Key::Home);
     assert!(hand.app().shows_start_page());
+    hand.key(Key::Escape);
     hand.key(Key::ArrowDown);
     for _ in 0..first + 2 {
         hand.key(Key::Tab);
     }
     hand.key(Key::Enter);
     hand.settle();
-    assert_eq!(hand.look().name, "Layers");
+    assert_eq!(hand.look().name, "Anime face");
 }
 
 #[test]
@@ -323,7 +336,7 @@ fn the_start_page_holds_in_narrow_windows_at_any_scale_in_both_themes() {
                     "{label} at {rect} of {width}"
                 );
             }
-            let card = hand.harness.get_by_label("Open the look Layers · Figure 1").rect();
+            let card = hand.harness.get_by_label("Open the look Anime face").rect();
             assert!(card.right() <= width + 0.5 && card.width() > 100.0, "{card} of {width}");
         }
     }

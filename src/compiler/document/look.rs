@@ -42,6 +42,8 @@ described! {
         name: String = String::new(), FieldKind::Text(LINE);
         /// Paragraph on the picture and its construction, for whoever finds the look.
         about: String = String::new(), FieldKind::Text(LONG);
+        /// Words to find the look by in a library, apart by spaces.
+        tags: String = String::new(), FieldKind::Text(LINE);
         /// Meaning of the numbers of colors.
         color_space: ColorSpace = ColorSpace::Display, FieldKind::Word(ColorSpace::WORDS),
             by DocumentSpace;

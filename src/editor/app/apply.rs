@@ -163,6 +163,7 @@ impl App {
                 self.start = None;
                 self.bench.canvas.ask(command);
             }
+            Command::Library(command) => self.apply_to_library(command),
             Command::Scene(command) => self.apply_scene_command(ui, command),
             Command::Paint(command) => self.apply_to_painting(ui, command),
             Command::Film(command) => self.apply_to_film(ui, command),

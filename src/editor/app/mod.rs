@@ -10,6 +10,7 @@ pub(crate) mod dock;
 mod files;
 mod film;
 mod fitting;
+mod library;
 pub(crate) mod look_export;
 mod masking;
 mod painting;

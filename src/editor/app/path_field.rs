@@ -174,7 +174,9 @@ impl PathField {
 
 fn title(purpose: FilePurpose) -> &'static str {
     match purpose {
-        FilePurpose::Open => "Open a look, a scene, a shot, a painted surface or a sheet of a wedge",
+        FilePurpose::Open => {
+            "Open a look, a scene, a shot, a painted surface or a sheet of a wedge"
+        }
         FilePurpose::Save => "Save the look",
         FilePurpose::SaveScene => "Save the scene",
         FilePurpose::SaveShot => "Save the shot",

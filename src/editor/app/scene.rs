@@ -176,7 +176,7 @@ impl App {
         }
     }
 
-    fn change_object(
+    pub(super) fn change_object(
         &mut self,
         id: &ObjectId,
         change: impl FnOnce(&OpenScene, &mut crate::document::Object),

@@ -34,7 +34,7 @@ use eframe::egui::{Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
 
 use crate::commands::{Command, GraphCommand};
 use crate::diag::Severity;
-use crate::document::GraphId;
+use crate::document::{GraphId, Wire};
 use crate::ids::NodeId;
 use crate::state::revision::{DocumentNumber, ProblemsRevision};
 use crate::state::session::Session;
@@ -476,6 +476,16 @@ impl Canvas {
     /// Brings a node into view in the next frame.
     pub(crate) fn reveal(&mut self, id: NodeId) {
         self.reveal = Some(id);
+    }
+
+    /// Wire under a point of the screen.
+    pub(crate) fn wire_at(&self, session: &Session, at: Pos2) -> Option<Wire> {
+        match self.table.hit(self.view.to_graph(at), 6.0 / self.view.zoom)? {
+            CanvasItem::Wire(row) => {
+                session.graph().wires.get(self.table.wires.get(row)?.index).cloned()
+            }
+            _ => None,
+        }
     }
 
     /// Place of the graph for a new node: under a point of the screen, or in the middle of the

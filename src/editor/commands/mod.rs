@@ -11,6 +11,7 @@ mod film;
 mod fit;
 mod graph;
 pub(crate) mod keyboard;
+mod library;
 mod masking;
 mod painting;
 mod panel_id;
@@ -39,6 +40,7 @@ pub(crate) use file_purpose::{FilePurpose, IMAGES, MESHES, PAINTING};
 pub(crate) use film::FilmCommand;
 pub(crate) use fit::{FitCommand, FitGoal, LightBrush, SketchCommand};
 pub(crate) use graph::{GraphCommand, Heading};
+pub(crate) use library::{LibraryCommand, PartSpot};
 pub(crate) use masking::MaskCommand;
 pub(crate) use painting::{GridPreset, PaintCommand, PaintTool, PictureImport};
 pub(crate) use panel_id::PanelId;
@@ -159,6 +161,8 @@ pub(crate) enum Command {
     View(ViewCommand),
     /// Command about the graph on the canvas.
     Graph(GraphCommand),
+    /// Command about the library of parts.
+    Library(LibraryCommand),
     /// Command about the scene around the look.
     Scene(SceneCommand),
     /// Command about the HCBTF that is being painted.

@@ -1,7 +1,6 @@
 //! Start page, for newcomers and for everyone who opens the window without a file: a new look, the
-//! tours, recent files, and all examples as pictures, in the sections of the gallery and with a
-//! search. The page takes the place of the panels, and leaves as soon as a document is opened or
-//! made.
+//! tours, recent files, and all examples as pictures, by subject and with a search. The page takes
+//! the place of the panels, and leaves as soon as a document is opened or made.
 
 use std::collections::HashMap;
 use std::path::PathBuf;
@@ -11,13 +10,12 @@ use eframe::egui::{
     Button, EventFilter, FontId, Key, Label, Modifiers, Rect, Response, RichText, Role, ScrollArea,
     Sense, Stroke, StrokeKind, TextEdit, TextureHandle, Ui, WidgetInfo, pos2, vec2,
 };
-use serde_json::Value as Json;
 
 use super::library::cards::{self, Card};
 use super::thumbs::Thumbs;
 use crate::commands::table::{self, CommandRow};
 use crate::commands::{Command, PanelId, TourTopic};
-use crate::examples::GALLERY;
+use crate::examples::{Subject, subjects};
 use crate::panels::{PanelContext, Workbench};
 use crate::state::revision::SuspectsRevision;
 use crate::state::session::Session;
@@ -48,8 +46,10 @@ const MOST_RECENT: usize = 12;
 #[derive(Default)]
 pub(crate) struct Start {
     examples: Vec<ExampleSection>,
-    /// Text that the shown examples have in their names or sections; empty for all.
+    /// Words that the shown cards have in their names, tags or subjects; empty for all.
     query: String,
+    /// Title of the only subject that is shown; `None` for all.
+    subject: Option<&'static str>,
     recent: Vec<RecentFile>,
     /// Revision of the suspects when the recent files were read.
     suspects: SuspectsRevision,
@@ -58,50 +58,42 @@ pub(crate) struct Start {
     is_seen: bool,
 }
 
-/// Section of the gallery, with its examples.
+/// Examples of one subject.
 struct ExampleSection {
-    title: String,
-    about: String,
+    title: &'static str,
+    about: &'static str,
     cards: Vec<Card>,
 }
 
 impl ExampleSection {
-    /// All examples, those that no section of the gallery lists last.
+    /// All examples by subject.
     fn all(session: &Session) -> Vec<Self> {
-        let gallery: Json = serde_json::from_str(GALLERY).unwrap_or_default();
-        let text = |value: &Json| value.as_str().unwrap_or_default().to_owned();
-        let listed: Vec<&Json> = gallery["sections"].as_array().into_iter().flatten().collect();
-        let mut sections: Vec<Self> = listed
-            .iter()
-            .map(|section| Self {
-                title: text(&section["title"]),
-                about: text(&section["about"]),
-                cards: Vec::new(),
-            })
-            .collect();
-        sections.push(Self { title: "More".to_owned(), about: String::new(), cards: Vec::new() });
+        let subjects = subjects();
+        let section = |subject: &Subject| Self {
+            title: subject.title,
+            about: subject.about,
+            cards: Vec::new(),
+        };
+        let mut sections: Vec<Self> = subjects.iter().map(section).collect();
         let mut places = HashMap::new();
-        for (index, section) in listed.iter().enumerate() {
-            for entry in section["entries"].as_array().into_iter().flatten() {
-                let file = entry.as_str().or_else(|| entry["file"].as_str()).unwrap_or_default();
-                places.entry(file).or_insert(index);
-            }
+        for (index, subject) in subjects.iter().enumerate() {
+            places.extend(subject.examples.iter().map(|(name, _)| (*name, index)));
         }
         for card in Card::examples(SIDE, session) {
             let place = card.example_name().and_then(|name| places.get(name)).copied();
-            sections[place.unwrap_or(listed.len())].cards.push(card);
+            if let Some(section) = place.and_then(|place| sections.get_mut(place)) {
+                section.cards.push(card);
+            }
         }
-        sections.retain(|section| !section.cards.is_empty());
         sections
     }
 
-    /// Cards that have all words of a query in their name or their section.
+    /// Cards that a query finds, the best first.
     fn found(&self, query: &str) -> Vec<&Card> {
-        let has_all = |card: &&Card| {
-            let text = format!("{} {}", card.name, self.title).to_lowercase();
-            query.to_lowercase().split_whitespace().all(|word| text.contains(word))
-        };
-        self.cards.iter().filter(has_all).collect()
+        let with_rank = |card| Some((Card::rank(card, query, self.title)?, card));
+        let mut found: Vec<(usize, &Card)> = self.cards.iter().filter_map(with_rank).collect();
+        found.sort_by_key(|(rank, _)| *rank);
+        found.into_iter().map(|(_, card)| card).collect()
     }
 }
 
@@ -204,7 +196,8 @@ impl Start {
         let mut out = Vec::new();
         ui.painter().rect_filled(ui.max_rect(), 0.0, theme::of(ui).panel);
         let mut area = ScrollArea::vertical().auto_shrink([false, false]).id_salt("start");
-        if !std::mem::replace(&mut self.is_seen, true) {
+        let is_new = !std::mem::replace(&mut self.is_seen, true);
+        if is_new {
             area = area.vertical_scroll_offset(0.0);
         }
         area.show(ui, |ui| {
@@ -217,6 +210,8 @@ impl Start {
                     ui.set_width(width);
                     ui.add_space(MARGIN.min(room * 0.03));
                     let first = self.head(ui, width, &mut out);
+                    ui.add_space(GAP);
+                    self.search(ui, is_new);
                     take_focus(ui, &first);
                     self.looks(ui, width, session, thumbs, &mut out);
                 });
@@ -281,7 +276,9 @@ impl Start {
         out: &mut Vec<Command>,
     ) {
         let (columns, side) = cards::columns(width, CARD, GAP);
-        if !self.recent.is_empty() {
+        let is_recent_shown =
+            self.subject.is_none() && self.query.trim().is_empty() && !self.recent.is_empty();
+        if is_recent_shown {
             heading(ui, "Recent", "Looks, scenes and paintings that were open, the newest first");
             for row in self.recent.chunks(columns) {
                 in_row(ui, row, |ui, recent| match &recent.card {
@@ -302,9 +299,10 @@ impl Start {
             }
         }
         heading(ui, "Examples", "Each opens as a new one of your own: change whatever you like");
-        self.search(ui);
         let mut is_empty = true;
-        for section in &self.examples {
+        let is_chosen =
+            |section: &&ExampleSection| self.subject.is_none_or(|subject| subject == section.title);
+        for section in self.examples.iter().filter(is_chosen) {
             let found = section.found(&self.query);
             if found.is_empty() {
                 continue;
@@ -312,8 +310,8 @@ impl Start {
             is_empty = false;
             ui.horizontal(|ui| {
                 ui.spacing_mut().item_spacing.x = 10.0;
-                ui.label(RichText::new(&section.title).strong());
-                let about = RichText::new(&section.about).small().color(theme::of(ui).dim);
+                ui.label(RichText::new(section.title).strong());
+                let about = RichText::new(section.about).small().color(theme::of(ui).dim);
                 ui.add(Label::new(about).truncate());
             });
             ui.add_space(4.0);
@@ -322,7 +320,7 @@ impl Start {
             }
         }
         if is_empty {
-            hint(ui, "No example has these words in its name or its section.");
+            hint(ui, "No example has these words in its name, its tags or its description.");
         }
         ui.add_space(GAP);
         let text =
@@ -331,10 +329,11 @@ impl Start {
         ui.add_space(MARGIN);
     }
 
-    /// Shows the field that searches the examples.
-    fn search(&mut self, ui: &mut Ui) {
+    /// Shows the field that searches the examples, and the subjects; the field has the focus when
+    /// the page appears.
+    fn search(&mut self, ui: &mut Ui, is_new: bool) {
         let edit = TextEdit::singleline(&mut self.query)
-            .hint_text("Find an example: light, shadow, ink, hatching")
+            .hint_text("Find an example: anime, watercolor, shadow, hatching")
             .desired_width(320.0)
             .char_limit(100);
         let response = ui.add(edit);
@@ -342,7 +341,19 @@ impl Start {
         let filter = EventFilter { horizontal_arrows: true, ..EventFilter::default() };
         ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
         response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "Find an example"));
-        ui.add_space(GAP);
+        if is_new && ui.memory(|memory| memory.focused().is_none()) {
+            response.request_focus();
+        }
+        ui.add_space(6.0);
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+            ui.selectable_value(&mut self.subject, None, "All");
+            for section in &self.examples {
+                let chip =
+                    ui.selectable_value(&mut self.subject, Some(section.title), section.title);
+                chip.on_hover_text(section.about);
+            }
+        });
     }
 }
 

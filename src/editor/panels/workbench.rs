@@ -11,6 +11,7 @@ use crate::painter::Painting;
 use crate::panels::cost::Cost;
 use crate::panels::export::ExportCards;
 use crate::panels::frames::FrameRenders;
+use crate::panels::library::saved::SavedParts;
 use crate::panels::links::Links;
 use crate::panels::wedge::Wedge;
 use crate::render::Gpu;
@@ -31,6 +32,7 @@ pub(crate) struct Workbench {
     pub(crate) export: ExportCards,
     pub(crate) frames: FrameRenders,
     pub(crate) wedge: Wedge,
+    pub(crate) parts: SavedParts,
     pub(crate) thumbs: Thumbs,
     /// State of the other panels.
     pub(crate) memory: PanelMemory,
@@ -56,6 +58,7 @@ impl Workbench {
             export: ExportCards::new(wake.clone()),
             frames: FrameRenders::new(wake.clone()),
             wedge: Wedge::new(wake.clone()),
+            parts: SavedParts::new(wake.clone()),
             thumbs: Thumbs::new(gpu, crashes, wake),
             picture,
             memory: PanelMemory::default(),

@@ -11,6 +11,7 @@ pub(crate) mod keying;
 pub(crate) mod masks;
 pub(crate) mod orbit;
 pub(crate) mod painting;
+pub(crate) mod parts;
 pub(crate) mod paths;
 pub(crate) mod problem_text;
 pub(crate) mod reading;

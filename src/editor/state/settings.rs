@@ -52,6 +52,8 @@ pub struct Settings {
     pub light_columns: BTreeMap<String, bool>,
     /// Memory that frames of playback take, in MiB.
     pub frame_memory: u32,
+    /// Folders of the library that others share.
+    pub library_folders: Vec<PathBuf>,
     /// View that the picture is shown by; `None` for the curve of sRGB.
     pub display: Option<DisplayChoice>,
     /// Settings of other versions, kept as they are.
@@ -69,6 +71,7 @@ impl Default for Settings {
             z_is_up: false,
             light_columns: BTreeMap::new(),
             frame_memory: DEFAULT_FRAME_MEMORY,
+            library_folders: Vec::new(),
             display: None,
             unknown: Map::new(),
         }
@@ -99,6 +102,9 @@ impl Settings {
         let light_columns = serde_json::from_value(take("light_columns")).unwrap_or_default();
         let frame_memory = take("frame_memory").as_u64().and_then(|mib| u32::try_from(mib).ok());
         let frame_memory = frame_memory.filter(|mib| *mib > 0).unwrap_or(DEFAULT_FRAME_MEMORY);
+        let folders = take("library_folders");
+        let folders = folders.as_array().into_iter().flatten().filter_map(Value::as_str);
+        let library_folders = folders.map(PathBuf::from).collect();
         let display = serde_json::from_value(take("display")).unwrap_or_default();
         Self {
             recent,
@@ -109,6 +115,7 @@ impl Settings {
             z_is_up,
             light_columns,
             frame_memory,
+            library_folders,
             display,
             unknown: members,
         }
@@ -131,6 +138,11 @@ impl Settings {
         }
         if self.frame_memory != DEFAULT_FRAME_MEMORY {
             members.insert("frame_memory".into(), self.frame_memory.into());
+        }
+        if !self.library_folders.is_empty() {
+            let folders = self.library_folders.iter().filter_map(|path| path.to_str());
+            let folders = folders.map(Value::from).collect();
+            members.insert("library_folders".into(), Value::Array(folders));
         }
         if let Some(display) = &self.display {
             members.insert("display".into(), serde_json::to_value(display).unwrap_or_default());
@@ -199,6 +211,7 @@ mod tests {
         settings.light_columns.insert("range".to_owned(), false);
         let [config, display, view] = ["a.ocio", "sRGB", "Film"].map(str::to_owned);
         settings.display = Some(DisplayChoice { config, display, view });
+        settings.library_folders.push(PathBuf::from("/shared/looks"));
         settings.opened(Path::new("/a/one.json"));
         settings.save(&path).unwrap();
         assert_eq!(Settings::load(&path), settings);

@@ -4,7 +4,7 @@
 use eframe::egui;
 use eframe::egui::epaint::{Mesh, Vertex};
 use eframe::egui::{
-    Color32, Id, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+    Color32, Id, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::{color, curve};
@@ -126,19 +126,15 @@ fn shown(color: [f64; 4]) -> Color32 {
     Color32::from_rgba_unmultiplied(r, g, b, a)
 }
 
-fn paint(
-    ui: &Ui,
-    rect: Rect,
-    bar: Rect,
-    ramp: &Ramp,
-    selected: usize,
-    to_screen: &dyn Fn(f64) -> f32,
-) {
+/// Paints the colors of a ramp, from 0 at the left to 1 at the right.
+pub(crate) fn swatch(painter: &Painter, rect: Rect, ramp: &Ramp) {
+    colors(painter, rect, ramp, [rect.left(), rect.right()]);
+}
+
+/// Paints the colors of a ramp, with 0 and 1 at these places of the screen, in points.
+fn colors(painter: &Painter, bar: Rect, ramp: &Ramp, [low, high]: [f32; 2]) {
     const PIECES: usize = 96;
-    let painter = ui.painter_at(rect);
-    painter.rect_filled(bar, 3.0, theme::of(ui).canvas);
     let mut mesh = Mesh::default();
-    let (low, high) = (to_screen(0.0), to_screen(1.0));
     for i in 0..=PIECES {
         let t = i as f32 / PIECES as f32;
         let x = bar.min.x + t * bar.width();
@@ -152,6 +148,19 @@ fn paint(
         }
     }
     painter.add(Shape::mesh(mesh));
+}
+
+fn paint(
+    ui: &Ui,
+    rect: Rect,
+    bar: Rect,
+    ramp: &Ramp,
+    selected: usize,
+    to_screen: &dyn Fn(f64) -> f32,
+) {
+    let painter = ui.painter_at(rect);
+    painter.rect_filled(bar, 3.0, theme::of(ui).canvas);
+    colors(&painter, bar, ramp, [to_screen(0.0), to_screen(1.0)]);
     for (index, stop) in ramp.stops.iter().enumerate() {
         let x = to_screen(stop.at);
         let color = if index == selected { theme::of(ui).accent } else { theme::of(ui).dim };

@@ -53,6 +53,8 @@ pub enum Edit {
     SetLookName { name: String },
     /// Sets the text on what the look shows and how it is built.
     SetLookAbout { about: String },
+    /// Sets the words to find the look by.
+    SetLookTags { tags: String },
     /// Sets the color space.
     SetColorSpace { color_space: ColorSpace },
     /// Sets the tier of all nodes without a tier of their own; `None` for the cheapest of each
@@ -166,6 +168,7 @@ impl Edit {
             Self::Replace { .. } => "load the file again".to_owned(),
             Self::SetLookName { .. } => "rename the look".to_owned(),
             Self::SetLookAbout { .. } => "describe the look".to_owned(),
+            Self::SetLookTags { .. } => "tag the look".to_owned(),
             Self::SetColorSpace { .. } => "change the color space".to_owned(),
             Self::SetLookTier { .. } => "change the look's tier".to_owned(),
             Self::SetMaxError { .. } => "change the difference of automatic tiers".to_owned(),
@@ -249,6 +252,7 @@ impl Editable for Look {
             ) => (g, i, p) == (graph, id, port),
             (Edit::SetLookName { .. }, Edit::SetLookName { .. })
             | (Edit::SetLookAbout { .. }, Edit::SetLookAbout { .. })
+            | (Edit::SetLookTags { .. }, Edit::SetLookTags { .. })
             | (Edit::SetMaxError { .. }, Edit::SetMaxError { .. })
             | (Edit::SetMarkers { .. }, Edit::SetMarkers { .. }) => true,
             (Edit::SetLight { id: i, .. }, Edit::SetLight { id, .. }) => i == id,
@@ -289,6 +293,9 @@ fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> EditResult<Edit> {
         }
         Edit::SetLookAbout { about } => {
             Ok(Edit::SetLookAbout { about: std::mem::replace(&mut look.about, about) })
+        }
+        Edit::SetLookTags { tags } => {
+            Ok(Edit::SetLookTags { tags: std::mem::replace(&mut look.tags, tags) })
         }
         Edit::SetColorSpace { color_space } => {
             let color_space = std::mem::replace(&mut look.color_space, color_space);

@@ -20,6 +20,7 @@ pub(super) fn check(look: &Look, edit: &Edit) -> Check {
     match edit {
         Edit::SetLookName { name } => readable(|trial| trial.name = name.clone()),
         Edit::SetLookAbout { about } => readable(|trial| trial.about = about.clone()),
+        Edit::SetLookTags { tags } => readable(|trial| trial.tags = tags.clone()),
         Edit::SetMaxError { max_error } => readable(|trial| trial.max_error = *max_error),
         Edit::AddNode { graph, id, node, .. } => {
             slug(id.as_str())?;

@@ -142,6 +142,7 @@ impl Look {
         let rest = |look: &Self| Self {
             name: look.name.clone(),
             about: look.about.clone(),
+            tags: look.tags.clone(),
             tuned: look.tuned.clone(),
             color_space: look.color_space,
             tier: look.tier,
@@ -362,7 +363,8 @@ fn walk_object(
         if was == is && !is_new || is_new && is.is_null() {
             continue;
         }
-        if is_identity(field.name) || address.is_empty() && ["name", "about"].contains(&field.name)
+        if is_identity(field.name)
+            || address.is_empty() && ["name", "about", "tags"].contains(&field.name)
         {
             if was == is {
                 continue;

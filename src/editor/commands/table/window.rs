@@ -5,11 +5,12 @@ use eframe::egui::Key;
 use super::KeyScope::{self, Window};
 use super::{ALT, CTRL, CTRL_SHIFT, CommandRow, Menu, NONE, SHIFT, row};
 use crate::commands::{
-    Command as C, FilmCommand, FitCommand, GridPreset, PaintCommand as P, PanelId, ScaleCommand,
-    SceneCommand, ShotCommand, Switch, TourTopic,
+    Command as C, FilmCommand, FitCommand, GridPreset, LibraryCommand, PaintCommand as P, PanelId,
+    ScaleCommand, SceneCommand, ShotCommand, Switch, TourTopic,
 };
 use crate::document::Storage;
 use crate::hcbtf::exchange::ExchangeFormat;
+use crate::state::parts::saving::PartChoice;
 
 /// Rows about files and steps, which stand before those of the languages.
 pub(super) fn files() -> Vec<CommandRow> {
@@ -23,6 +24,13 @@ pub(super) fn files() -> Vec<CommandRow> {
             .help("Saves the look under another name"),
         row(C::Save, "Save", &[(CTRL, Key::S)], Window)
             .help("Saves the look, its scene and what is painted"),
+        row(
+            C::Library(LibraryCommand::Offer(PartChoice::Look)),
+            "Save this look to the library",
+            &[],
+            Window,
+        )
+        .help("With tags, in one's own folder, the project's or a shared one"),
         row(C::Scene(SceneCommand::Shot(ShotCommand::New)), "New shot of this scene", &[], Window)
             .help(
                 "A shot over the open scene, or over the open shot: frames, and values that are \

@@ -560,6 +560,20 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             }
         },
     );
+    row::labelled(
+        ui,
+        "Tags",
+        "Words to find it by in the library, apart by spaces",
+        |ui, label| {
+            let mut tags = look.tags.clone();
+            let field =
+                TextEdit::singleline(&mut tags).desired_width(f32::INFINITY).char_limit(200);
+            let response = ui.add(field).labelled_by(label);
+            if response.changed() {
+                out.push(Command::EditHeld(response.id, Edit::SetLookTags { tags }));
+            }
+        },
+    );
     row::labelled(ui, "Colors", "What the numbers of a color mean", |ui, label| {
         let name = |space| match space {
             ColorSpace::Display => "As shown",

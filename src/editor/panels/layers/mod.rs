@@ -17,11 +17,12 @@ use eframe::egui::{
 };
 
 use super::thumbs::{Shot, Thumbs, key_on, surroundings_key};
-use crate::commands::{Command, PanelId};
+use crate::commands::{Command, LibraryCommand, PanelId};
 use crate::document::{Edit, Endpoint, GraphId, Node, Wire};
 use crate::fields::shot::ChangedRow;
 use crate::ids::{NodeId, NodePath, make_slug};
 use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::parts::saving::PartChoice;
 use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::session::Session;
 use crate::state::stack::BELOW;
@@ -293,6 +294,10 @@ impl Layers {
         if entry(ui, &format!("Move layer{many} down"), "Lays it on earlier (Alt+Down)", can(false))
         {
             self.move_by(session, id, false, out);
+        }
+        if entry(ui, "Save to the library…", "So that other looks can have it", true) {
+            let choice = PartChoice::Layers(vec![id.clone()]);
+            out.push(Command::Library(LibraryCommand::Offer(choice)));
         }
         if entry(ui, "Show on the canvas", "Brings its node into view", true) {
             out.push(Command::Show(crate::ids::NodePath::root(id.clone())));

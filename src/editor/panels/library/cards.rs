@@ -2,16 +2,18 @@
 //! from the examples.
 
 use std::cell::OnceCell;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use eframe::egui::{
     Align2, Color32, ColorImage, CornerRadius, FontId, Rect, Response, Role, Sense, Stroke,
-    TextureHandle, TextureOptions, Ui, WidgetInfo, pos2, vec2,
+    TextureHandle, TextureOptions, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
-use super::super::thumbs::{Shot, Thumbs, key_of, key_of_scene};
-use super::examples::{self, Example, count, example};
+use super::super::thumbs::{Shot, ThumbStage, Thumbs, key_of, key_of_scene};
+use super::examples::{self, Example, Listing, count, example};
+use super::words;
 use crate::commands::{Command, PAINTING};
 use crate::document::{Document, LoadedDocument, Look};
 use crate::examples::PREFIX;
@@ -23,7 +25,7 @@ use crate::widgets::text::cell;
 use crate::widgets::theme;
 
 /// Height of a card's name, in points.
-const NAME: f32 = 20.0;
+pub(super) const NAME: f32 = 20.0;
 
 /// Origin of a card's document.
 enum CardOrigin {
@@ -85,8 +87,14 @@ impl PaintingSummary {
 pub(crate) struct Card {
     origin: CardOrigin,
     pub(crate) name: String,
+    /// Words that say more, to find the card by.
+    tags: String,
+    /// Paragraph on what is shown; empty for none.
+    about: String,
     content: CardContent,
     key: u64,
+    /// Stage that a look's picture is drawn on; `None` for that of the window.
+    stage: Option<ThumbStage>,
     /// Side of the picture, in pixels. Cards grow with their panel, and their pictures are not
     /// drawn anew.
     side: f32,
@@ -95,6 +103,7 @@ pub(crate) struct Card {
 impl Card {
     /// Cards of all examples, with pictures `side` pixels wide.
     pub(crate) fn examples(side: f32, session: &Session) -> Vec<Self> {
+        let listing = Listing::new();
         let card = |index: usize| {
             let Example { stem, path, content } = example(index)?;
             // "figure1-layers" is shown under the look's own name, which people search for too.
@@ -106,17 +115,23 @@ impl Card {
                 Some(figure) => format!("{name} · Figure {figure}"),
                 None => name.to_owned(),
             };
-            let (name, content, key) = match content {
+            let listed = path.to_str().and_then(|path| path.strip_prefix(PREFIX));
+            let stage = listing.stage(listed.unwrap_or_default());
+            let (name, about, content, key) = match content {
                 examples::ExampleContent::Look(look) => {
-                    let key = key_of(&look, Shot::Whole, side);
-                    (called(&look.name), CardContent::Look(Arc::new(look)), key)
+                    let mut hasher = DefaultHasher::new();
+                    (key_of(&look, Shot::Whole, side), &stage).hash(&mut hasher);
+                    let (name, about) = (called(&look.name), look.about.clone());
+                    (name, about, CardContent::Look(Arc::new(look)), hasher.finish())
                 }
                 examples::ExampleContent::Scene(scene) => {
                     let key = key_of_scene(&path, &scene, session, side);
-                    (called(&scene.name), CardContent::Scene, key)
+                    (called(&scene.name), scene.about, CardContent::Scene, key)
                 }
             };
-            Some(Self { origin: CardOrigin::Example(index, path), name, content, key, side })
+            let tags = listing.tags(listed.unwrap_or_default());
+            let origin = CardOrigin::Example(index, path);
+            Some(Self { origin, name, tags, about, content, key, stage: Some(stage), side })
         };
         (0..count()).filter_map(card).collect()
     }
@@ -127,19 +142,13 @@ impl Card {
         let files = &**session.assets.source();
         let origin = CardOrigin::File(path.to_owned());
         let Some(_going) = session.journals.crashes.begin_to_read(path) else {
-            return Self {
-                origin,
-                name: name_of(path),
-                content: CardContent::HeldBack,
-                key: 0,
-                side,
-            };
+            return Self::of_content(origin, name_of(path), CardContent::HeldBack, 0, side);
         };
         if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(PAINTING)) {
             let content = cover(files, path).map_or(CardContent::Unreadable, |cover| {
                 CardContent::Painting(Box::new(PaintingSummary::of(cover)))
             });
-            return Self { origin, name: name_of(path), content, key: 0, side };
+            return Self::of_content(origin, name_of(path), content, 0, side);
         }
         let (content, key) = match Document::load(files, path) {
             Document::Look(LoadedDocument { value: Some(look), .. }) => {
@@ -151,7 +160,25 @@ impl Card {
             }
             _ => (CardContent::Unreadable, 0),
         };
-        Self { origin, name: name_of(path), content, key, side }
+        Self::of_content(origin, name_of(path), content, key, side)
+    }
+
+    /// Card with nothing to find it by but its name.
+    fn of_content(
+        origin: CardOrigin,
+        name: String,
+        content: CardContent,
+        key: u64,
+        side: f32,
+    ) -> Self {
+        let [tags, about] = [String::new(), String::new()];
+        Self { origin, name, tags, about, content, key, stage: None, side }
+    }
+
+    /// Rank of the card in a search, 0 best; `None` where a word of the query begins no word of the
+    /// card, nor of `more`.
+    pub(crate) fn rank(&self, query: &str, more: &str) -> Option<usize> {
+        words::rank(query, &[&self.name, &self.tags, more, &self.about])
     }
 
     /// Name of the card's example, as the gallery lists it; `None` for a file.
@@ -249,8 +276,8 @@ impl Card {
         let (help, command) = match &self.origin {
             CardOrigin::Example(index, _) => (
                 format!(
-                    "{}\nOpens it as a new {what}; the example itself stays as it is",
-                    self.name
+                    "{}\n{}\n\nOpens it as a new {what}; the example itself stays as it is",
+                    self.name, self.about
                 ),
                 Command::OpenExample(*index),
             ),
@@ -307,14 +334,11 @@ impl Card {
                     CardOrigin::Example(..) => PathBuf::new(),
                 };
                 let document = || DocumentOrigin::new(&self.name, self.path(), look);
-                thumbs.ask(
-                    self.key,
-                    document,
-                    (look.clone(), folder),
-                    session,
-                    Shot::Whole,
-                    self.side,
-                );
+                let (key, look, side) = (self.key, (look.clone(), folder), self.side);
+                match &self.stage {
+                    Some(stage) => thumbs.ask_on(key, document, look, session, stage, side),
+                    None => thumbs.ask(key, document, look, session, Shot::Whole, side),
+                }
             }
             (CardContent::Scene, CardOrigin::File(path) | CardOrigin::Example(_, path)) => {
                 thumbs.ask_for_scene(self.key, path, session, self.side);
@@ -335,7 +359,9 @@ pub(crate) fn show_gone(ui: &mut Ui, path: &Path, side: f32, out: &mut Vec<Comma
     name_below(ui, rect, picture, &name, theme::of(ui).dim);
     let size = vec2(68.0, ui.spacing().interact_size.y);
     let button = Rect::from_center_size(picture.center() + vec2(0.0, 14.0), size);
-    let forget = ui.put(button, eframe::egui::Button::new("Forget"));
+    // A widget that is put into the row itself would move what comes next under this card.
+    let mut inside = ui.new_child(UiBuilder::new().id_salt(path).max_rect(rect));
+    let forget = inside.put(button, eframe::egui::Button::new("Forget"));
     forget.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Forget {name}")));
     if forget.on_hover_text("Takes it off this list").clicked() {
         out.push(Command::Forget(path.to_owned()));
@@ -349,12 +375,12 @@ fn name_of(path: &Path) -> String {
 }
 
 /// Rectangle of a card's picture: at the top.
-fn picture_of(card: Rect, side: f32) -> Rect {
+pub(super) fn picture_of(card: Rect, side: f32) -> Rect {
     Rect::from_min_size(card.min, vec2(side, side))
 }
 
 /// Shows words in place of a picture.
-fn say(ui: &Ui, picture: Rect, text: &str) {
+pub(super) fn say(ui: &Ui, picture: Rect, text: &str) {
     let font = FontId::proportional(theme::SMALL_TEXT);
     ui.painter().text(picture.center(), Align2::CENTER_CENTER, text, font, theme::of(ui).dim);
 }
@@ -379,7 +405,7 @@ fn undone(step: CrashStep) -> &'static str {
 }
 
 /// Shows words over a picture, in its lower left corner.
-fn in_corner(ui: &Ui, picture: Rect, text: &str) {
+pub(super) fn in_corner(ui: &Ui, picture: Rect, text: &str) {
     let galley = ui.painter().layout_no_wrap(
         text.to_owned(),
         FontId::proportional(theme::SMALL_TEXT),
@@ -394,7 +420,7 @@ fn in_corner(ui: &Ui, picture: Rect, text: &str) {
     ui.painter().galley(at, galley, Color32::WHITE);
 }
 
-fn name_below(ui: &Ui, card: Rect, picture: Rect, name: &str, color: Color32) {
+pub(super) fn name_below(ui: &Ui, card: Rect, picture: Rect, name: &str, color: Color32) {
     let rect = Rect::from_min_max(pos2(card.left(), picture.bottom()), card.max);
     cell(ui, rect, name, FontId::proportional(theme::SMALL_TEXT), color);
 }

@@ -1,9 +1,14 @@
-//! Library of everything that a look can be made of: nodes by category, and finished looks as
-//! pictures. A node is dragged onto the canvas or added by a click; a look opens as a new one.
+//! Library of everything that a look can be made of: nodes by category, saved parts, and finished
+//! looks as pictures. A node is dragged onto the canvas or added by a click, a part is dropped where
+//! it belongs, and a look opens as a new one.
 
 pub(super) mod cards;
+mod drops;
 mod examples;
 mod nodes;
+mod part_card;
+pub(super) mod saved;
+mod words;
 
 use std::path::PathBuf;
 
@@ -22,18 +27,30 @@ pub(crate) use examples::{ExampleContent, example};
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LIBRARY,
     "Library",
-    "Nodes to drag onto the canvas, and finished looks to begin with",
+    "Nodes to drag onto the canvas, saved parts, and finished looks to begin with",
     PanelPlace::WITH_DOCUMENT,
     |bench, ui, PanelContext { session, safety }| {
         let library = bench.memory.of::<LibraryPanel>();
         library.know_recent(safety.recent(), session);
-        library.show(ui, session, &bench.thumbs)
+        if bench.parts.is_saving() {
+            library.tab = LibraryTab::Parts;
+        }
+        library.bar(ui);
+        match library.tab {
+            LibraryTab::Nodes => nodes::show(ui, session, &library.query),
+            LibraryTab::Parts => {
+                let search = (library.query.trim(), &bench.thumbs);
+                bench.parts.show(ui, session, safety, search)
+            }
+            LibraryTab::Looks => library.looks(ui, session, &bench.thumbs),
+        }
     },
 )
 .with_each_frame(|bench, ui, session, _| {
     bench.thumbs.update(ui, session);
-    Vec::new()
-});
+    drops::each_frame(bench, ui, session)
+})
+.with_jobs(|bench| &bench.parts);
 
 /// Node that is being dragged to the canvas: the payload of egui's drag and drop.
 #[derive(Clone, Debug)]
@@ -46,10 +63,19 @@ const SIDE: f32 = 200.0;
 /// Largest number of recent files that are shown.
 const MOST_RECENT: usize = 8;
 
-/// The panel of nodes and looks, and its state.
+/// Tab of the library.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum LibraryTab {
+    #[default]
+    Nodes,
+    Parts,
+    Looks,
+}
+
+/// The panel of nodes, parts and looks, and its state.
 #[derive(Default)]
 pub(crate) struct LibraryPanel {
-    shows_looks: bool,
+    tab: LibraryTab,
     query: String,
     looks: Vec<Card>,
     /// Cards of recent files; then the files they are of, with the revision of the suspects at that
@@ -59,25 +85,26 @@ pub(crate) struct LibraryPanel {
 }
 
 impl LibraryPanel {
-    /// Shows nodes or looks.
-    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session, thumbs: &Thumbs) -> Vec<Command> {
+    /// Shows the tabs, and the search.
+    fn bar(&mut self, ui: &mut Ui) {
         ui.horizontal(|ui| {
-            ui.selectable_value(&mut self.shows_looks, false, "Nodes")
+            ui.selectable_value(&mut self.tab, LibraryTab::Nodes, "Nodes")
                 .on_hover_text("What looks are made of");
-            ui.selectable_value(&mut self.shows_looks, true, "Looks")
+            ui.selectable_value(&mut self.tab, LibraryTab::Parts, "Parts")
+                .on_hover_text("Layers, groups, lights, profiles and ramps that were saved");
+            ui.selectable_value(&mut self.tab, LibraryTab::Looks, "Looks")
                 .on_hover_text("Finished looks to begin with");
-            let what = if self.shows_looks { "Search looks" } else { "Search nodes" };
+            let what = match self.tab {
+                LibraryTab::Nodes => "Search nodes",
+                LibraryTab::Parts => "Search parts",
+                LibraryTab::Looks => "Search looks",
+            };
             let edit =
                 TextEdit::singleline(&mut self.query).hint_text(what).desired_width(f32::INFINITY);
             let response = ui.add(edit);
             response.widget_info(|| WidgetInfo::labeled(Role::SearchInput, true, what));
         });
         ui.add_space(2.0);
-        if self.shows_looks {
-            self.looks(ui, session, thumbs)
-        } else {
-            nodes::show(ui, session, &self.query)
-        }
     }
 
     /// Updates the recent files. Files are read only when the list changes, which is when one is
@@ -88,7 +115,7 @@ impl LibraryPanel {
         session: &Session,
     ) {
         let crashes = &session.journals.crashes;
-        if !self.shows_looks {
+        if self.tab != LibraryTab::Looks {
             return;
         }
         let there: Vec<PathBuf> =
@@ -110,10 +137,8 @@ impl LibraryPanel {
         if self.looks.is_empty() {
             self.looks = Card::examples(SIDE, session);
         }
-        let words = self.query.to_lowercase();
-        let is_found = |card: &&Card| {
-            words.split_whitespace().all(|word| card.name.to_lowercase().contains(word))
-        };
+        let words = self.query.trim().to_owned();
+        let is_found = |card: &&Card| card.rank(&words, "").is_some();
         let groups = [("Recent", &self.recent), ("Examples", &self.looks)];
         let groups = groups
             .map(|(title, cards)| (title, cards.iter().filter(is_found).collect::<Vec<&Card>>()));

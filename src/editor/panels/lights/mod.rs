@@ -14,7 +14,7 @@ use eframe::egui::{
     WidgetInfo, vec2,
 };
 
-use crate::commands::{Command, PanelId};
+use crate::commands::{Command, LibraryCommand, PanelId};
 use crate::document::{Light, Value};
 use crate::fields::layer;
 use crate::fields::lighting::{OwnedLight, Owner};
@@ -24,6 +24,7 @@ use crate::fields::shot::ChangedRow;
 use crate::ids::LightId;
 use crate::library::Type;
 use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::parts::saving::PartChoice;
 use crate::state::revision::DocumentNumber;
 use crate::state::session::Session;
 use crate::values;
@@ -364,6 +365,12 @@ impl Lights {
         };
         if ui.button("Duplicate light").on_hover_text(copy).clicked() {
             out.push(owned_light.duplicate(session).once());
+        }
+        if owned_light.owner == Owner::Look {
+            let help = "All lights of the look as one rig, for other looks";
+            if ui.button("Save all to the library…").on_hover_text(help).clicked() {
+                out.push(Command::Library(LibraryCommand::Offer(PartChoice::Lights)));
+            }
         }
         add::scene_menu(ui, session, owned_light, self.mixed.shared(), out);
         if let Some(mix) = self.mix(session) {

@@ -2,6 +2,7 @@
 //! time, each kept by its content, so that undo and the same layer elsewhere cost nothing.
 
 mod scene;
+mod stage;
 
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -26,6 +27,7 @@ use crate::state::session::Session;
 use crate::state::snapshot::{CachedPlanner, RenderSnapshot};
 use crate::state::worker::{BackgroundJobs, Worker};
 pub(crate) use scene::key_of_scene;
+pub(crate) use stage::ThumbStage;
 
 /// Supersampling factor along each side: highlights are finer than the pixels of a thumbnail.
 const FINER: u32 = 2;
@@ -113,6 +115,8 @@ struct ThumbRequest {
 /// Subject of a thumbnail.
 enum ThumbSubject {
     Look(Box<RenderSnapshot>, Shot),
+    /// Whole look on a stage of its own.
+    Staged(Box<RenderSnapshot>, ThumbStage),
     /// Scene in a file, and the store of the window's pictures.
     Scene(PathBuf, AssetStore),
 }
@@ -264,6 +268,32 @@ impl Thumbs {
         });
     }
 
+    /// Requests a thumbnail of a whole look on a stage of its own, whatever the window shows.
+    pub(crate) fn ask_on(
+        &self,
+        key: u64,
+        origin: impl FnOnce() -> DocumentOrigin,
+        (look, folder): (Arc<Look>, PathBuf),
+        session: &Session,
+        stage: &ThumbStage,
+        side: f32,
+    ) {
+        self.request(key, origin, side, || {
+            let (distance, height) = Shot::Whole.distance_and_height();
+            let creature =
+                Orbit { distance, target: DVec3::new(0.0, height, 0.0), ..Orbit::default() };
+            let orbit = match stage.mesh.clone() {
+                Some(mesh) if mesh != DEFAULT_MESH => {
+                    Orbit { mesh, distance: NEAR_ANY, target: DVec3::ZERO, ..Orbit::default() }
+                }
+                _ => creature,
+            };
+            let snapshot =
+                RenderSnapshot { folder, orbit, scene: None, ..session.snapshot_of(look) };
+            ThumbSubject::Staged(Box::new(snapshot), stage.clone())
+        });
+    }
+
     /// Requests a thumbnail of the scene in a file, as the scene's own camera sees it.
     pub(crate) fn ask_for_scene(&self, key: u64, path: &Path, session: &Session, side: f32) {
         self.request(
@@ -367,6 +397,13 @@ impl ThumbRenderer {
                 planner.assets.draft();
                 let mut setup = snapshot.setup(&mut planner.assets).ok()?.value;
                 setup.scene.backdrop = None;
+                planner.plan(&setup, &snapshot.library, &Live::Keyed, &options).ok()?.value
+            }
+            ThumbSubject::Staged(snapshot, stage) => {
+                let planner = self.planner.of(&snapshot.look, &snapshot.library);
+                planner.assets.draft();
+                let mut setup = snapshot.setup(&mut planner.assets).ok()?.value;
+                stage.set(&mut setup.scene).ok()?;
                 planner.plan(&setup, &snapshot.library, &Live::Keyed, &options).ok()?.value
             }
             ThumbSubject::Scene(path, assets) => scene::plan(path, &options, assets)?,

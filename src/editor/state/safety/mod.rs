@@ -335,6 +335,11 @@ impl Safety {
         self.disk.check(session)
     }
 
+    /// Folder of the user's own library of parts; `None` where the user has no folders.
+    pub(crate) fn library(&self) -> Option<PathBuf> {
+        self.places.as_ref().map(Places::library)
+    }
+
     /// Recent files, the newest first, each with true if it still exists.
     pub(crate) fn recent(&self) -> impl Iterator<Item = (&PathBuf, bool)> {
         self.settings.recent.iter().map(|path| (path, path.exists()))

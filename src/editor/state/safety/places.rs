@@ -55,6 +55,11 @@ impl Places {
         self.state.join("running")
     }
 
+    /// Folder of the user's own library of parts.
+    pub fn library(&self) -> PathBuf {
+        self.config.join("library")
+    }
+
     /// File of the settings.
     pub fn settings(&self) -> PathBuf {
         self.config.join("settings.json")

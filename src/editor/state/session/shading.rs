@@ -185,7 +185,8 @@ pub(super) fn is_layout(edit: &Edit) -> bool {
         | Edit::SetBookmarks { .. }
         | Edit::SetMarkers { .. }
         | Edit::SetLookName { .. }
-        | Edit::SetLookAbout { .. } => true,
+        | Edit::SetLookAbout { .. }
+        | Edit::SetLookTags { .. } => true,
         _ => false,
     }
 }

@@ -1,0 +1,227 @@
+//! Library of parts: saving them, and putting them into the look. Each says what was done.
+
+use std::path::Path;
+
+use super::App;
+use super::files::PendingAction;
+use crate::commands::{LibraryCommand, PanelId, PartSpot};
+use crate::document::GraphId;
+use crate::ids::{NodeId, ObjectId, PortName};
+use crate::state::parts::placing::{self, Placement, Recipient, rebase};
+use crate::state::parts::saving::{self, PartSource};
+use crate::state::parts::{Part, PartContent, PartKind};
+use crate::state::paths::absolute;
+
+impl App {
+    /// Carries out a command about the library.
+    pub(super) fn apply_to_library(&mut self, command: LibraryCommand) {
+        match command {
+            LibraryCommand::Offer(choice) => {
+                let session = &self.session;
+                let source = PartSource {
+                    look: session.look(),
+                    graph: session.graph(),
+                    catalog: &session.project.catalog,
+                };
+                match source.draft(&choice) {
+                    Ok(draft) => {
+                        self.bench.parts.offer(draft);
+                        self.start = None;
+                        self.dock.open(PanelId::LIBRARY);
+                    }
+                    Err(why_not) => self.message = Some(why_not),
+                }
+            }
+            LibraryCommand::Save(draft, folder) => {
+                let from = self.session.path().and_then(Path::parent).map(absolute);
+                let catalog = &self.session.project.catalog;
+                match saving::save(&draft, &absolute(&folder), from.as_deref(), catalog) {
+                    Ok((_, told)) => {
+                        self.bench.parts.saved();
+                        self.message = Some(told);
+                    }
+                    Err(why_not) => self.message = Some(why_not),
+                }
+            }
+            LibraryCommand::Place(part, spot) => self.place_part(&part, spot),
+            LibraryCommand::AddFolder(folder) => self.safety.change_settings(|settings| {
+                if !settings.library_folders.contains(&folder) {
+                    settings.library_folders.push(folder);
+                }
+            }),
+            LibraryCommand::RemoveFolder(folder) => self.safety.change_settings(|settings| {
+                settings.library_folders.retain(|other| *other != folder);
+            }),
+        }
+    }
+
+    fn place_part(&mut self, part: &Part, spot: PartSpot) {
+        let PartContent { kind, look, .. } = match &part.content {
+            Ok(content) => content,
+            Err(why) => {
+                self.message = Some(format!("\"{}\" cannot be read: {why}", part.name));
+                return;
+            }
+        };
+        match (kind, &spot) {
+            (PartKind::Look, PartSpot::Object(object)) => return self.dress(object, part),
+            (PartKind::Look, _) if !part.is_shipped() => {
+                return self.do_or_ask(PendingAction::Open(part.path.clone()));
+            }
+            (_, PartSpot::Object(object)) if !self.is_open_on(object) => {
+                let text = format!(
+                    "{object} wears another look: click it, so that its look is open, and drop \
+                     \"{}\" once more",
+                    part.name
+                );
+                self.message = Some(text);
+                return;
+            }
+            _ => {}
+        }
+        // Images lie beside the part: they are named from the look that is open.
+        let mut own = (**look).clone();
+        let from = part.path.parent().unwrap_or(Path::new("")).to_path_buf();
+        let folder = self.session.path().and_then(Path::parent).map(absolute);
+        let linked = rebase(&mut own, &self.session.project.catalog, &from, folder.as_deref());
+        let placed = match kind {
+            PartKind::Profile | PartKind::Ramp => self.place_values(part, &own, &spot),
+            _ => self.placement(*kind, (&part.name, &own), &spot),
+        };
+        match placed {
+            Ok(Placement { edit, nodes, mut told }) => {
+                if !linked.is_empty() {
+                    told += &format!(" · linked, not copied: {}", linked.join(", "));
+                }
+                self.message = None;
+                self.tell(|session| session.apply(edit, None));
+                if self.message.is_none() {
+                    if !nodes.is_empty() {
+                        self.session.select(nodes);
+                    }
+                    self.message = Some(told);
+                }
+            }
+            Err(why_not) => self.message = Some(why_not),
+        }
+    }
+
+    fn placement(
+        &self,
+        kind: PartKind,
+        part: (&str, &crate::document::Look),
+        spot: &PartSpot,
+    ) -> Result<Placement, String> {
+        let session = &self.session;
+        let to = self.recipient();
+        let graph = session.selection.graph_id();
+        let middle = || {
+            let at = self.bench.canvas.place_for(None);
+            [f64::from(at.x), f64::from(at.y)]
+        };
+        match (kind, spot) {
+            (PartKind::Lights, _) => placing::lights(session.look(), part),
+            (_, PartSpot::Wire(wire)) if *graph == GraphId::Look => {
+                placing::in_wire(to, part, wire)
+            }
+            (_, PartSpot::Canvas(at)) => placing::nodes(to, graph, part, *at),
+            (PartKind::Layer, PartSpot::Layer(id)) => placing::layer(to, part, Some(id)),
+            (PartKind::Layer, PartSpot::Selection) => {
+                placing::layer(to, part, session.selection.nodes.last())
+            }
+            (PartKind::Layer, _) => placing::layer(to, part, None),
+            _ => placing::nodes(to, graph, part, middle()),
+        }
+    }
+
+    /// Gives the values of a profile or a ramp to a node.
+    fn place_values(
+        &self,
+        part: &Part,
+        look: &crate::document::Look,
+        spot: &PartSpot,
+    ) -> Result<Placement, String> {
+        let session = &self.session;
+        let name = (part.name.as_str(), look);
+        if matches!(spot, PartSpot::Canvas(_) | PartSpot::Wire(_)) {
+            return self.placement(PartKind::Nodes, name, spot);
+        }
+        let (id, port): (Option<NodeId>, Option<PortName>) = match spot {
+            PartSpot::Layer(id) => (Some(id.clone()), None),
+            PartSpot::Input(port) => (session.selection.nodes.last().cloned(), Some(port.clone())),
+            _ => (session.selection.nodes.last().cloned(), None),
+        };
+        let graph = match spot {
+            PartSpot::Layer(_) => &session.look().graph,
+            _ => session.graph(),
+        };
+        let Some((id, node)) = id.and_then(|id| graph.nodes.get_key_value(&id)) else {
+            return Err(format!("Select the node that \"{}\" is for", part.name));
+        };
+        let to = self.recipient();
+        let mut values = placing::values(to, node, look, port.as_ref());
+        if values.is_empty() {
+            values = placing::values(to, node, look, None);
+        }
+        let title = session.look_with_library().title_of_node(id, node);
+        if values.is_empty() {
+            return Err(format!(
+                "{title} has no such value, so \"{}\" is of no use to it",
+                part.name
+            ));
+        }
+        let wired = values.iter().filter(|(port, _)| graph.wire_into(id, port).is_some()).count();
+        let target = |port: &PortName| match spot {
+            PartSpot::Layer(id) => crate::document::Target::Input {
+                node: crate::ids::NodePath::root(id.clone()),
+                port: port.clone(),
+            },
+            _ => session.selection.target(id, port),
+        };
+        let edit = session
+            .keys()
+            .set_all_at(values.iter().map(|(port, value)| (target(port), value.clone())));
+        let mut told = format!("\"{}\" is copied into {title}", part.name);
+        if wired > 0 {
+            told += " · a wire decides in its place until it is taken off";
+        }
+        Ok(Placement { edit, nodes: Vec::new(), told })
+    }
+
+    /// Lets an object wear the file of a look.
+    fn dress(&mut self, object: &ObjectId, part: &Part) {
+        if part.is_shipped() {
+            self.message = Some(format!("\"{}\" has no file to wear", part.name));
+            return;
+        }
+        let path = part.path.clone();
+        self.message = None;
+        self.change_object(object, |open_scene, object| {
+            let name = open_scene.name_of(&path);
+            object.looks.values_mut().for_each(|look| look.clone_from(&name));
+        });
+        if self.message.is_none() {
+            self.message = Some(format!(
+                "{object} is linked to {}: what is changed there changes here",
+                path.display()
+            ));
+        }
+    }
+
+    /// True if an object of the scene wears the look that is open.
+    fn is_open_on(&self, object: &ObjectId) -> bool {
+        let Some(open_scene) = self.session.open_scene() else { return true };
+        let Some(path) = self.session.path() else { return true };
+        let name = open_scene.name_of(path);
+        let found = open_scene.scene().objects.get(object);
+        found.is_some_and(|object| object.looks.values().any(|look| *look == name))
+    }
+
+    fn recipient(&self) -> Recipient<'_> {
+        Recipient {
+            look: self.session.look(),
+            catalog: &self.session.project.catalog,
+            library: &self.session.project.library,
+        }
+    }
+}

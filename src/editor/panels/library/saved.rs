@@ -1,0 +1,426 @@
+//! Parts of the library: folders of the user, of the project, and those that others share, as
+//! pictures to search, to drag and to press; and the form that saves one.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use eframe::egui::{
+    Button, ComboBox, Label, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2,
+};
+
+use super::super::thumbs::Thumbs;
+use super::cards;
+use super::part_card::PartCard;
+use super::words;
+use crate::commands::{Command, LibraryCommand};
+use crate::state::parts::saving::{PartChoice, PartDraft, keepable};
+use crate::state::parts::{FOLDER, FoundParts, Part, PartKind, PartsReader, shipped};
+use crate::state::safety::Safety;
+use crate::state::session::Session;
+use crate::state::worker::BackgroundJobs;
+use crate::widgets::text::hint;
+use crate::widgets::theme;
+
+/// Least width of a part's picture, in points.
+const CARD: f32 = 96.0;
+/// Gap between cards, in points.
+const GAP: f32 = 6.0;
+
+/// Folder of the library, as the panel lists it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Shelf {
+    title: String,
+    folder: PathBuf,
+    /// True for a folder that can be taken off the list.
+    is_shared: bool,
+}
+
+/// Parts of the library, and the form that saves one.
+pub(crate) struct SavedParts {
+    wake: Arc<dyn Fn() + Send + Sync>,
+    reader: Option<PartsReader>,
+    /// Folders that were read last, or are being read.
+    asked: Vec<PathBuf>,
+    /// True if the folders are to be read again.
+    is_stale: bool,
+    was_focused: bool,
+    found: Vec<FoundParts>,
+    kind: Option<PartKind>,
+    cards: Vec<PartCard>,
+    form: Option<SaveForm>,
+    /// Path of a shared folder that is being typed.
+    typed: String,
+}
+
+/// Form that saves a part.
+struct SaveForm {
+    draft: PartDraft,
+    folder: Option<PathBuf>,
+    is_new: bool,
+}
+
+impl BackgroundJobs for SavedParts {
+    fn is_busy(&self) -> bool {
+        self.reader.as_ref().is_some_and(BackgroundJobs::is_busy)
+    }
+
+    fn wait(&self) {
+        if let Some(reader) = &self.reader {
+            reader.wait();
+        }
+    }
+}
+
+impl SavedParts {
+    /// `wake` is called from another thread when folders are read.
+    pub(crate) fn new(wake: impl Fn() + Send + Sync + 'static) -> Self {
+        Self {
+            wake: Arc::new(wake),
+            reader: None,
+            asked: Vec::new(),
+            is_stale: true,
+            was_focused: true,
+            found: Vec::new(),
+            kind: None,
+            cards: Vec::new(),
+            form: None,
+            typed: String::new(),
+        }
+    }
+
+    /// Shows the form that saves a part.
+    pub(crate) fn offer(&mut self, draft: PartDraft) {
+        self.form = Some(SaveForm { draft, folder: None, is_new: true });
+    }
+
+    /// True while the form that saves a part is shown.
+    pub(super) fn is_saving(&self) -> bool {
+        self.form.is_some()
+    }
+
+    /// Notes that a part was saved: its folder is read again.
+    pub(crate) fn saved(&mut self) {
+        self.form = None;
+        self.is_stale = true;
+    }
+
+    /// Shows the parts that a query finds.
+    pub(super) fn show(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        safety: &Safety,
+        (query, thumbs): (&str, &Thumbs),
+    ) -> Vec<Command> {
+        let shelves = shelves(session, safety);
+        self.read(ui, session, &shelves);
+        let mut out = Vec::new();
+        self.form(ui, &shelves, &mut out);
+        self.bar(ui, session, &mut out);
+        ScrollArea::vertical().auto_shrink([false, false]).id_salt("parts").show(ui, |ui| {
+            ui.spacing_mut().item_spacing = vec2(GAP, GAP);
+            let mut count = 0;
+            for shelf in &shelves {
+                count += self.shelf(ui, session, shelf, (query, thumbs), &mut out);
+            }
+            title(ui, "Comes with Chiaro", None, &mut out);
+            count += self.grid(ui, session, None, (query, thumbs), &mut out);
+            if count == 0 {
+                hint(ui, "No part has these words in its name, its tags or its description");
+            }
+            self.folders(ui, safety, &mut out);
+        });
+        out
+    }
+
+    /// Reads the folders again where they, or perhaps their files, have changed.
+    fn read(&mut self, ui: &Ui, session: &Session, shelves: &[Shelf]) {
+        let folders: Vec<PathBuf> = shelves.iter().map(|shelf| shelf.folder.clone()).collect();
+        let is_focused = ui.input(|input| input.focused);
+        let was_focused = std::mem::replace(&mut self.was_focused, is_focused);
+        let has_come_back = is_focused && !was_focused;
+        let wake = self.wake.clone();
+        let reader = self.reader.get_or_insert_with(|| {
+            PartsReader::new(session.assets.source().clone(), move || wake())
+        });
+        if has_come_back || self.asked != folders || std::mem::take(&mut self.is_stale) {
+            self.asked.clone_from(&folders);
+            reader.read(folders);
+        }
+        let answer = reader.answer();
+        if answer.is_some() || self.cards.is_empty() {
+            self.found = answer.unwrap_or_default();
+            let saved = self.found.iter().flat_map(|found| {
+                found.parts.iter().map(|part| PartCard::new(part, Some(found.folder.clone())))
+            });
+            let own = shipped().iter().map(|part| PartCard::new(part, None));
+            self.cards = saved.chain(own).collect();
+        }
+    }
+
+    /// Shows the form that saves a part.
+    fn form(&mut self, ui: &mut Ui, shelves: &[Shelf], out: &mut Vec<Command>) {
+        let Some(form) = &mut self.form else { return };
+        let mut is_over = false;
+        egui_frame(ui).show(ui, |ui| {
+            let word = form.draft.kind.word();
+            ui.label(RichText::new(format!("Save to the library: {word}")).strong());
+            let field = |ui: &mut Ui, text: &mut String, label: &str, help: &str| {
+                let edit = TextEdit::singleline(text)
+                    .hint_text(label)
+                    .desired_width(f32::INFINITY)
+                    .char_limit(200);
+                let response = ui.add(edit).on_hover_text(help);
+                response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, label));
+                response
+            };
+            let name =
+                field(ui, &mut form.draft.look.name, "Name of the part", "What it is called");
+            if std::mem::take(&mut form.is_new) {
+                name.request_focus();
+            }
+            let help = "Words to find it by, apart by spaces";
+            field(ui, &mut form.draft.look.tags, "Tags of the part", help);
+            let help = "What it shows, how it is built";
+            field(ui, &mut form.draft.look.about, "About the part", help);
+            let chosen = form
+                .folder
+                .as_ref()
+                .and_then(|folder| shelves.iter().find(|shelf| shelf.folder == *folder))
+                .or(shelves.first());
+            let text = chosen.map_or("No folder", |shelf| shelf.title.as_str());
+            ui.horizontal_wrapped(|ui| {
+                ui.label("In");
+                let combo =
+                    ComboBox::from_id_salt("folder").selected_text(text).show_ui(ui, |ui| {
+                        for shelf in shelves {
+                            let is_chosen = chosen == Some(shelf);
+                            let row = ui.selectable_label(is_chosen, &shelf.title);
+                            if row.on_hover_text(shelf.folder.display().to_string()).clicked() {
+                                form.folder = Some(shelf.folder.clone());
+                            }
+                        }
+                    });
+                let info = || WidgetInfo::labeled(Role::ComboBox, true, "Folder of the part");
+                combo.response.widget_info(info);
+                let save = Button::new(format!("Save {word}"));
+                let is_ready = chosen.is_some() && !form.draft.look.name.trim().is_empty();
+                if ui.add_enabled(is_ready, save).clicked()
+                    && let Some(shelf) = chosen
+                {
+                    let draft = Box::new(form.draft.clone());
+                    let save = LibraryCommand::Save(draft, shelf.folder.clone());
+                    out.push(Command::Library(save));
+                }
+                is_over = ui.button("Cancel").clicked();
+            });
+            for note in &form.draft.notes {
+                ui.label(RichText::new(note).small().color(theme::of(ui).warning));
+            }
+        });
+        if is_over {
+            self.form = None;
+        }
+    }
+
+    /// Shows the menu that saves, and the filter.
+    fn bar(&mut self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+            let menu = ui.menu_button("Save…", |ui| {
+                for (label, choice) in choices(session) {
+                    if ui.button(label).clicked() {
+                        out.push(Command::Library(LibraryCommand::Offer(choice)));
+                        ui.close();
+                    }
+                }
+            });
+            menu.response.on_hover_text("Saves a part of this look, so that others can have it");
+            let text = self.kind.map_or("All kinds", PartKind::title);
+            let combo = ComboBox::from_id_salt("kinds").width(84.0).selected_text(text);
+            let combo = combo.show_ui(ui, |ui| {
+                ui.selectable_value(&mut self.kind, None, "All kinds");
+                for kind in PartKind::ALL {
+                    ui.selectable_value(&mut self.kind, Some(kind), kind.title());
+                }
+            });
+            combo
+                .response
+                .widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Kind of parts"));
+            let help = "Reads the folders again";
+            if ui.button("Refresh").on_hover_text(help).clicked() {
+                self.is_stale = true;
+            }
+        });
+        ui.add_space(2.0);
+    }
+
+    /// Shows a folder; returns the number of its parts that are found.
+    fn shelf(
+        &self,
+        ui: &mut Ui,
+        session: &Session,
+        shelf: &Shelf,
+        search: (&str, &Thumbs),
+        out: &mut Vec<Command>,
+    ) -> usize {
+        title(ui, &shelf.title, Some(shelf), out);
+        let found = self.found.iter().find(|found| found.folder == shelf.folder);
+        if let Some(lacking) = found.and_then(|found| found.lacking.as_ref()) {
+            ui.label(RichText::new(lacking).small().color(theme::of(ui).warning));
+        }
+        match found {
+            None => hint(ui, "reading…"),
+            Some(found) if found.parts.is_empty() => hint(ui, "Nothing is saved here yet"),
+            Some(_) => {}
+        }
+        self.grid(ui, session, Some(&shelf.folder), search, out)
+    }
+
+    /// Shows the parts of a folder, or of Chiaro, that are found; returns their number.
+    fn grid(
+        &self,
+        ui: &mut Ui,
+        session: &Session,
+        folder: Option<&PathBuf>,
+        (query, thumbs): (&str, &Thumbs),
+        out: &mut Vec<Command>,
+    ) -> usize {
+        let is_kind = |part: &Part| {
+            self.kind.is_none_or(|kind| part.content.as_ref().is_ok_and(|found| found.kind == kind))
+        };
+        let with_rank = |card: &'_ PartCard| {
+            let part = &card.part;
+            let kind = part.content.as_ref().map_or("", |content| content.kind.word());
+            words::rank(query, &[&part.name, &part.tags, kind, &part.about])
+        };
+        let mut found: Vec<(usize, &PartCard)> = self
+            .cards
+            .iter()
+            .filter(|card| card.folder.as_ref() == folder && is_kind(&card.part))
+            .filter_map(|card| Some((with_rank(card)?, card)))
+            .collect();
+        found.sort_by_key(|(rank, _)| *rank);
+        let (columns, side) = cards::columns(ui.available_width() - 8.0, CARD, GAP);
+        for row in found.chunks(columns) {
+            ui.horizontal(|ui| {
+                for (_, card) in row {
+                    card.show(ui, side, session, thumbs, out);
+                }
+            });
+        }
+        found.len()
+    }
+
+    /// Shows the field that adds a shared folder.
+    fn folders(&mut self, ui: &mut Ui, safety: &Safety, out: &mut Vec<Command>) {
+        ui.add_space(GAP);
+        ui.label(RichText::new("Shared folders").strong())
+            .on_hover_text("Folders that others save to as well, such as one on a server");
+        ui.horizontal(|ui| {
+            let width = (ui.available_width() - 60.0).max(60.0);
+            let edit = TextEdit::singleline(&mut self.typed)
+                .hint_text("Path of a folder")
+                .desired_width(width);
+            let response = ui.add(edit);
+            response.widget_info(|| {
+                WidgetInfo::labeled(Role::TextInput, true, "Path of a shared folder")
+            });
+            let path = PathBuf::from(self.typed.trim());
+            let is_new = path.is_absolute() && !safety.settings.library_folders.contains(&path);
+            let button = ui.add_enabled(is_new, Button::new("Add folder"));
+            let help = "A whole path, from the root on, that is not in the list yet";
+            if button.on_disabled_hover_text(help).clicked() {
+                self.typed.clear();
+                out.push(Command::Library(LibraryCommand::AddFolder(path)));
+            }
+        });
+    }
+}
+
+/// Shows the title of a folder.
+fn title(ui: &mut Ui, title: &str, shelf: Option<&Shelf>, out: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        let label = Label::new(RichText::new(title).strong()).truncate();
+        let label = ui.add(label);
+        let Some(shelf) = shelf else { return };
+        label.on_hover_text(shelf.folder.display().to_string());
+        if shelf.is_shared {
+            let button = ui.small_button("Take off").on_hover_text("Its files stay");
+            let name = format!("Take off {}", shelf.folder.display());
+            button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+            if button.clicked() {
+                let folder = shelf.folder.clone();
+                out.push(Command::Library(LibraryCommand::RemoveFolder(folder)));
+            }
+        }
+    });
+}
+
+fn egui_frame(ui: &Ui) -> eframe::egui::Frame {
+    let colors = theme::of(ui);
+    eframe::egui::Frame::new().fill(colors.field).corner_radius(4.0).inner_margin(8.0)
+}
+
+/// Folders of the library: the user's own, the project's, and those that others share.
+fn shelves(session: &Session, safety: &Safety) -> Vec<Shelf> {
+    let mut shelves: Vec<Shelf> = Vec::new();
+    let mut add = |title: &str, folder: PathBuf, is_shared| {
+        if shelves.iter().all(|shelf| shelf.folder != folder) {
+            shelves.push(Shelf { title: title.to_owned(), folder, is_shared });
+        }
+    };
+    if let Some(folder) = safety.library() {
+        add("My library", folder, false);
+    }
+    let beside = |path: &Path| path.parent().map(|folder| folder.join(FOLDER));
+    let scene = session.open_scene().and_then(|open_scene| open_scene.path());
+    for folder in [session.path(), scene].into_iter().flatten().filter_map(beside) {
+        add("This project", folder, false);
+    }
+    for folder in &safety.settings.library_folders {
+        let name = folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy();
+        add(&format!("Shared: {name}"), folder.clone(), true);
+    }
+    shelves
+}
+
+/// Parts of the look that can be saved now, each with a label.
+pub(crate) fn choices(session: &Session) -> Vec<(String, PartChoice)> {
+    let mut choices = vec![("This look".to_owned(), PartChoice::Look)];
+    let graph = session.graph();
+    let nodes: Vec<_> =
+        session.selection.nodes().filter(|id| graph.nodes.contains_key(*id)).cloned().collect();
+    let title = |id: &crate::ids::NodeId| {
+        let node = graph.nodes.get(id);
+        node.map_or_else(String::new, |node| session.look_with_library().title_of_node(id, node))
+    };
+    if let [id] = nodes.as_slice() {
+        let title = title(id);
+        let is_whole = session.selection.open_groups().is_empty();
+        let choice = if is_whole {
+            PartChoice::Layers(vec![id.clone()])
+        } else {
+            PartChoice::Nodes(vec![id.clone()])
+        };
+        choices.push((format!("{title}, with what feeds it"), choice));
+        if let Some(node) = graph.nodes.get(id) {
+            if let Some((id, _)) = session.look().definitions.get_key_value(node.kind.as_str()) {
+                choices.push((format!("The group of {title}"), PartChoice::Group(id.clone())));
+            }
+            let (ramps, has_profile) = keepable(&session.project.catalog, node);
+            if has_profile {
+                choices.push((format!("The profile of {title}"), PartChoice::Profile(id.clone())));
+            }
+            for port in ramps {
+                choices.push((format!("The ramp of {title}"), PartChoice::Ramp(id.clone(), port)));
+            }
+        }
+    } else if !nodes.is_empty() {
+        choices.push((format!("{} selected nodes", nodes.len()), PartChoice::Nodes(nodes)));
+    }
+    if !session.look().lights.is_empty() {
+        choices.push(("All lights".to_owned(), PartChoice::Lights));
+    }
+    choices
+}

@@ -1,0 +1,505 @@
+//! Placement of parts in a look: the edit, and the sentence on what was copied, what the look had
+//! already, and what was renamed. Nothing is copied in silence.
+
+use std::path::Path;
+
+use indexmap::IndexMap;
+
+use super::{PROFILE, PartKind, ends};
+use crate::catalog::Catalog;
+use crate::document::{Edit, Endpoint, GraphId, Look, Node, Value, Wire, grouping};
+use crate::ids::{DefinitionId, LightId, NodeId, PortName, make_slug};
+use crate::library::{Library, Type};
+use crate::state::problem_text::sentence;
+use crate::state::stack::{BELOW, Stack};
+
+/// Distance from one layer to the next on the canvas, in points.
+const STEP: f64 = 260.0;
+
+/// Placed part.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Placement {
+    pub(crate) edit: Edit,
+    /// Nodes to select.
+    pub(crate) nodes: Vec<NodeId>,
+    /// Sentence on what was done.
+    pub(crate) told: String,
+}
+
+/// Look that a part is placed in.
+#[derive(Clone, Copy)]
+pub(crate) struct Recipient<'a> {
+    pub(crate) look: &'a Look,
+    pub(crate) catalog: &'a Catalog,
+    pub(crate) library: &'a Library,
+}
+
+impl Recipient<'_> {
+    /// The catalog of the look after an edit.
+    fn catalog_of(self, trial: &Look) -> Catalog {
+        let mut catalog = Catalog::new(self.library);
+        catalog.sync(trial, self.library);
+        catalog
+    }
+}
+
+/// Lays the layers of a part over a layer of a look, or on top of all.
+///
+/// # Errors
+/// The reason why they cannot be laid there.
+pub(crate) fn layer(
+    to: Recipient<'_>,
+    (name, part): (&str, &Look),
+    over: Option<&NodeId>,
+) -> Result<Placement, String> {
+    let stack = Stack::of(to.look, to.catalog);
+    if !stack.has_output() {
+        return Err("The look has no Output node, so that no layer can be laid on".to_owned());
+    }
+    let found = over.and_then(|id| wire_over(to.look, &stack, id));
+    let top = || {
+        let first = stack.layers.first().map(|layer| &layer.id);
+        let first = first.or(stack.ground.as_ref().map(|ground| &ground.node));
+        first.and_then(|id| wire_over(to.look, &stack, id))
+    };
+    let (from, into) = match found.or_else(top) {
+        Some(wire) => (Some(wire.from.clone()), wire.to.clone()),
+        None => (None, stack.lowest_inlet().cloned().ok_or("There is no stack to lay it on")?),
+    };
+    let below = from.as_ref().map(|from| title(to, &from.node));
+    let where_to = below.map_or_else(String::new, |below| format!(", over {below}"));
+    between(to, (name, part), from, into, &where_to)
+}
+
+/// Puts a part into a wire of the look's own graph.
+///
+/// # Errors
+/// The reason why it does not fit there.
+pub(crate) fn in_wire(
+    to: Recipient<'_>,
+    (name, part): (&str, &Look),
+    wire: &Wire,
+) -> Result<Placement, String> {
+    let where_to =
+        format!(", between {} and {}", title(to, &wire.from.node), title(to, &wire.to.node));
+    between(to, (name, part), Some(wire.from.clone()), wire.to.clone(), &where_to)
+}
+
+/// Puts a part between an output and an input, where there is room made for it.
+fn between(
+    to: Recipient<'_>,
+    (name, part): (&str, &Look),
+    from: Option<Endpoint>,
+    into: Endpoint,
+    where_to: &str,
+) -> Result<Placement, String> {
+    let pasted = paste(to.look, &GraphId::Look, part, None)?;
+    let mut trial = to.look.clone();
+    trial.apply(pasted.edit.clone()).map_err(|problem| problem.message)?;
+    let catalog = to.catalog_of(&trial);
+    // Groups of the part may have other names in the trial.
+    let own = to.catalog_of(part);
+    let here = |id: &NodeId| {
+        let index = part.graph.nodes.get_index_of(id)?;
+        pasted.nodes.get(index).cloned()
+    };
+    let (inlet, outlet) = match ends(part, &own) {
+        Some([bottom, top]) => (
+            here(bottom).map(|id| Endpoint::new(id, BELOW)),
+            here(top).map(|id| Endpoint::new(id, BELOW)),
+        ),
+        None => through(&trial, &catalog, &pasted.nodes, from.as_ref(), &into),
+    };
+    let (Some(inlet), Some(outlet)) = (inlet, outlet) else {
+        return Err(format!(
+            "\"{name}\" does not fit there: it has no free input and output of the wire's type"
+        ));
+    };
+    let mut edits = vec![pasted.edit];
+    edits.extend(room(to.look, &trial, (&pasted.nodes, &outlet.node), from.as_ref(), &into));
+    edits.extend(rename(to.look, &trial, &outlet.node));
+    let wires =
+        [from.map(|from| Wire { from, to: inlet }), Some(Wire { from: outlet.clone(), to: into })];
+    edits.extend(wires.into_iter().flatten().map(|wire| Edit::AddWire {
+        graph: GraphId::Look,
+        wire,
+        index: None,
+    }));
+    let told = format!("\"{name}\" is copied into this look{where_to}{}", along(to, part));
+    // The layer itself is selected, as that is what is set next.
+    Ok(Placement { edit: Edit::Group { edits }, nodes: vec![outlet.node], told })
+}
+
+/// Adds the nodes of a part to a graph, or a node of its group.
+///
+/// # Errors
+/// The reason why they cannot be added.
+pub(crate) fn nodes(
+    to: Recipient<'_>,
+    graph: &GraphId,
+    (name, part): (&str, &Look),
+    at: [f64; 2],
+) -> Result<Placement, String> {
+    let part = &with_node_of_group(part, name);
+    let pasted = paste(to.look, graph, part, Some(at))?;
+    let told = format!("\"{name}\" is copied into this look{}", along(to, part));
+    Ok(Placement { edit: pasted.edit, nodes: pasted.nodes, told })
+}
+
+/// A part that holds groups alone, with a node of the last one, which uses the others.
+pub(super) fn with_node_of_group(part: &Look, name: &str) -> Look {
+    let mut part = part.clone();
+    if part.graph.nodes.is_empty()
+        && let Some((id, _)) = part.definitions.last()
+    {
+        let node = Node { kind: id.to_string(), name: name.to_owned(), ..Node::default() };
+        part.graph.nodes.insert(NodeId::from(id.as_str()), node);
+    }
+    part
+}
+
+/// Sets up a look's lights as a part has them: those of the same id are set anew, others are added.
+///
+/// # Errors
+/// The reason why there is nothing to set up.
+pub(crate) fn lights(look: &Look, (name, part): (&str, &Look)) -> Result<Placement, String> {
+    let (mut edits, mut set, mut added) = (Vec::new(), Vec::new(), Vec::new());
+    let shown = |id: &LightId| {
+        part.lights.get(id).map_or(id.as_str(), |light| light.display_name(id)).to_owned()
+    };
+    for (id, light) in &part.lights {
+        match look.lights.get(id) {
+            Some(own) if own == light => {}
+            Some(_) => {
+                set.push(shown(id));
+                edits.push(Edit::SetLight { id: id.clone(), light: light.clone() });
+            }
+            None => {
+                added.push(shown(id));
+                let (id, light) = (id.clone(), light.clone());
+                edits.push(Edit::AddLight { id, light, index: None });
+            }
+        }
+    }
+    if edits.is_empty() {
+        return Err(format!("This look has the lights of \"{name}\" already"));
+    }
+    let mut told = format!("\"{name}\" is copied into this look");
+    if !set.is_empty() {
+        told += &format!(" · set anew: {}", set.join(", "));
+    }
+    if !added.is_empty() {
+        told += &format!(" · added: {}", added.join(", "));
+    }
+    let others: Vec<&str> = look
+        .lights
+        .iter()
+        .filter(|(id, _)| !part.lights.contains_key(*id))
+        .map(|(id, light)| light.display_name(id))
+        .collect();
+    if !others.is_empty() {
+        told += &format!(" · as they were: {}", others.join(", "));
+    }
+    Ok(Placement { edit: Edit::Group { edits }, nodes: Vec::new(), told })
+}
+
+/// Values of a profile or a ramp for a node of a kind: by name, and a ramp or a curve also for the
+/// only input of that type, or for `port`. Empty where the node takes none of them.
+pub(crate) fn values(
+    to: Recipient<'_>,
+    node: &Node,
+    part: &Look,
+    port: Option<&PortName>,
+) -> Vec<(PortName, Value)> {
+    let (Some(source), Some(kind)) = (part.graph.nodes.values().next(), to.catalog.of(node)) else {
+        return Vec::new();
+    };
+    let mut found = Vec::new();
+    for (name, value) in &source.values {
+        let ty = match value {
+            Value::Ramp(_) => Some(Type::Ramp),
+            Value::Curve(_) => Some(Type::Curve),
+            _ => None,
+        };
+        let input = match &ty {
+            Some(ty) => {
+                let fits = |input: &&crate::catalog::Port| {
+                    input.ty == *ty && port.is_none_or(|port| *port == input.name)
+                };
+                kind.inputs.iter().find(fits)
+            }
+            None if PROFILE.contains(&name.as_str()) => {
+                kind.inputs.iter().find(|input| input.name == *name)
+            }
+            None => None,
+        };
+        found.extend(input.map(|input| (input.name.clone(), value.clone())));
+    }
+    found
+}
+
+fn paste(
+    look: &Look,
+    graph: &GraphId,
+    part: &Look,
+    at: Option<[f64; 2]>,
+) -> Result<grouping::PastedFragment, String> {
+    grouping::paste_text(look, graph, &part.to_text(), at).map_err(|problem| sentence(&problem))
+}
+
+/// The wire by which a layer, or the ground, gives its stack on.
+fn wire_over<'l>(look: &'l Look, stack: &Stack, id: &NodeId) -> Option<&'l Wire> {
+    let is_stack = |port: &PortName| port.as_str().is_empty() || port.as_str() == BELOW;
+    let is_ground = stack.ground.as_ref().is_some_and(|ground| ground.node == *id);
+    let mut wires = look.graph.wires.iter().filter(|wire| wire.from.node == *id);
+    let leads_on = |wire: &&Wire| {
+        let node = look.graph.nodes.get(&wire.to.node);
+        wire.to.port.as_str() == BELOW
+            || node.is_some_and(|node| matches!(node.kind.as_str(), "output" | "reroute"))
+    };
+    wires.clone().filter(|wire| is_ground || is_stack(&wire.from.port)).find(leads_on).or_else(
+        || {
+            // A stack within a folder goes into another input.
+            wires.find(|wire| is_stack(&wire.from.port))
+        },
+    )
+}
+
+/// Free input and output of placed nodes by which they can be put between two others.
+fn through(
+    trial: &Look,
+    catalog: &Catalog,
+    nodes: &[NodeId],
+    from: Option<&Endpoint>,
+    into: &Endpoint,
+) -> (Option<Endpoint>, Option<Endpoint>) {
+    let port_of = |end: &Endpoint, is_output: bool| {
+        let kind = catalog.of(trial.graph.nodes.get(&end.node)?)?;
+        let (ports, index) = match is_output {
+            true => (&kind.outputs, kind.output(end.port.as_str())?),
+            false => (&kind.inputs, kind.input(end.port.as_str())?),
+        };
+        Some(ports[index].clone())
+    };
+    let kinds =
+        || nodes.iter().filter_map(|id| Some((id, catalog.of(trial.graph.nodes.get(id)?)?)));
+    let is_wired = |end: &Endpoint| trial.graph.wire_into(&end.node, &end.port).is_some();
+    let inlet = from.and_then(|from| {
+        let ty = port_of(from, true)?.ty;
+        kinds().find_map(|(id, kind)| {
+            let input = |exact: bool| {
+                kind.inputs.iter().find(|port| {
+                    port.is_wirable()
+                        && (if exact { port.ty == ty } else { port.takes(&ty) })
+                        && !is_wired(&Endpoint::new(id.clone(), port.name.clone()))
+                })
+            };
+            let port = input(true).or_else(|| input(false))?;
+            Some(Endpoint::new(id.clone(), port.name.clone()))
+        })
+    });
+    let outlet = port_of(into, false).and_then(|target| {
+        kinds().collect::<Vec<_>>().into_iter().rev().find_map(|(id, kind)| {
+            let is_used = trial.graph.wires.iter().any(|wire| wire.from.node == *id);
+            let port = kind.outputs.iter().find(|port| !is_used && target.takes(&port.ty))?;
+            Some(Endpoint::new(id.clone(), port.name.clone()))
+        })
+    });
+    (inlet, outlet)
+}
+
+/// Moves of nodes, so that placed ones lie between two others, with the last on their level: what
+/// lies to the right of them is moved on.
+fn room(
+    look: &Look,
+    trial: &Look,
+    (placed, last): (&[NodeId], &NodeId),
+    from: Option<&Endpoint>,
+    into: &Endpoint,
+) -> Vec<Edit> {
+    let place = |id: &NodeId| trial.graph.nodes.get(id).map(|node| node.position);
+    let (Some(target), Some(last)) = (place(&into.node), place(last)) else {
+        return Vec::new();
+    };
+    let xs = || placed.iter().filter_map(place).map(|[x, _]| x);
+    let (least, most) = (xs().fold(f64::MAX, f64::min), xs().fold(f64::MIN, f64::max));
+    let begin = from.and_then(|from| place(&from.node)).unwrap_or([target[0] - STEP, target[1]]);
+    let by = [begin[0] + STEP - least, begin[1] - last[1]];
+    let mut positions: IndexMap<NodeId, [f64; 2]> = IndexMap::new();
+    for id in placed {
+        if let Some([x, y]) = place(id) {
+            positions.insert(id.clone(), [x + by[0], y + by[1]]);
+        }
+    }
+    let lack = most + by[0] + STEP - target[0];
+    if lack > 0.0 {
+        for (id, node) in look.graph.nodes.iter().filter(|(_, node)| node.position[0] >= target[0])
+        {
+            positions.insert(id.clone(), [node.position[0] + lack, node.position[1]]);
+        }
+    }
+    vec![Edit::MoveNodes { graph: GraphId::Look, positions }]
+}
+
+/// Another name for a placed node, where a node of the look has its name already.
+fn rename(look: &Look, trial: &Look, id: &NodeId) -> Option<Edit> {
+    let name = &trial.graph.nodes.get(id)?.name;
+    let is_taken = |name: &str| look.graph.nodes.values().any(|node| node.name == name);
+    if name.is_empty() || !is_taken(name) {
+        return None;
+    }
+    let name = (2..).map(|number| format!("{name} {number}")).find(|name| !is_taken(name))?;
+    Some(Edit::SetName { graph: GraphId::Look, id: id.clone(), name })
+}
+
+/// Display name of a node of the look's own graph.
+fn title(to: Recipient<'_>, id: &NodeId) -> String {
+    let Some(node) = to.look.graph.nodes.get(id) else { return id.to_string() };
+    let kind = || to.catalog.of(node).map_or_else(|| id.to_string(), |kind| kind.label.to_string());
+    if node.name.is_empty() { kind() } else { node.name.clone() }
+}
+
+/// What a part brings along, and what of its names the look had already.
+fn along(to: Recipient<'_>, part: &Look) -> String {
+    let mut told = String::new();
+    let mut tell = |what: &str, names: Vec<String>| {
+        if !names.is_empty() {
+            told += &format!(" · {what} {}", names.join(", "));
+        }
+    };
+    let light = |id: &LightId| {
+        let own = to.look.lights.get(id).or_else(|| part.lights.get(id));
+        own.map_or_else(|| id.to_string(), |light| light.display_name(id).to_owned())
+    };
+    let (own, others): (Vec<_>, Vec<_>) =
+        part.lights.keys().partition(|id| to.look.lights.contains_key(*id));
+    tell("lit by this look's", own.into_iter().map(light).collect());
+    tell("with its light", others.into_iter().map(light).collect());
+    let group = |id: &DefinitionId| {
+        part.definitions.get(id).map_or_else(String::new, |definition| {
+            if definition.label.is_empty() { id.to_string() } else { definition.label.clone() }
+        })
+    };
+    let (known, new): (Vec<_>, Vec<_>) =
+        part.definitions.keys().partition(|id| to.look.definitions.contains_key(*id));
+    tell("with its group", new.into_iter().map(group).collect());
+    let (same, renamed): (Vec<_>, Vec<_>) =
+        known.into_iter().partition(|id| to.look.definitions.get(*id) == part.definitions.get(*id));
+    tell("uses this look's group", same.into_iter().map(group).collect());
+    tell(
+        "under another name, as this look has another one,",
+        renamed.into_iter().map(group).collect(),
+    );
+    let lacks: Vec<String> = part
+        .graph
+        .nodes
+        .values()
+        .filter(|node| {
+            let is_own = part.definitions.contains_key(node.kind.as_str());
+            !is_own && to.catalog.of(node).is_none_or(|kind| kind.is_missing)
+        })
+        .map(|node| node.kind.clone())
+        .collect();
+    tell("lacks here: the node", lacks);
+    told
+}
+
+/// Names the files of a look's images, which are named from one folder, as seen from another.
+/// Returns the files.
+pub(crate) fn rebase(
+    look: &mut Look,
+    catalog: &Catalog,
+    from: &Path,
+    folder: Option<&Path>,
+) -> Vec<String> {
+    let mut files = Vec::new();
+    let groups = look.definitions.values_mut().map(|definition| &mut definition.graph);
+    let graphs = std::iter::once(&mut look.graph).chain(groups);
+    for node in graphs.flat_map(|graph| graph.nodes.values_mut()) {
+        let Some(kind) = catalog.of(node).cloned() else { continue };
+        for (port, value) in &mut node.values {
+            let input = kind.input(port.as_str()).map(|index| &kind.inputs[index].ty);
+            let is_file = matches!(input, Some(Type::Image | Type::Hcbtf));
+            let Value::Text(path) = value else { continue };
+            let is_inside =
+                path.is_empty() || path.contains("example:") || path.starts_with("mesh:");
+            if !is_file || is_inside {
+                continue;
+            }
+            let whole = from.join(&*path);
+            *path = match folder {
+                Some(folder) => crate::files::relative(folder, &whole),
+                None => whole.to_string_lossy().into_owned(),
+            };
+            files.push(whole.file_name().unwrap_or_default().to_string_lossy().into_owned());
+        }
+    }
+    files.dedup();
+    files
+}
+
+/// Look on which a part is shown; `None` where there is nothing to see.
+pub(crate) fn shown(part: &Look, kind: PartKind) -> Option<Look> {
+    const BASE: &str = r##"{"lights": {"key": {"direction": [-0.5, 0.7, 0.6]}}, "nodes": [
+        {"id": "base", "kind": "base", "values": {"color": "#8d8377"}},
+        {"id": "output", "kind": "output"}],
+      "wires": [{"from": "base", "to": "output.color"}]}"##;
+    const PROFILED: &str = r##"{"lights": {"key": {"direction": [-0.5, 0.7, 0.6]}}, "nodes": [
+        {"id": "base", "kind": "base", "values": {"color": "#1e1c24"}},
+        {"id": "layer", "kind": "light_layer", "values": {"light": "key", "convex": "#e8d9c2",
+          "concave": "#e8d9c2", "blend": "alpha"}},
+        {"id": "output", "kind": "output"}],
+      "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}]}"##;
+    let read = |text: &str| Look::read(text, "shown").value;
+    let library = Library::built_in();
+    match kind {
+        PartKind::Look => Some(part.clone()),
+        PartKind::Layer => {
+            let mut look = read(BASE)?;
+            look.color_space = part.color_space;
+            // The part's own lights, and not those of the look that it is shown on.
+            look.lights.clone_from(&part.lights);
+            let mut catalog = Catalog::new(library);
+            catalog.sync(&look, library);
+            let to = Recipient { look: &look, catalog: &catalog, library };
+            let placed = layer(to, ("", part), None).ok()?;
+            look.apply(placed.edit).ok()?;
+            Some(look)
+        }
+        PartKind::Profile => {
+            let mut look = read(PROFILED)?;
+            let source = part.graph.nodes.values().next()?;
+            let layer = look.graph.nodes.get_mut("layer")?;
+            for name in PROFILE {
+                layer.values.insert(name.into(), source.values.get(name)?.clone());
+            }
+            Some(look)
+        }
+        PartKind::Lights => {
+            let mut look = read(BASE)?;
+            look.graph
+                .nodes
+                .get_mut("base")?
+                .values
+                .insert("color".into(), Value::Text("#14131a".to_owned()));
+            look.lights.clone_from(&part.lights);
+            look.color_space = part.color_space;
+            let mut below = Endpoint::new("base", "");
+            // As many as a small picture tells apart.
+            for (index, id) in part.lights.keys().take(6).enumerate() {
+                let name = NodeId::new(make_slug(&format!("layer_{index}"), |slug| {
+                    look.graph.nodes.contains_key(slug)
+                }));
+                let mut node = Node { kind: "light_layer".to_owned(), ..Node::default() };
+                node.values.insert("light".into(), Value::Text(id.to_string()));
+                look.graph.nodes.insert(name.clone(), node);
+                look.graph.wires.push(Wire { from: below, to: Endpoint::new(name.clone(), BELOW) });
+                below = Endpoint::new(name, BELOW);
+            }
+            look.graph.wires.retain(|wire| wire.to.node.as_str() != "output");
+            look.graph.wires.push(Wire { from: below, to: Endpoint::new("output", "color") });
+            Some(look)
+        }
+        PartKind::Nodes | PartKind::Group | PartKind::Ramp => None,
+    }
+}

@@ -1,0 +1,108 @@
+//! Library of parts in the window: a layer is saved from one look, found by its tag, and put into
+//! another look, which says what was copied; undo takes it out again.
+
+use std::fs;
+
+use eframe::egui::{Rect, Role};
+use egui_kittest::kittest::Queryable as _;
+
+use crate::editor_support::home::Home;
+use crate::editor_support::{User, node_center};
+
+const FROM: &str = r##"{"name": "From", "lights": {"key": {}, "back": {"name": "Moon"}}, "nodes": [
+    {"id": "base", "kind": "base"},
+    {"id": "tint", "kind": "color_value", "at": [0, 300]},
+    {"id": "rim", "kind": "light_layer", "name": "Rim", "values": {"light": "back"}, "at": [260, 0]},
+    {"id": "output", "kind": "output", "at": [520, 0]}],
+  "wires": [{"from": "base", "to": "rim.below"}, {"from": "tint", "to": "rim.convex"},
+    {"from": "rim", "to": "output.color"}]}"##;
+
+const TO: &str = r##"{"name": "To", "lights": {"key": {}}, "nodes": [
+    {"id": "base", "kind": "base"},
+    {"id": "body", "kind": "light_layer", "name": "Body", "values": {"light": "key"},
+      "at": [300, 0]},
+    {"id": "output", "kind": "output", "at": [600, 0]}],
+  "wires": [{"from": "base", "to": "body.below"}, {"from": "body", "to": "output.color"}]}"##;
+
+/// Layers of the look, from the Output down.
+fn layers(hand: &User) -> Vec<String> {
+    let graph = &hand.look().graph;
+    let (mut node, mut port) = ("output".to_owned(), "color");
+    let mut found = Vec::new();
+    while let Some(wire) = graph.wire_into(&node.as_str().into(), &port.into()) {
+        (node, port) = (wire.from.node.to_string(), "below");
+        found.push(node.clone());
+    }
+    found
+}
+
+#[test]
+fn a_layer_goes_from_one_look_to_another() {
+    let home = Home::new();
+    let [from, to] = ["from.json", "to.json"].map(|name| home.file(name));
+    fs::write(&from, FROM).unwrap();
+    fs::write(&to, TO).unwrap();
+    let mut hand = home.window(Some(&from));
+    hand.settle();
+    hand.press("More of Rim");
+    hand.press("Save to the library…");
+    hand.settle();
+    // The name has the focus, and is the layer's own to begin with.
+    hand.type_text(" of the moon");
+    let tags = hand.place_of(Role::TextInput, "Tags of the part").center();
+    hand.click(tags);
+    hand.type_text("edge silver");
+    hand.press("Save layer");
+    hand.settle();
+    let told = hand.app().message().unwrap_or_default().to_owned();
+    assert!(told.contains("The layer \"Rim of the moon\" is saved as"), "{told}");
+    assert!(hand.has("Part Rim of the moon, layer"));
+
+    // In the other look it is found by its tag, and a double click lays it over the layer that is
+    // selected.
+    hand.app_mut().open(&to);
+    hand.settle();
+    let body = node_center(&hand, "body");
+    hand.click(body);
+    let search = hand.place("Search parts").center();
+    hand.click(search);
+    hand.type_text("silv");
+    hand.settle();
+    assert!(!hand.has("Part Three-point light, lights"), "others are not found");
+    let part = hand.place("Part Rim of the moon, layer").center();
+    hand.double_click(part);
+    hand.settle();
+    assert_eq!(layers(&hand), ["rim", "body", "base"]);
+    assert!(
+        hand.look().graph.nodes.contains_key("tint") && hand.look().lights.contains_key("back")
+    );
+    let told = hand.app().message().unwrap_or_default().to_owned();
+    assert!(told.contains("copied into this look, over Body · with its light Moon"), "{told}");
+    assert_eq!(hand.selected(), ["rim"]);
+    hand.undo();
+    assert_eq!(layers(&hand), ["body", "base"], "one step");
+    assert!(!hand.look().lights.contains_key("back"));
+
+    // Dropped on a wire it lies where the wire was.
+    let (start, end) = (hand.output("base", "below"), hand.input("body", "below"));
+    hand.drag(part, Rect::from_two_pos(start, end).center());
+    hand.settle();
+    assert_eq!(layers(&hand), ["body", "rim", "base"]);
+    assert!(hand.app().message().unwrap_or_default().contains("between Base and Body"));
+
+    // A damaged file is there, with the reason, and is put nowhere.
+    let folder = home.places().config.join("library");
+    fs::write(folder.join("bad.json"), "{").unwrap();
+    hand.click(search);
+    hand.key_with(eframe::egui::Modifiers::COMMAND, eframe::egui::Key::A);
+    hand.type_text("bad");
+    hand.press("Refresh");
+    hand.settle();
+    let bad = hand.place("Part bad, damaged").center();
+    let before = hand.look().clone();
+    hand.double_click(bad);
+    hand.settle();
+    let told = hand.app().message().unwrap_or_default().to_owned();
+    assert!(told.contains("\"bad\" cannot be read") && *hand.look() == before, "{told}");
+    assert!(hand.harness.query_by_label("Part Rim of the moon, layer").is_none());
+}
