@@ -129,6 +129,7 @@ impl App {
                 self.dialogs.ask(FilePurpose::Reference, self.session.path());
             }
             Command::Display(command) => self.apply_to_display(command),
+            Command::Compare(picture) => self.compare(picture),
             Command::CompareFrames(path) => self.compare_frames(path),
             Command::LeaveProbe => self.bench.tools.of_mut::<Probe>().escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
@@ -156,6 +157,7 @@ impl App {
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::SelectKey(key) => self.session.selection.key = key,
             Command::SetTime(time) => self.session.set_time(time),
+            Command::Vary(subject) => self.vary(subject),
             Command::TakeCell(cell) => self.tell(|session| session.take_cell(&cell)),
             Command::View(command) => self.apply_to_view(command),
             Command::Graph(command) => {
@@ -163,6 +165,7 @@ impl App {
                 self.bench.canvas.ask(command);
             }
             Command::Scene(command) => self.apply_scene_command(ui, command),
+            Command::Snapshot(command) => self.apply_to_snapshots(command),
             Command::Paint(command) => self.apply_to_painting(ui, command),
             Command::Fit(command) => self.apply_to_fitting(ui, command),
             Command::Placing(command) => self.apply_to_placing(ui, command),

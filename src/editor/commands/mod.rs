@@ -18,6 +18,7 @@ mod recovery;
 mod scale;
 mod scene;
 mod shot;
+mod snapshot;
 pub(crate) mod table;
 mod tour;
 
@@ -28,12 +29,14 @@ use eframe::egui;
 
 use crate::document::Edit;
 use crate::ids::{DefinitionId, LightId, NodeId, NodePath};
+use crate::state::comparison::ComparedPicture;
 use crate::state::keying::KeyPlace;
 use crate::state::solo::Solo;
+use crate::state::variations::VariedSubject;
 use crate::state::wedge::WedgeCell;
 use crate::state::wire::ShownWire;
 pub(crate) use display::DisplayCommand;
-pub(crate) use file_purpose::{FilePurpose, IMAGES, MESHES, PAINTING};
+pub(crate) use file_purpose::{FilePurpose, IMAGES, MESHES, PAINTING, is_image};
 pub(crate) use fit::{FitCommand, FitGoal, LightBrush, SketchCommand};
 pub(crate) use graph::{GraphCommand, Heading};
 pub(crate) use painting::{GridPreset, PaintCommand, PaintTool, PictureImport};
@@ -44,6 +47,7 @@ pub(crate) use recovery::RecoveryCommand;
 pub(crate) use scale::ScaleCommand;
 pub(crate) use scene::SceneCommand;
 pub(crate) use shot::ShotCommand;
+pub(crate) use snapshot::SnapshotCommand;
 pub(crate) use tour::TourTopic;
 
 /// Command to the window.
@@ -117,6 +121,8 @@ pub(crate) enum Command {
     Solo(Solo),
     /// Remembers columns of the light table that are shown or hidden by hand, by their words.
     KeepLightColumns(BTreeMap<String, bool>),
+    /// Compares the picture with another, or asks for a file with one.
+    Compare(Option<ComparedPicture>),
     /// Compares the frames of the timeline with rendered ones, of this file's sequence or of this
     /// folder, or with another document; asks for one where there is none.
     CompareFrames(Option<PathBuf>),
@@ -149,6 +155,8 @@ pub(crate) enum Command {
     SelectKey(Option<KeyPlace>),
     /// Moves the playhead, in seconds.
     SetTime(f64),
+    /// Shows a sheet of variations.
+    Vary(VariedSubject),
     /// Takes the values of a wedge's cell.
     TakeCell(WedgeCell),
     /// Command about the view of the object.
@@ -157,6 +165,8 @@ pub(crate) enum Command {
     Graph(GraphCommand),
     /// Command about the scene around the look.
     Scene(SceneCommand),
+    /// Command about the snapshots of the look.
+    Snapshot(SnapshotCommand),
     /// Command about the HCBTF that is being painted.
     Paint(PaintCommand),
     /// Command about painting light on the picture.

@@ -11,6 +11,7 @@ mod project;
 mod scene;
 mod shading;
 mod sharing;
+mod shelf;
 pub(crate) mod shot;
 mod sketch;
 mod snapshots;
@@ -18,6 +19,7 @@ mod steps;
 mod wedge;
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -39,6 +41,7 @@ use crate::state::reading::LookWithLibrary;
 use crate::state::revision::{GestureId, LookRevision, StepTime};
 use crate::state::scene::OpenScene;
 use crate::state::selection::{OpenGraph, Selection};
+use crate::state::shelf::SnapshotShelf;
 use crate::state::solo::Solo;
 use crate::state::view::ViewState;
 use crate::state::wire::ShownWire;
@@ -57,6 +60,10 @@ pub struct Session {
     /// True if the open look does not show the painting: undo takes back nothing that is not seen.
     pub(crate) hides_painting: bool,
     pub(crate) sketchbook: Sketchbook,
+    /// Snapshots of the look.
+    shelf: SnapshotShelf,
+    /// Labels of steps of the look that their edits do not tell.
+    named_steps: BTreeMap<StepTime, String>,
     pub(crate) project: Project,
     pub(crate) selection: Selection,
     pub(crate) view: ViewState,
@@ -96,6 +103,8 @@ impl Session {
             painting: None,
             hides_painting: false,
             sketchbook: Sketchbook::default(),
+            shelf: SnapshotShelf::default(),
+            named_steps: BTreeMap::new(),
             project: Project::new(library, files.clone(), move || nodes_are_read()),
             selection: Selection::default(),
             view: ViewState::default(),
@@ -206,6 +215,8 @@ impl Session {
             // Another folder is another project, with nodes of its own.
             self.reload_library();
         }
+        // Under another name the look takes its snapshots along.
+        self.shelf.write_beside(path);
         self.saved();
         Ok(())
     }
@@ -220,6 +231,8 @@ impl Session {
         self.look_was_opened(&look);
         self.look.history = History::new(look);
         self.sketchbook.find(&self.look);
+        self.open_shelf();
+        self.named_steps.clear();
         self.selection.nodes.clear();
         self.selection.light = None;
         // A scene has the camera, which stays.
@@ -478,8 +491,12 @@ impl Session {
     }
 
     fn redo_look(&mut self, now: StepTime) -> bool {
+        let before = self.look.times.next();
         let did = self.look.redo(now);
         if did {
+            if let Some(label) = before.and_then(|time| self.named_steps.remove(&time)) {
+                self.named_steps.insert(now, label);
+            }
             self.revisions.meaning.advance();
             self.changed(true);
         }
