@@ -117,3 +117,22 @@ fn the_picture_is_held_against_snapshots_and_files() {
     hand.settle();
     assert!(hand.says("reference.png") && !hand.app().wipe().problems().is_empty());
 }
+
+#[test]
+fn the_title_begins_with_what_a_save_writes() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = file(&folder, "toon.json");
+    let mut hand = User::new();
+    hand.app_mut().save_as(&path);
+    assert_eq!(hand.app().title(), "toon.json - Chiaro");
+    hand.add("light", hand.empty_place());
+    assert_eq!(hand.app().title(), "toon.json* - Chiaro");
+    hand.undo();
+    // A painting beside the look is written by the next save, the look is not.
+    hand.key_with(Modifiers::COMMAND, Key::P);
+    hand.type_text("New HCBTF, small");
+    hand.key(Key::Enter);
+    hand.settle();
+    let title = hand.app().title();
+    assert!(title.starts_with("New HCBTF"), "{title}");
+}

@@ -171,6 +171,7 @@ impl App {
             Command::Placing(command) => self.apply_to_placing(ui, command),
             Command::Sketch(command) => self.apply_to_sketch(command),
             Command::Recovery(command) => self.apply_to_recovery(command),
+            Command::ReadNotes => self.session.read_notes(),
             Command::Tell(text) => self.message = Some(text),
         }
     }

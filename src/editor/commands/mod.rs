@@ -98,6 +98,8 @@ pub(crate) enum Command {
     LeaveProbe,
     /// Shows a wire in place of the picture, or the picture again.
     ShowWire(Option<ShownWire>),
+    /// Takes the notes about the open documents as read: the status line no longer shows them.
+    ReadNotes,
     /// Shows a message in the status line.
     Tell(String),
     /// Writes a picture to a file; asks for one where there is none.

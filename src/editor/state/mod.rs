@@ -12,6 +12,7 @@ pub(crate) mod keying;
 pub(crate) mod orbit;
 pub(crate) mod painting;
 pub(crate) mod paths;
+pub(crate) mod picture_cost;
 pub(crate) mod problem_text;
 pub(crate) mod reading;
 pub(crate) mod revision;

@@ -19,11 +19,11 @@ mod steps;
 mod wedge;
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Severity};
 use crate::document::{Document, Edit, Graph, History, Look, SourceMap};
 use crate::files::{Disk, SharedFiles, write_atomic};
 use crate::frame::AssetStore;
@@ -62,6 +62,8 @@ pub struct Session {
     pub(crate) sketchbook: Sketchbook,
     /// Snapshots of the look.
     shelf: SnapshotShelf,
+    /// Notes about the open documents that were read.
+    read_notes: HashSet<String>,
     /// Labels of steps of the look that their edits do not tell.
     named_steps: BTreeMap<StepTime, String>,
     pub(crate) project: Project,
@@ -104,6 +106,7 @@ impl Session {
             hides_painting: false,
             sketchbook: Sketchbook::default(),
             shelf: SnapshotShelf::default(),
+            read_notes: HashSet::new(),
             named_steps: BTreeMap::new(),
             project: Project::new(library, files.clone(), move || nodes_are_read()),
             selection: Selection::default(),
@@ -233,6 +236,7 @@ impl Session {
         self.sketchbook.find(&self.look);
         self.open_shelf();
         self.named_steps.clear();
+        self.read_notes.clear();
         self.selection.nodes.clear();
         self.selection.light = None;
         // A scene has the camera, which stays.
@@ -529,6 +533,25 @@ impl Session {
         let scene = self.open_scene.iter().flat_map(OpenScene::problems);
         let files = self.look.load_problems.iter().chain(scene).chain(&self.project.problems);
         files.chain(&self.compilation.problems).chain(&self.picture_problems)
+    }
+
+    /// Problems but for notes that were read.
+    pub(crate) fn unread_problems(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.all_problems().filter(|problem| {
+            problem.severity != Severity::Note || !self.read_notes.contains(&problem.message)
+        })
+    }
+
+    /// True if there are notes that nobody has read.
+    pub(crate) fn has_unread_notes(&self) -> bool {
+        self.unread_problems().any(|problem| problem.severity == Severity::Note)
+    }
+
+    /// Takes all notes as read.
+    pub(crate) fn read_notes(&mut self) {
+        let notes = self.unread_problems().filter(|problem| problem.severity == Severity::Note);
+        let notes: Vec<String> = notes.map(|problem| problem.message.clone()).collect();
+        self.read_notes.extend(notes);
     }
 
     /// Number of times that a mesh, an image or an HCBTF was read, or a built-in shape made, for
