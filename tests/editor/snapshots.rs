@@ -136,3 +136,25 @@ fn the_title_begins_with_what_a_save_writes() {
     let title = hand.app().title();
     assert!(title.starts_with("New HCBTF"), "{title}");
 }
+
+#[test]
+fn a_variation_is_taken_by_a_click_and_another_sheet_lies_around_it() {
+    let mut hand = User::new();
+    hand.key_with(Modifiers::COMMAND, Key::P);
+    hand.type_text("Variations...");
+    hand.key(Key::Enter);
+    hand.settle();
+    hand.choose("Vary", "key: Intensity");
+    let before = hand.look().clone();
+    hand.press("Take 2");
+    let taken = hand.look().clone();
+    assert_eq!(hand.steps(), 1);
+    assert!(taken != before && taken.lights["key"].intensity == 2.0);
+    hand.press("Again around this one");
+    assert!(hand.has("Take 1.75") && hand.has("Take 2.25") && !hand.has("Take 0"));
+    hand.undo();
+    assert_eq!(*hand.look(), before);
+    hand.choose("Vary", "Mesh");
+    hand.press("Take Sphere");
+    assert_eq!(hand.app().session().view().orbit().mesh, "shape:sphere");
+}

@@ -1,5 +1,6 @@
 //! Application of commands: the one place that carries out what panels, keys and menus ask for.
 
+use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
@@ -129,13 +130,10 @@ impl App {
                 self.dialogs.ask(FilePurpose::Reference, self.session.path());
             }
             Command::Display(command) => self.apply_to_display(command),
-            Command::Compare(picture) => self.compare(picture),
             Command::CompareFrames(path) => self.compare_frames(path),
             Command::LeaveProbe => self.bench.tools.of_mut::<Probe>().escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
-            Command::KeepLightColumns(columns) => {
-                self.safety.change_settings(|settings| settings.light_columns = columns);
-            }
+            Command::KeepLightColumns(columns) => self.keep_light_columns(columns),
             Command::KeepFrameMemory(mib) => self.keep_frame_memory(mib),
             Command::ChooseLight(id) => self.session.choose_light(id),
             Command::LinkPointed(is_linked) => {
@@ -157,7 +155,6 @@ impl App {
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::SelectKey(key) => self.session.selection.key = key,
             Command::SetTime(time) => self.session.set_time(time),
-            Command::Vary(subject) => self.vary(subject),
             Command::TakeCell(cell) => self.tell(|session| session.take_cell(&cell)),
             Command::View(command) => self.apply_to_view(command),
             Command::Graph(command) => {
@@ -179,6 +176,11 @@ impl App {
     /// Asks for a mesh to show the look on.
     fn ask_for_mesh(&mut self) {
         self.dialogs.ask(FilePurpose::Mesh, Some(Path::new(&self.session.view.orbit.mesh)));
+    }
+
+    /// Remembers columns of the light table that are shown or hidden by hand.
+    fn keep_light_columns(&mut self, columns: BTreeMap<String, bool>) {
+        self.safety.change_settings(|settings| settings.light_columns = columns);
     }
 
     /// Bounds the memory of kept frames from now on, in MiB.
@@ -275,6 +277,8 @@ impl App {
                 Ok(view) => self.session.view.orbit = view,
                 Err(why) => self.message = Some(why),
             },
+            ViewCommand::Compare(picture) => self.compare(picture),
+            ViewCommand::Vary(subject) => self.vary(subject),
             ViewCommand::ToggleTurntable => self.bench.viewport.toggle_turntable(),
             ViewCommand::ToggleHandles => {
                 let shown = &mut self.bench.tools.of_mut::<HandlesSwitch>().is_on;

@@ -247,9 +247,8 @@ impl App {
         };
         let names = |of_saved: bool| {
             let documents = documents.iter().enumerate();
-            let those = documents.filter(|(index, (_, _, is_changed))| {
-                is_saved(*index, *is_changed) == of_saved
-            });
+            let those = documents
+                .filter(|(index, (_, _, is_changed))| is_saved(*index, *is_changed) == of_saved);
             let mark = if of_saved && is_any_changed { "*" } else { "" };
             let names = those.map(|(_, (_, name, _))| format!("{name}{mark}"));
             names.collect::<Vec<String>>().join(", ")

@@ -29,10 +29,8 @@ use eframe::egui;
 
 use crate::document::Edit;
 use crate::ids::{DefinitionId, LightId, NodeId, NodePath};
-use crate::state::comparison::ComparedPicture;
 use crate::state::keying::KeyPlace;
 use crate::state::solo::Solo;
-use crate::state::variations::VariedSubject;
 use crate::state::wedge::WedgeCell;
 use crate::state::wire::ShownWire;
 pub(crate) use display::DisplayCommand;
@@ -123,8 +121,6 @@ pub(crate) enum Command {
     Solo(Solo),
     /// Remembers columns of the light table that are shown or hidden by hand, by their words.
     KeepLightColumns(BTreeMap<String, bool>),
-    /// Compares the picture with another, or asks for a file with one.
-    Compare(Option<ComparedPicture>),
     /// Compares the frames of the timeline with rendered ones, of this file's sequence or of this
     /// folder, or with another document; asks for one where there is none.
     CompareFrames(Option<PathBuf>),
@@ -157,8 +153,6 @@ pub(crate) enum Command {
     SelectKey(Option<KeyPlace>),
     /// Moves the playhead, in seconds.
     SetTime(f64),
-    /// Shows a sheet of variations.
-    Vary(VariedSubject),
     /// Takes the values of a wedge's cell.
     TakeCell(WedgeCell),
     /// Command about the view of the object.

@@ -5,7 +5,7 @@ use eframe::egui;
 use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
 use super::row;
-use crate::commands::{Command, PanelId};
+use crate::commands::{Command, PanelId, ViewCommand};
 use crate::document::{Edit, ExposedValue, KeyDirection, Target};
 use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::fields::shot::{self, ChangedValue};
@@ -110,8 +110,9 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
         && VariationKind::of(&marked.target, &port).is_some()
     {
         let help = "Small pictures of the value as it could be; a click takes one";
+        let subject = VariedSubject::Value(marked.target.clone());
         if ui.button("Variations...").on_hover_text(help).clicked() {
-            out.push(Command::Vary(VariedSubject::Value(marked.target.clone())));
+            out.push(Command::View(ViewCommand::Vary(subject)));
         }
     }
     match marked.exposed() {

@@ -8,8 +8,8 @@ use eframe::egui::{
     WidgetInfo, vec2,
 };
 
-use super::thumbs::{Shot, Thumbs, key_on};
-use crate::commands::{Command, PanelId, SnapshotCommand, table};
+use super::thumbs::{Shot, Thumbs, key_on, surroundings_key};
+use crate::commands::{Command, PanelId, SnapshotCommand, ViewCommand, table};
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::comparison::ComparedPicture;
 use crate::state::crashes::DocumentOrigin;
@@ -37,8 +37,9 @@ const NARROW: f32 = 210.0;
 #[derive(Default)]
 pub(crate) struct Snapshots {
     renaming: Option<NameEdit<SnapshotId>>,
-    /// Keys of the pictures.
+    /// Keys of the pictures, on the mesh that was shown last.
     keys: HashMap<SnapshotId, u64>,
+    mesh: u64,
 }
 
 impl Snapshots {
@@ -63,6 +64,10 @@ impl Snapshots {
         }
         if session.path().is_none() {
             hint(ui, "Save the look, and its snapshots lie in a file beside it.");
+        }
+        let mesh = surroundings_key(session);
+        if std::mem::replace(&mut self.mesh, mesh) != mesh {
+            self.keys.clear();
         }
         self.keys.retain(|id, _| shelf.of(*id).is_some());
         ScrollArea::vertical().auto_shrink([false, false]).id_salt("snapshots").show(ui, |ui| {
@@ -183,7 +188,7 @@ impl Snapshots {
                 }
             });
         });
-        out.extend(compared.map(|picture| Command::Compare(Some(picture))));
+        out.extend(compared.map(|picture| Command::View(ViewCommand::Compare(Some(picture)))));
     }
 }
 

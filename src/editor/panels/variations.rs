@@ -221,8 +221,8 @@ fn subjects(session: &Session) -> Vec<VariedSubject> {
     let selected = session.selection.nodes.iter().flat_map(|id| {
         let kind = session.graph().nodes.get(id).and_then(|node| look.catalog.of(node));
         let free = kind.into_iter().flat_map(|kind| &kind.inputs);
-        let free = free.filter(|port| session.graph().wire_into(id, &port.name).is_none());
-        free.map(|port| session.selection.target(id, &port.name))
+        let free = free.filter(move |port| session.graph().wire_into(id, &port.name).is_none());
+        free.map(move |port| session.selection.target(id, &port.name))
     });
     let can_vary = |target: &Target| {
         look.port_at(target).is_some_and(|port| VariationKind::of(target, &port).is_some())

@@ -68,7 +68,7 @@ impl VariationKind {
 }
 
 /// Sheet of variations.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) struct VariationSheet {
     pub(crate) subject: VariedSubject,
     pub(crate) kind: VariationKind,
@@ -79,8 +79,16 @@ pub(crate) struct VariationSheet {
     pub(crate) range: [f64; 2],
     /// Number of cells of a sheet of numbers.
     pub(crate) steps: usize,
-    /// How far colors and directions are from the one in the middle, 0 to 1.
+    /// Distance of colors and directions from the one in the middle, 0 to 1.
     pub(crate) spread: f64,
+}
+
+impl PartialEq for VariationSheet {
+    fn eq(&self, other: &Self) -> bool {
+        // The port is the subject's.
+        let of = |sheet: &Self| (sheet.kind, sheet.range, sheet.steps, sheet.spread);
+        of(self) == of(other) && self.subject == other.subject && self.center == other.center
+    }
 }
 
 impl VariationSheet {

@@ -6,7 +6,7 @@ use super::KeyScope::{self, Window};
 use super::{ALT, CTRL, CTRL_SHIFT, CommandRow, Menu, NONE, SHIFT, row};
 use crate::commands::{
     Command as C, FitCommand, GridPreset, PaintCommand as P, PanelId, ScaleCommand, SceneCommand,
-    ShotCommand, SnapshotCommand, Switch, TourTopic,
+    ShotCommand, SnapshotCommand, Switch, TourTopic, ViewCommand,
 };
 use crate::document::Storage;
 use crate::hcbtf::exchange::ExchangeFormat;
@@ -38,7 +38,7 @@ pub(super) fn files() -> Vec<CommandRow> {
         row(C::ShowPanel(PanelId::VARIATIONS), "Variations...", &[], Window).help(
             "Small pictures of a value, a color or a light as it could be; a click takes one",
         ),
-        row(C::Vary(VariedSubject::Mesh), "Variations of the mesh", &[], Window)
+        row(C::View(ViewCommand::Vary(VariedSubject::Mesh)), "Variations of the mesh", &[], Window)
             .help("The look on every built-in shape; a click shows it there"),
         row(C::OpenPath, "Open a file by its path", &[(CTRL_SHIFT, Key::O)], Window),
         row(C::ShowStart(true), "Start page", &[(ALT, Key::Home)], Window).in_menu(Menu::Help),

@@ -9,20 +9,21 @@ use crate::compile::{CompileOptions, CompiledShader, Live, compile};
 use crate::document::{Edit, GraphId, Look, Target, Value};
 use crate::ids::{NodeId, NodePath, PortName};
 use crate::library::{Library, PassId, Type};
+use crate::progress::Progress;
 
 /// Most compilations for the causes of one look.
 const MOST_TRIALS: usize = 120;
 
 /// Value that passes are needed for.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct CausingValue {
+pub(super) struct CauseValue {
     pub(super) node: NodeId,
     pub(super) port: PortName,
     /// The value as it is.
     pub(super) now: Value,
 }
 
-impl CausingValue {
+impl CauseValue {
     /// Edit that takes the value away.
     fn neutral(&self) -> Edit {
         let value = match self.now {
@@ -37,7 +38,7 @@ impl CausingValue {
 /// Values that are the only reason for passes, together.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PassCause {
-    pub(super) values: Vec<CausingValue>,
+    pub(super) values: Vec<CauseValue>,
     /// Passes that go without them.
     pub(super) passes: Vec<PassId>,
 }
@@ -45,7 +46,7 @@ pub(super) struct PassCause {
 impl PassCause {
     /// Edit that takes the values away, and the passes with them.
     pub(super) fn cure(&self) -> Edit {
-        let mut edits: Vec<Edit> = self.values.iter().map(CausingValue::neutral).collect();
+        let mut edits: Vec<Edit> = self.values.iter().map(CauseValue::neutral).collect();
         if edits.len() == 1 { edits.remove(0) } else { Edit::Group { edits } }
     }
 }
@@ -54,6 +55,7 @@ impl PassCause {
 pub(super) struct CauseRequest {
     pub(super) look: Arc<Look>,
     pub(super) library: Arc<Library>,
+    pub(super) progress: Progress,
 }
 
 /// Finds the causes of the passes of a look: single values first, then values that only together
@@ -84,12 +86,12 @@ pub(super) fn causes(request: &CauseRequest) -> Vec<PassCause> {
 /// The least values that are a cause together, of passes that no value alone is the cause of.
 fn together(
     trials: &mut Trials<'_>,
-    candidates: &[CausingValue],
+    candidates: &[CauseValue],
     all: &BTreeSet<PassId>,
     explained: &BTreeSet<PassId>,
 ) -> Option<PassCause> {
     let mut values = candidates.to_vec();
-    let unexplained = |trials: &mut Trials<'_>, values: &[CausingValue]| -> Vec<PassId> {
+    let unexplained = |trials: &mut Trials<'_>, values: &[CauseValue]| -> Vec<PassId> {
         let passes = trials.passes_without(values, all);
         passes.into_iter().filter(|pass| !explained.contains(pass)).collect()
     };
@@ -119,8 +121,9 @@ struct Trials<'r> {
 
 impl Trials<'_> {
     /// The look without values.
-    fn compiled(&mut self, without: &[CausingValue]) -> Option<CompiledShader> {
+    fn compiled(&mut self, without: &[CauseValue]) -> Option<CompiledShader> {
         self.left = self.left.checked_sub(1)?;
+        self.request.progress.check().ok()?;
         let mut look = (*self.request.look).clone();
         for value in without {
             look.apply(value.neutral()).ok()?;
@@ -132,7 +135,7 @@ impl Trials<'_> {
 
     /// Passes of `all` that go without values; none where a node that has one goes as well, as the
     /// values would then be no more than a way to take the node out.
-    fn passes_without(&mut self, without: &[CausingValue], all: &BTreeSet<PassId>) -> Vec<PassId> {
+    fn passes_without(&mut self, without: &[CauseValue], all: &BTreeSet<PassId>) -> Vec<PassId> {
         let Some(shader) = self.compiled(without) else { return Vec::new() };
         let lives = |id: &NodeId| shader.spans.nodes().any(|path| path.outermost() == Some(id));
         if !without.iter().all(|value| lives(&value.node)) {
@@ -156,7 +159,7 @@ fn passes_of(shader: &CompiledShader) -> BTreeSet<PassId> {
 }
 
 /// Values of live nodes that can be taken away: switches that are on, numbers that are not 0.
-fn candidates(request: &CauseRequest, shader: &CompiledShader) -> Vec<CausingValue> {
+fn candidates(request: &CauseRequest, shader: &CompiledShader) -> Vec<CauseValue> {
     let look = &*request.look;
     let mut catalog = Catalog::new(&request.library);
     catalog.sync(look, &request.library);
@@ -177,7 +180,7 @@ fn candidates(request: &CauseRequest, shader: &CompiledShader) -> Vec<CausingVal
             };
             if counts && !is_keyed(look, id, &port.name) {
                 let (node, port) = (id.clone(), port.name.clone());
-                found.push(CausingValue { node, port, now: now.clone() });
+                found.push(CauseValue { node, port, now: now.clone() });
             }
         }
     }
@@ -200,7 +203,8 @@ mod tests {
 
     fn found(text: &str) -> Vec<PassCause> {
         let look = Arc::new(Look::read(text, "test").value.unwrap());
-        causes(&CauseRequest { look, library: Arc::new(Library::built_in().clone()) })
+        let library = Arc::new(Library::built_in().clone());
+        causes(&CauseRequest { look, library, progress: Progress::new() })
     }
 
     /// A look of two layers with these slopes.
@@ -222,7 +226,7 @@ mod tests {
     }
 
     fn names(cause: &PassCause) -> Vec<String> {
-        let name = |value: &CausingValue| format!("{}.{}", value.node, value.port);
+        let name = |value: &CauseValue| format!("{}.{}", value.node, value.port);
         cause.values.iter().map(name).collect()
     }
 

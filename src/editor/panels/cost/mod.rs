@@ -81,6 +81,7 @@ pub struct Cost {
     next: Option<MeasureRequest>,
     /// Thread that finds the causes of passes, for revisions of the look.
     causer: Worker<(CausesOf, CauseRequest), (CausesOf, Vec<PassCause>)>,
+    cause_search: Progress,
     causes: Vec<PassCause>,
     causes_of: Option<CausesOf>,
 }
@@ -100,6 +101,7 @@ impl Cost {
         };
         Self {
             causer: Worker::new("causes", wake.clone(), |(of, request)| (of, causes(&request))),
+            cause_search: Progress::new(),
             causes: Vec::new(),
             causes_of: None,
             next: None,
@@ -179,8 +181,14 @@ impl Cost {
                 self.progress = next.progress.clone();
                 self.measure(next);
             }
-            self.done = Some(done);
-            self.is_current.0 = None;
+            // Figures of all of it stay until they are measured again.
+            let stays = |known: &Measurement| {
+                done.is_quick && !known.is_quick && known.result.is_ok() && known.of == done.of
+            };
+            if !self.done.as_ref().is_some_and(stays) {
+                self.done = Some(done);
+                self.is_current.0 = None;
+            }
         }
         let revision = Some((session.revisions().document, session.revision()));
         if self.is_current.0 != revision {
@@ -207,6 +215,7 @@ impl BackgroundJobs for Cost {
 impl Drop for Cost {
     fn drop(&mut self) {
         self.stop();
+        self.cause_search.stop();
     }
 }
 

@@ -4,11 +4,12 @@
 use eframe::egui::{Label, ProgressBar, RichText, Role, Ui, WidgetInfo};
 
 use super::Cost;
-use super::causes::{CauseRequest, CausingValue, PassCause};
+use super::causes::{CauseRequest, CauseValue, PassCause};
 use crate::catalog::values;
 use crate::commands::Command;
 use crate::document::Target;
 use crate::ids::{NodeId, NodePath};
+use crate::progress::Progress;
 use crate::state::picture_cost::{PictureCost, time_text};
 use crate::state::session::Session;
 use crate::widgets::theme;
@@ -18,36 +19,24 @@ const MOST_NODES: usize = 8;
 /// Least share that is listed.
 const LEAST_SHARE: f64 = 0.01;
 
+/// Help on the time of the picture.
+pub(super) const TIMED: &str = "From when the picture was handed to the GPU until the GPU was \
+                                done, by the clock on the wall: other work of the GPU counts, \
+                                too. Measure tells more, with a clock of the GPU where there is one.";
+
 impl Cost {
-    /// Shows what the picture costs.
-    pub(super) fn now(
+    /// Shows the values that passes are needed for.
+    pub(super) fn causes(
         &mut self,
         ui: &mut Ui,
         session: &Session,
         cost: &PictureCost,
         out: &mut Vec<Command>,
     ) {
-        if cost.passes.is_empty() {
-            return;
-        }
         self.ask_for_causes(session, cost);
-        let [width, height] = cost.size;
-        let time = cost.milliseconds.map_or_else(|| "being timed".to_owned(), time_text);
-        ui.label(format!("This picture: {time}, {width}×{height}")).on_hover_text(
-            "From when it was handed to the GPU until the GPU was done, by the clock on the wall: \
-             other work of the GPU counts, too. Measure tells more, with a clock of the GPU where \
-             there is one.",
-        );
-        let dim = theme::of(ui).dim;
-        for pass in cost.passes_before() {
-            let text = format!("{}: {}", pass.label(), pass.words());
-            ui.add(Label::new(RichText::new(text).small().color(dim)).wrap());
-        }
         for cause in &self.causes {
             show_cause(ui, session, cause, out);
         }
-        shares(ui, session, cost, out);
-        ui.separator();
     }
 
     /// Asks for the causes of passes, where the look has changed and has any.
@@ -62,13 +51,27 @@ impl Cost {
             return;
         }
         self.causes_of = Some(revision);
+        self.cause_search.stop();
         self.causes.clear();
         if cost.passes_before().next().is_some() {
             let look = std::sync::Arc::new(session.look().clone());
             let library = session.project.library.clone();
-            self.causer.request(|_| (revision, CauseRequest { look, library }));
+            self.cause_search = Progress::new();
+            let progress = self.cause_search.clone();
+            self.causer.request(|_| (revision, CauseRequest { look, library, progress }));
         }
     }
+}
+
+/// Shows the passes of the picture with their reasons, and the shares of its nodes.
+pub(super) fn show(ui: &mut Ui, session: &Session, cost: &PictureCost, out: &mut Vec<Command>) {
+    ui.spacing_mut().item_spacing.y = 3.0;
+    let dim = theme::of(ui).dim;
+    for pass in cost.passes_before() {
+        let text = format!("{}: {}", pass.label(), pass.words());
+        ui.add(Label::new(RichText::new(text).small().color(dim)).wrap());
+    }
+    shares(ui, session, cost, out);
 }
 
 /// Shows values that passes are needed for, with the button that takes them away.
@@ -97,7 +100,7 @@ fn show_cause(ui: &mut Ui, session: &Session, cause: &PassCause, out: &mut Vec<C
 }
 
 /// A value in words: "this slope of 0.2" is "Shape slope 0.2 of Rim".
-fn name(session: &Session, value: &CausingValue) -> String {
+fn name(session: &Session, value: &CauseValue) -> String {
     let look = session.look_with_library();
     let node = NodePath::root(value.node.clone());
     let target = Target::Input { node, port: value.port.clone() };

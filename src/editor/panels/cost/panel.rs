@@ -3,7 +3,7 @@
 use eframe::egui;
 use eframe::egui::{FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
-use super::{Cost, adopt, plot};
+use super::{Cost, adopt, now, plot};
 use crate::accuracy::{BenchReport, MeasurementRow, MeasurementSubject};
 use crate::commands::{Command, PanelId};
 use crate::panels::table::{PanelPlace, PanelRow, Presence};
@@ -55,14 +55,18 @@ impl Cost {
             hint(ui, "This window has no GPU, so that there is nothing to measure");
             return Vec::new();
         }
-        self.head(ui, session, size);
         let mut out = Vec::new();
+        self.head(ui, session, size, cost);
+        if let Some(cost) = cost {
+            self.causes(ui, session, cost, &mut out);
+        }
         let mut picked = None;
         let area = ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+            let row = self.measured(ui, session, &mut picked);
             if let Some(cost) = cost {
-                self.now(ui, session, cost, &mut out);
+                now::show(ui, session, cost, &mut out);
             }
-            self.measured(ui, session, &mut picked)
+            row
         });
         if let Some(subject) = picked {
             self.subject = subject;
@@ -110,7 +114,7 @@ impl Cost {
         table(ui, session, report, &self.subject, picked).or(plotted)
     }
 
-    fn head(&mut self, ui: &mut Ui, session: &Session, size: [u32; 2]) {
+    fn head(&mut self, ui: &mut Ui, session: &Session, size: [u32; 2], cost: Option<&PictureCost>) {
         ui.horizontal(|ui| {
             if self.is_measuring() {
                 let [done, total] = self.progress.steps();
@@ -127,6 +131,9 @@ impl Cost {
                         the truth in f64";
             if ui.button("Measure").on_hover_text(help).clicked() {
                 self.start(session, size);
+            }
+            if let Some(cost) = cost.filter(|cost| !cost.passes.is_empty()) {
+                ui.label(format!("This picture: {}", cost.short())).on_hover_text(now::TIMED);
             }
             let Some(report) = self.report() else { return };
             if !self.is_current.1 {

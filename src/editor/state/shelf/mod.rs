@@ -102,8 +102,8 @@ impl SnapshotShelf {
     /// Name of the next snapshot, unless somebody gives another.
     pub(crate) fn next_name(&self) -> String {
         let is_used = |name: &String| self.list.iter().any(|snapshot| snapshot.name == *name);
-        let names = (self.list.len() + 1..).map(|number| format!("Snapshot {number}"));
-        names.into_iter().find(|name| !is_used(name)).unwrap_or_default()
+        let mut names = (self.list.len() + 1..).map(|number| format!("Snapshot {number}"));
+        names.find(|name| !is_used(name)).unwrap_or_default()
     }
 
     /// Takes a snapshot of a look, at a time in seconds since 1970, as a step.

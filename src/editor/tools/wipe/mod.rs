@@ -67,7 +67,7 @@ pub(crate) enum ComparisonMode {
     Beside,
     /// The right one over the left one, with an opacity.
     Over,
-    /// What differs, magnified by a factor.
+    /// Difference, magnified by a factor.
     Difference(u32),
 }
 

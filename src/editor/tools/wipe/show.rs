@@ -5,7 +5,7 @@ use eframe::egui::{Color32, Key, Rect, RichText, Role, Ui, WidgetInfo};
 
 use super::divider::{self, Corner};
 use super::{ComparisonMode, ComparisonView, GAINS, Wipe};
-use crate::commands::{Command, PanelId, keyboard};
+use crate::commands::{Command, PanelId, ViewCommand, keyboard};
 use crate::state::comparison::ComparedPicture;
 use crate::state::problem_text::sentence;
 use crate::state::session::Session;
@@ -88,7 +88,7 @@ fn states(
     let help = "Another look (JSON) in this view, or a reference picture (PNG, JPEG, EXR, HDR) \
                 fitted into it";
     if ui.selectable_label(false, "A look or picture in a file...").on_hover_text(help).clicked() {
-        out.push(Command::Compare(None));
+        out.push(Command::View(ViewCommand::Compare(None)));
     }
     if chosen.is_some() {
         let (flip, playback) = tools.pair::<FlipBook, Playback>();
