@@ -24,9 +24,11 @@ mod picture;
 mod probe;
 pub(crate) mod problems;
 mod shot;
+mod snapshots;
 pub(crate) mod start;
 mod table;
 mod thumbs;
+pub(crate) mod variations;
 pub(crate) mod wedge;
 mod workbench;
 
@@ -48,9 +50,11 @@ pub(crate) static PANELS: &[PanelRow] = &[
     objects::PANEL,
     shot::PANEL,
     frames::PANEL,
+    variations::PANEL,
     wedge::PANEL,
     library::PANEL,
     history::PANEL,
+    snapshots::PANEL,
     inspector::PANEL,
     curves::profile::PANEL,
     curves::keys::PANEL,
