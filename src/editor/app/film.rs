@@ -35,7 +35,7 @@ impl App {
             }
             FilmCommand::ChooseFolder(folder) => self.choose_frame_folder(folder),
             FilmCommand::OpenFolder(folder) => {
-                ui.ctx().open_url(OpenUrl::new_tab(address_of(&folder)))
+                ui.ctx().open_url(OpenUrl::new_tab(address_of(&folder)));
             }
             FilmCommand::Vary(variation) => {
                 self.bench.wedge.vary(variation);

@@ -15,7 +15,7 @@ use crate::fields::wedge::variation_of;
 use crate::files::make_folder;
 use crate::panels::frames::command_text;
 use crate::panels::frames::document::{document_of, is_unsaved};
-use crate::state::runs::{CommandLine, ProgramRun, RunEnd, RunLine, Spread, Variation};
+use crate::state::runs::{CommandLine, ProgramRun, RunEnd, RunLine, ValueSpread, Variation};
 use crate::state::session::Session;
 use crate::widgets::color;
 use crate::widgets::text::hint;
@@ -302,10 +302,10 @@ fn row(ui: &mut Ui, index: usize, varied: &mut Variation) -> bool {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
             match &mut varied.spread {
-                Spread::Numbers { from, to, count, is_angle } => {
+                ValueSpread::Numbers { from, to, count, is_angle } => {
                     numbers(ui, &target, [from, to], count, *is_angle);
                 }
-                Spread::Colors(colors) => swatches(ui, &target, colors),
+                ValueSpread::Colors(colors) => swatches(ui, &target, colors),
             }
         });
     });

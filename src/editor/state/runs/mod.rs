@@ -14,4 +14,4 @@ pub(crate) use frames::{
 };
 pub(crate) use progress::{FrameFate, FrameProgress};
 pub(crate) use run::{ProgramRun, RunEnd, RunLine};
-pub(crate) use variation::{Spread, Variation};
+pub(crate) use variation::{ValueSpread, Variation};

@@ -2,7 +2,7 @@
 
 /// Way in which a value varies.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Spread {
+pub(crate) enum ValueSpread {
     /// So many numbers from one to another; angles, in radians, are shown in degrees.
     Numbers { from: f64, to: f64, count: u32, is_angle: bool },
     /// Colors as shown, red, green and blue.
@@ -13,7 +13,7 @@ pub(crate) enum Spread {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Variation {
     pub(crate) target: String,
-    pub(crate) spread: Spread,
+    pub(crate) spread: ValueSpread,
 }
 
 impl Variation {
@@ -24,7 +24,7 @@ impl Variation {
             0.0 => (0.0, 1.0),
             now => (tidy(now * 0.5), tidy(now * 1.5)),
         };
-        Self { target, spread: Spread::Numbers { from, to, count: 4, is_angle } }
+        Self { target, spread: ValueSpread::Numbers { from, to, count: 4, is_angle } }
     }
 
     /// Colors around the present one: itself, warmer, colder and turned.
@@ -34,23 +34,23 @@ impl Variation {
         let warm = bounded([r * 1.15 + 0.1, g, b * 0.7]);
         let cold = bounded([r * 0.7, g, b * 1.15 + 0.1]);
         let colors = vec![bounded(now), warm, cold, bounded([g, b, r])];
-        Self { target, spread: Spread::Colors(colors) }
+        Self { target, spread: ValueSpread::Colors(colors) }
     }
 
     /// Number of values.
     pub(crate) fn count(&self) -> usize {
         match &self.spread {
-            Spread::Numbers { count, .. } => *count as usize,
-            Spread::Colors(colors) => colors.len(),
+            ValueSpread::Numbers { count, .. } => *count as usize,
+            ValueSpread::Colors(colors) => colors.len(),
         }
     }
 
     /// The word after `--vary`.
     pub(crate) fn word(&self) -> String {
         let values = match &self.spread {
-            Spread::Numbers { from, count: 0 | 1, .. } => format!("{from}"),
-            Spread::Numbers { from, to, count, .. } => format!("{from}..{to}/{count}"),
-            Spread::Colors(colors) => colors.iter().map(hex).collect::<Vec<_>>().join(","),
+            ValueSpread::Numbers { from, count: 0 | 1, .. } => format!("{from}"),
+            ValueSpread::Numbers { from, to, count, .. } => format!("{from}..{to}/{count}"),
+            ValueSpread::Colors(colors) => colors.iter().map(hex).collect::<Vec<_>>().join(","),
         };
         format!("{}={values}", self.target)
     }
@@ -69,13 +69,13 @@ mod tests {
     fn values_are_written_as_the_command_line_takes_them() {
         let word = |spread| Variation { target: "rim.falloff".to_owned(), spread }.word();
         assert_eq!(
-            word(Spread::Numbers { from: 0.3, to: 0.6, count: 3, is_angle: false }),
+            word(ValueSpread::Numbers { from: 0.3, to: 0.6, count: 3, is_angle: false }),
             "rim.falloff=0.3..0.6/3"
         );
-        let one = Spread::Numbers { from: 0.3, to: 0.6, count: 1, is_angle: false };
+        let one = ValueSpread::Numbers { from: 0.3, to: 0.6, count: 1, is_angle: false };
         assert_eq!(word(one), "rim.falloff=0.3");
         let colors = vec![[1.0, 0.5, 0.0], [0.0, 0.0, 1.0]];
-        assert_eq!(word(Spread::Colors(colors)), "rim.falloff=#ff8000,#0000ff");
+        assert_eq!(word(ValueSpread::Colors(colors)), "rim.falloff=#ff8000,#0000ff");
         let around = Variation::around("key.intensity".to_owned(), 2.0, false);
         assert_eq!((around.word().as_str(), around.count()), ("key.intensity=1..3/4", 4));
     }
