@@ -1,11 +1,13 @@
 //! Files that a picture of a document is made of.
 
 use std::collections::BTreeSet;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::compile::Live;
-use crate::files::{Disk, FileMetadata, Files, FoundFiles, OpenFile, ReadError, WalkBounds};
+use crate::files::{
+    Disk, FileMetadata, Files, FoundFiles, OpenFile, ReadError, WalkBounds, shortened,
+};
 use crate::frame::{AssetStore, Assets, PlanOptions, Planner, open};
 
 use super::open::library_for;
@@ -65,7 +67,8 @@ pub(super) fn outside(folder: &Path, document: &Path) -> Vec<PathBuf> {
         let _ = Planner::new(assets).plan(&setup.value, &library, &Live::Keyed, &options);
     }
     let read = recorded.0.lock().unwrap_or_else(PoisonError::into_inner);
-    let absolute: BTreeSet<PathBuf> = read.iter().map(|path| short(&folder.join(path))).collect();
+    let absolute: BTreeSet<PathBuf> =
+        read.iter().map(|path| shortened(&folder.join(path))).collect();
     absolute.into_iter().filter(|path| !path.starts_with(folder)).collect()
 }
 
@@ -75,19 +78,6 @@ pub(super) fn common_folder(paths: &[&Path]) -> Option<PathBuf> {
     let holds_all = |folder: &&Path| rest.iter().all(|path| path.starts_with(folder));
     let common = first.ancestors().find(holds_all)?;
     common.parent().map(|_| common.to_path_buf())
-}
-
-/// A path without the folders that it leaves again.
-fn short(path: &Path) -> PathBuf {
-    let mut short = PathBuf::new();
-    for part in path.components() {
-        match (part, short.components().next_back()) {
-            (Component::CurDir, _) => {}
-            (Component::ParentDir, Some(Component::Normal(_))) => drop(short.pop()),
-            _ => short.push(part),
-        }
-    }
-    short
 }
 
 #[cfg(test)]

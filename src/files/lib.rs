@@ -22,5 +22,5 @@ pub use chiaro_compiler::files::{
 };
 pub use disk::{Disk, read, walk};
 pub use outputs::{FileSet, OutputKind, Outputs, remove_abandoned, remove_unfinished};
-pub use paths::relative;
+pub use paths::{relative, shortened};
 pub use write::{TextDocument, link, make_folder, read_text, write_atomic};

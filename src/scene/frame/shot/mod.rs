@@ -19,6 +19,7 @@ use serde_json::Value as Json;
 use super::setup::{Setup, SetupLook};
 use crate::diag::Diagnostic;
 use crate::document::{FrameRate, Scene, TimeKeys, Value, value_address};
+use crate::files::shortened;
 use keys::held_track;
 use moving::MovingValue;
 
@@ -133,7 +134,7 @@ impl ResolvedShot {
 
     /// Path of a look's file as changes tell it.
     pub fn name_of_look(file: &Path) -> String {
-        stack::short(file).display().to_string()
+        shortened(file).display().to_string()
     }
 
     /// Single values of the camera that the shot changes, as they are in `scene`.

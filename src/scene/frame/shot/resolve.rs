@@ -7,14 +7,14 @@ use serde_json::Value as Json;
 
 use super::keys::{json_of_keys, timed_keys};
 use super::moving::{MovingValue, object_of};
-use super::stack::{is_same_file, located, named_from, short};
+use super::stack::{is_same_file, located, named_from};
 use super::{FrameClock, ResolvedShot, ShotFile, ShotStack, ValueChange};
 use crate::diag::{Diagnostic, WithWarnings, has_errors};
 use crate::document::{
     Camera, LoadedDocument, Override, Scene, Shot, Target, TimeRange, Value, json_of_value,
     keyed_target,
 };
-use crate::files::Files;
+use crate::files::{Files, shortened};
 use crate::frame::assets::Assets;
 use crate::frame::setup::{Setup, SetupLook, SetupObject, scene_setup};
 use crate::ids::ObjectId;
@@ -344,7 +344,7 @@ fn overrides(file: &ShotFile) -> impl Iterator<Item = OverrideAt<'_>> {
 
 /// A path as people write it.
 fn display(path: impl AsRef<Path>) -> String {
-    short(path.as_ref()).display().to_string()
+    shortened(path.as_ref()).display().to_string()
 }
 
 /// The reason why a value of the scene does not move, in words that follow its address.

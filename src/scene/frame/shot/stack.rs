@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::diag::{Diagnostic, WithWarnings, has_errors};
 use crate::document::{Document, FrameRate, LoadedDocument, Scene, Shot, SourceMap, read_text};
-use crate::files::Files;
+use crate::files::{Files, shortened};
 
 /// Most shots that lie one over the other.
 const MOST: usize = 100;
@@ -186,21 +186,8 @@ pub(super) fn located(file: &ShotFile, problem: Diagnostic, json_path: &str) -> 
 
 /// True if two paths lead to one file.
 pub(super) fn is_same_file(files: &dyn Files, one: &Path, two: &Path) -> bool {
-    let of = |path: &Path| files.canonical(path).unwrap_or_else(|| short(path));
+    let of = |path: &Path| files.canonical(path).unwrap_or_else(|| shortened(path));
     of(one) == of(two)
-}
-
-/// A path without the folders that it leaves again.
-pub(super) fn short(path: &Path) -> PathBuf {
-    let mut short = PathBuf::new();
-    for part in path.components() {
-        match (part, short.components().next_back()) {
-            (Component::CurDir, _) => {}
-            (Component::ParentDir, Some(Component::Normal(_))) => drop(short.pop()),
-            _ => short.push(part),
-        }
-    }
-    short
 }
 
 /// The name of a file in a document of a folder. Examples have one name wherever they are named.
@@ -209,7 +196,7 @@ pub(super) fn named_from(folder: &Path, file: &Path) -> String {
     if let Some(example) = text.find(crate::examples::PREFIX) {
         return text[example..].to_owned();
     }
-    let (folder, file) = (short(folder), short(file));
+    let (folder, file) = (shortened(folder), shortened(file));
     let (from, to): (Vec<_>, Vec<_>) = (folder.components().collect(), file.components().collect());
     let shared = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
     // From one drive to another, and out of a folder above the working folder, no way is known.
