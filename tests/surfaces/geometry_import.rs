@@ -631,6 +631,68 @@ fn gltf_takes_all_that_2_0_allows() {
     }
 }
 
+/// UVs of a triangle with two sets of them and this material, by the corners (0, 0), (1, 0) and
+/// (0, 1) of the first set, with v down as files have it; and the codes of what is noted.
+fn uvs_of_material(material: &str) -> (Vec<[f32; 2]>, Vec<&'static str>) {
+    let rows = |rows: &[f32]| rows.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>();
+    let points = rows(&[0., 0., 0., 1., 0., 0., 0., 1., 0.]);
+    let (first, second) = (rows(&[0., 0., 1., 0., 0., 1.]), rows(&[0.25, 0.75, 0.5, 0.5, 2., 3.]));
+    let data = base64(&[points, first, second].concat());
+    let json = format!(
+        r#"{{"asset": {{"version": "2.0"}}, "nodes": [{{"mesh": 0}}],
+         "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0, "TEXCOORD_0": 1,
+          "TEXCOORD_1": 2}}, "material": 0}}]}}],
+         "materials": [{material}], "textures": [{{"source": 0}}], "images": [{{"uri": "a.png"}}],
+         "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}},
+          {{"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}},
+          {{"bufferView": 2, "componentType": 5126, "count": 3, "type": "VEC2"}}],
+         "bufferViews": [{{"buffer": 0, "byteLength": 36}},
+          {{"buffer": 0, "byteOffset": 36, "byteLength": 24}},
+          {{"buffer": 0, "byteOffset": 60, "byteLength": 24}}],
+         "buffers": [{{"byteLength": 84, "uri": "data:;base64,{data}"}}]}}"#
+    );
+    let WithWarnings { value: mesh, warnings } = read("x.gltf", json);
+    let corner = |wanted: [f32; 3]| mesh.positions.iter().position(|at| *at == wanted).unwrap();
+    let corners = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]].map(corner);
+    let codes = warnings.iter().map(|note| note.code).filter(|code| *code != "mesh-normals-made");
+    (corners.map(|at| mesh.uvs[at]).to_vec(), codes.collect())
+}
+
+#[test]
+fn uvs_of_a_gltf_are_those_by_which_its_material_lays_its_pictures() {
+    const FIRST: [[f32; 2]; 3] = [[0., 1.], [1., 1.], [0., 0.]];
+    const SECOND: [[f32; 2]; 3] = [[0.25, 0.25], [0.5, 0.5], [2., -2.]];
+    let base = |texture: &str| {
+        format!(r#"{{"pbrMetallicRoughness": {{"baseColorTexture": {{"index": 0{texture}}}}}}}"#)
+    };
+    let moved =
+        |words: &str| base(&format!(r#", "extensions": {{"KHR_texture_transform": {{{words}}}}}"#));
+    // The example of the extension: the lower left quadrant of the picture, turned clockwise.
+    let quadrant = r#""offset": [0, 1], "rotation": 1.57079632679, "scale": [0.5, 0.5]"#;
+    for (material, wanted) in [
+        (base(""), FIRST),
+        (base(r#", "texCoord": 1"#), SECOND),
+        (base(r#", "texCoord": 7"#), FIRST),
+        (moved(r#""texCoord": 1"#), SECOND),
+        (moved(r#""offset": [0.5, 0.25]"#), [[0.5, 0.75], [1.5, 0.75], [0.5, -0.25]]),
+        (moved(quadrant), [[0., 0.], [0., 0.5], [0.5, 0.]]),
+        (moved(r#""scale": [1e300, 1]"#), FIRST),
+        ("{}".to_owned(), FIRST),
+    ] {
+        let (uvs, noted) = uvs_of_material(&material);
+        let apart = uvs.iter().flatten().zip(wanted.iter().flatten()).map(|(a, b)| (a - b).abs());
+        assert!(apart.fold(0.0, f32::max) < 1e-6, "{material}: {uvs:?}");
+        assert!(noted.is_empty(), "{material}: {noted:?}");
+    }
+    // Of a material whose pictures lie differently the first one counts, and that is said.
+    let lit = r#"{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}},
+        "occlusionTexture": {"index": 0, "texCoord": 1}}"#;
+    let (uvs, noted) = uvs_of_material(lit);
+    assert!(uvs == FIRST && noted == ["mesh-unsupported"], "{uvs:?} {noted:?}");
+    let (uvs, noted) = uvs_of_material(r#"{"emissiveTexture": {"index": 0, "texCoord": 1}}"#);
+    assert!(uvs == SECOND && noted.is_empty(), "{uvs:?} {noted:?}");
+}
+
 #[test]
 fn gltf_instances_are_copies() {
     let with = |attributes: &str| {

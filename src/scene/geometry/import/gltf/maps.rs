@@ -1,4 +1,9 @@
-//! Maps of glTF materials, and the pictures within files.
+//! Maps of glTF materials, where they lie, and the pictures within files.
+//!
+//! A mesh has one UV a vertex here. They are those by which the part's own material lays its
+//! pictures: of the set of coordinates that it names, moved as `KHR_texture_transform` says. So a
+//! look's image lies where the file's does, and UVs that a tool has packed into whole numbers come
+//! out as they were. Of a material whose pictures lie differently the first one counts.
 //!
 //! What is wrong in a material or a texture is left out: it keeps no triangle from being used.
 
@@ -47,13 +52,61 @@ fn without_data<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Str
     String::deserialize(deserializer).map(|uri| (!uri.starts_with("data:")).then_some(uri))
 }
 
-/// Maps of the file's materials, by their numbers. Equal ones are one.
-pub(super) struct MapsOfFile(Vec<Option<Arc<MaterialMaps>>>);
+/// Greatest factor and greatest distance by which UVs are moved: what is beyond is an error of the
+/// file.
+const FARTHEST: f64 = 1e6;
+
+/// Place of a material's pictures on its triangles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct UvPlace {
+    /// Number of the set of coordinates.
+    pub(super) set: u32,
+    /// Matrix by which they are moved, row by row, with v down; the last column is added.
+    rows: [[f64; 3]; 2],
+}
+
+impl UvPlace {
+    /// The first set, unmoved.
+    const PLAIN: Self = Self { set: 0, rows: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] };
+
+    /// The place of a texture, as a material names it.
+    fn of(texture: &Json) -> Self {
+        let moved = &texture["extensions"]["KHR_texture_transform"];
+        let set = moved["texCoord"].as_u64().or_else(|| texture["texCoord"].as_u64());
+        let set = set.and_then(|set| u32::try_from(set).ok()).unwrap_or(0);
+        let pair =
+            |value: &Json, default: f64| [0, 1].map(|axis| value[axis].as_f64().unwrap_or(default));
+        let [x, y] = pair(&moved["offset"], 0.0);
+        let [su, sv] = pair(&moved["scale"], 1.0);
+        // An angle of any size is one within a turn.
+        let (sin, cos) = moved["rotation"].as_f64().unwrap_or(0.0).sin_cos();
+        let rows = [[cos * su, sin * sv, x], [-sin * su, cos * sv, y]];
+        let is_sane = rows.iter().flatten().all(|number| number.abs() <= FARTHEST);
+        Self { set, rows: if is_sane { rows } else { Self::PLAIN.rows } }
+    }
+
+    /// The coordinates of a vertex, with v up, from those of the file, with v down.
+    pub(super) fn uv(&self, [u, v]: [f64; 2]) -> [f32; 2] {
+        let [across, down] = match self.rows == Self::PLAIN.rows {
+            true => [u, v],
+            false => self.rows.map(|[by_u, by_v, more]| by_u * u + by_v * v + more),
+        };
+        [across as f32, (1.0 - down) as f32]
+    }
+}
+
+/// Maps of the file's materials and where they lie, by the materials' numbers. Equal maps are one.
+pub(super) struct MapsOfFile(Vec<(Option<Arc<MaterialMaps>>, UvPlace)>);
 
 impl MapsOfFile {
     /// The maps of a material, by its number.
     pub(super) fn of(&self, material: Option<usize>) -> Option<Arc<MaterialMaps>> {
-        self.0.get(material?)?.clone()
+        self.0.get(material?)?.0.clone()
+    }
+
+    /// The place of the pictures of a material, by its number.
+    pub(super) fn place(&self, material: Option<usize>) -> UvPlace {
+        material.and_then(|material| self.0.get(material)).map_or(UvPlace::PLAIN, |known| known.1)
     }
 }
 
@@ -61,17 +114,22 @@ impl MapsOfFile {
 pub(super) fn read(file: &GltfMembers, report: &mut ImportReport) -> MapsOfFile {
     let pictures = Pictures { file };
     let mut known: HashMap<String, Arc<MaterialMaps>> = HashMap::new();
-    let mut moved = 0;
+    let mut apart = 0;
     let maps = file.materials.iter().map(|material| {
-        let maps = pictures.maps(material, &mut moved);
+        let mut places = Vec::new();
+        let maps = pictures.maps(material, &mut places);
+        let place = places.first().copied().unwrap_or(UvPlace::PLAIN);
+        apart += places.iter().filter(|other| **other != place).count();
         let key = format!("{maps:?}");
-        (!maps.is_empty()).then(|| known.entry(key).or_insert_with(|| Arc::new(maps)).clone())
+        let maps =
+            (!maps.is_empty()).then(|| known.entry(key).or_insert_with(|| Arc::new(maps)).clone());
+        (maps, place)
     });
     let maps = maps.collect();
-    if moved > 0 {
+    if apart > 0 {
         let message = format!(
-            "{moved} pictures of materials are moved or lie by a second set of UVs; a look sees \
-             them by the first, unmoved"
+            "{apart} pictures of materials are moved, or lie by another set of UVs, than the first \
+             one of their material; a look sees them by the UVs of that one"
         );
         report.add(Diagnostic::note("mesh-unsupported", message));
     }
@@ -83,7 +141,8 @@ struct Pictures<'f> {
 }
 
 impl Pictures<'_> {
-    fn maps(&self, material: &gltf::json::Material, moved: &mut usize) -> MaterialMaps {
+    /// The maps of a material, and the places of those that are pictures.
+    fn maps(&self, material: &gltf::json::Material, places: &mut Vec<UvPlace>) -> MaterialMaps {
         let Ok(json) = serde_json::to_value(material) else { return MaterialMaps::new() };
         let pbr = &json["pbrMetallicRoughness"];
         let number = |value: &Json, default: f64| value.as_f64().unwrap_or(default) as f32;
@@ -109,9 +168,7 @@ impl Pictures<'_> {
         let mut maps = MaterialMaps::new();
         for (map, texture, factor) in all {
             let image = self.image(texture);
-            let is_moved = texture["texCoord"].as_u64().unwrap_or(0) != 0
-                || texture["extensions"]["KHR_texture_transform"].is_object();
-            *moved += usize::from(image.is_some() && is_moved);
+            places.extend(image.is_some().then(|| UvPlace::of(texture)));
             let factor = factor.map(|x| if x.is_finite() { x.clamp(0.0, 1.0) } else { 1.0 });
             let absent = map.absent().map(|x| f32::from(x) / 255.0);
             if image.is_some() || (factor != absent && map != MaterialMap::Normal) {

@@ -6,7 +6,7 @@ use gltf::material::AlphaMode;
 use gltf::mesh::Mode;
 use gltf::{Primitive, Semantic};
 
-use super::maps::MapsOfFile;
+use super::maps::{MapsOfFile, UvPlace};
 use super::motion::{MeshPlace, MotionRecorder};
 use super::{SkippedParts, accessor};
 use crate::diag::Diagnostic;
@@ -45,7 +45,8 @@ pub(super) fn append(
     }
     let base = soup.points.len();
     soup.triangles.reserve(index_count / per_triangle);
-    let has = attributes(primitive, world, buffers, soup)?;
+    let uvs = maps.place(primitive.material().index());
+    let has = attributes(primitive, (world, uvs), buffers, soup)?;
     let world = match moved {
         Some((recorder, place)) => {
             recorder.record(primitive, place, (base, &has), buffers, soup)?
@@ -137,11 +138,11 @@ pub(super) struct AttributeOffsets {
     pub(super) uvs: Option<usize>,
 }
 
-/// Appends the attributes of a primitive's vertices, transformed to world space. After an error the
-/// soup is of no more use.
+/// Appends the attributes of a primitive's vertices, transformed to world space, and UVs as the
+/// material's pictures lie. After an error the soup is of no more use.
 fn attributes(
     primitive: &Primitive,
-    world: &DMat4,
+    (world, place): (&DMat4, UvPlace),
     buffers: &[Source],
     soup: &mut TriangleSoup,
 ) -> Result<AttributeOffsets, ImportProblem> {
@@ -161,9 +162,12 @@ fn attributes(
         false => Vec3::NAN,
     };
     let base = soup.points.len();
+    let named = Semantic::TexCoords(place.set);
+    let is_there = primitive.get(&named).is_some();
+    let uvs = if is_there { named } else { Semantic::TexCoords(0) };
     let first = AttributeOffsets {
         normals: primitive.get(&Semantic::Normals).map(|_| soup.normals.len()),
-        uvs: primitive.get(&Semantic::TexCoords(0)).map(|_| soup.uvs.len()),
+        uvs: primitive.get(&uvs).map(|_| soup.uvs.len()),
     };
     if let Some(accessor) = primitive.get(&Semantic::Positions) {
         let place = |p: [f64; 3]| world.transform_point3(p.into()).as_vec3().to_array();
@@ -173,8 +177,8 @@ fn attributes(
         let normal = |n: [f64; 3]| turn(cofactors, n.into()).to_array();
         append_to(&mut soup.normals, accessor::rows_as(&accessor, buffers, 0.0, normal)?);
     }
-    if let Some(accessor) = primitive.get(&Semantic::TexCoords(0)) {
-        let uv = |[u, v]: [f64; 2]| [u as f32, (1.0 - v) as f32];
+    if let Some(accessor) = primitive.get(&uvs) {
+        let uv = |uv: [f64; 2]| place.uv(uv);
         append_to(&mut soup.uvs, accessor::rows_as(&accessor, buffers, 0.0, uv)?);
     }
     if let Some(accessor) = primitive.get(&Semantic::Tangents) {
