@@ -426,7 +426,12 @@ pub fn wire_request(setup: &Setup, text: &str) -> Result<AovRequest, Diagnostic>
         let names: Vec<String> =
             named.iter().map(|request| request.name.clone()).chain(slices).collect();
         let found = named.into_iter().find(|request| request.name == text);
-        return found.ok_or_else(|| form().suggest(text, names.iter().map(String::as_str)));
+        return found.ok_or_else(|| match text.rsplit_once('.') {
+            Some((_, port)) if is_legal(port) => {
+                form().hint(format!("a layer of an output has a name: --aov {port}={text}"))
+            }
+            _ => form().suggest(text, names.iter().map(String::as_str)),
+        });
     };
     let (look, wire) = match wire.rsplit_once(':') {
         Some((look, wire)) => (Some(look), wire),

@@ -156,8 +156,35 @@ fn wrong_frames_are_told_before_anything_is_drawn() {
     refused(&["-o", "none/##.png", "--frames", "1-4"], 1, "there is no folder");
     refused(&["-o", "a.####.jpg", "--frames", "1-4"], 1, "PNG or EXR");
     fs::write(shot.path("a.0003.exr"), "somebody's").unwrap();
-    refused(&["-o", "a.####.exr", "--frames", "1-4"], 1, "a.0003.exr");
+    refused(&["-o", "a.####.exr", "--frames", "3"], 1, "a.0003.exr");
     assert_eq!(shot.names().len(), 2, "{:?}", shot.names());
+}
+
+/// A frame whose file is not ours, or damaged, keeps no other from being drawn.
+#[test]
+fn frames_that_fail_are_told_at_the_end_and_the_others_are_drawn() {
+    let shot = Shot::new();
+    fs::write(shot.path("a.0002.exr"), "somebody's").unwrap();
+    let output = shot.run(&["-o", "a.####.exr", "--frames", "1-4", "--json"]);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    let lines = String::from_utf8(output.stdout).unwrap();
+    let frames: Vec<Json> =
+        lines.lines().map(|line| serde_json::from_str(line).expect("a line of JSON")).collect();
+    // Frame 3 is the picture that frame 2 would be, and frame 4 that of frame 1.
+    assert_eq!(states(&frames), ["drawn", "failed", "drawn", "equal"], "{said}");
+    assert_eq!(frames[1]["problems"][0]["code"], json!("file-exists"));
+    let last = said.lines().last().unwrap_or_default();
+    assert!(last.contains("1 of 4 frames failed: 2; a.0002.exr: "), "{said}");
+    let [reading, compiling] = ["reading look.json ...", "compiling ..."].map(|line| {
+        said.lines().position(|told| told == line).unwrap_or_else(|| panic!("{line}: {said}"))
+    });
+    assert!(reading < compiling, "{said}");
+    assert_eq!(fs::read(shot.path("a.0002.exr")).unwrap(), b"somebody's");
+    // What is mended is drawn by the same command; the others are kept.
+    fs::remove_file(shot.path("a.0002.exr")).unwrap();
+    let frames = shot.frames(&["-o", "a.####.exr", "--frames", "1-4"]);
+    assert_eq!(states(&frames), ["kept", "drawn", "kept", "kept"]);
 }
 
 /// A mesh that moves is another picture in each frame, and the same one where its animation holds

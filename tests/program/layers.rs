@@ -65,11 +65,12 @@ impl RenderFolder {
     fn run(&self, document: &Path, arguments: &[&str]) -> Output {
         let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
         command.env("CHIARO_CACHE_DIR", "").current_dir(self.0.path()).arg("render").arg(document);
-        let backdrop = ["--backdrop", "none"];
-        let is_backed = arguments.contains(&"--backdrop");
-        command.args(backdrop.iter().filter(|_| !is_backed));
-        command.args(["--size", "48x40"]).args(arguments);
-        command.output().unwrap()
+        for default in [["--backdrop", "none"], ["--size", "48x40"]] {
+            if !arguments.contains(&default[0]) {
+                command.args(default);
+            }
+        }
+        command.args(arguments).output().unwrap()
     }
 
     /// Renders a picture with layers.
@@ -177,33 +178,55 @@ fn contributions_of_examples_add_up() {
     }
 }
 
-/// All looks, both spaces: minutes.
+/// All looks, both spaces: minutes. By the reference, which compiles nothing (software for a GPU
+/// takes up to minutes for a module with all of its layers), and small, for what adds up in one
+/// pixel does so in all of its kind.
 #[cfg(unix)]
 #[test]
 #[ignore = "a soak: every look in both spaces"]
 fn soak_contributions_of_all_looks_add_up() {
+    const ASKED: [&str; 12] = [
+        "--aov",
+        "layers",
+        "--aov",
+        "lights",
+        "--aov",
+        "groups",
+        "--on",
+        "reference",
+        "--mesh",
+        "shape:torus",
+        "--size",
+        "16x12",
+    ];
     let folder = RenderFolder::new();
-    fs::create_dir(folder.path("looks")).unwrap();
-    for beside in ["hcbtf", "images", "scenes", "shadows"] {
-        std::os::unix::fs::symlink(root().join("examples").join(beside), folder.path(beside))
-            .unwrap();
-    }
     let mut greatest = BTreeMap::new();
-    for entry in fs::read_dir(root().join("examples/looks")).unwrap() {
-        let path = entry.unwrap().path();
-        for space in ["display", "linear"] {
-            let mut look: Json = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
-            look["color_space"] = json!(space);
-            let own = folder.path("looks").join(path.file_name().unwrap());
-            fs::write(&own, look.to_string()).unwrap();
-            let drawn = folder.layers(&own, &["--aov", "layers", "--aov", "lights-by-layer"]);
-            let names = drawn.names();
-            let whole = if names.contains(&"beauty.R") { "beauty" } else { "beauty_stack" };
-            let worst = drawn.worst_sum("layer_", whole).max(drawn.worst_sum("light_", whole));
-            greatest.insert((path.clone(), space), worst);
+    for kind in ["looks", "shadows"] {
+        let beside = folder.path(kind);
+        fs::create_dir_all(&beside).unwrap();
+        for other in ["hcbtf", "images"] {
+            let link = folder.path(other);
+            if !link.exists() {
+                std::os::unix::fs::symlink(root().join("examples").join(other), link).unwrap();
+            }
+        }
+        for entry in fs::read_dir(root().join("examples").join(kind)).unwrap() {
+            let path = entry.unwrap().path();
+            for space in ["display", "linear"] {
+                let mut look: Json = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+                look["color_space"] = json!(space);
+                let own = beside.join(path.file_name().unwrap());
+                fs::write(&own, look.to_string()).unwrap();
+                let drawn = folder.layers(&own, &ASKED);
+                let is_parted = drawn.names().contains(&"beauty.R");
+                let whole = if is_parted { "beauty" } else { "beauty_stack" };
+                let parts = ["layer_", "light_", "group_"];
+                let worst = parts.map(|parts| drawn.worst_sum(parts, whole));
+                greatest.insert((path.clone(), space), worst.into_iter().fold(0.0, f64::max));
+            }
         }
     }
-    assert!(greatest.len() > 100, "{} pictures", greatest.len());
+    assert!(greatest.len() > 160, "{} pictures", greatest.len());
     assert!(greatest.values().all(|worst| *worst <= 1.0), "{greatest:#?}");
 }
 
@@ -245,7 +268,9 @@ fn wrong_layers_are_told_before_anything_is_drawn() {
         let said = String::from_utf8_lossy(&output.stderr);
         assert!(!output.status.success() && said.contains(told), "{arguments:?}: {said}");
     };
-    refused(&["-o", "a.exr", "--aov", "tone=kee.tone"], "did you mean");
+    refused(&["-o", "a.exr", "--aov", "tone=keyy.tone"], "did you mean `key`");
+    refused(&["-o", "a.exr", "--aov", "tone=keyy.tone"], "look.json: error[unknown-node]");
+    refused(&["-o", "a.exr", "--aov", "key.tone"], "--aov tone=key.tone");
     refused(&["-o", "a.exr", "--aov", "tone=key.tonne"], "did you mean `tone`");
     refused(&["-o", "a.exr", "--aov", "tone=Tow:key.tone"], "did you mean `Two`");
     refused(&["-o", "a.exr", "--aov", "key.tone"], "NAME=NODE.OUTPUT");

@@ -47,9 +47,15 @@ pub(super) struct Sequence<'a> {
     pub(super) progress: Option<ProgressLines>,
 }
 
-/// Files of a run before, read once: the plan of each that is whole, and how it was found.
+/// Files of a run before, read once.
 #[derive(Debug, Default)]
-pub(super) struct EarlierFrames(HashMap<PathBuf, (String, Option<FileStamp>)>);
+pub(super) struct EarlierFrames {
+    /// The plan of each that is whole, and how it was found.
+    whole: HashMap<PathBuf, (String, Option<FileStamp>)>,
+    /// Files that are not replaced, such as damaged ones and those of somebody else, with the
+    /// reason.
+    refused: HashMap<PathBuf, Diagnostic>,
+}
 
 /// Length of a file and the time of its last change: another one was written in between.
 type FileStamp = (u64, SystemTime);
@@ -60,10 +66,10 @@ fn stamp(file: &Path) -> Option<FileStamp> {
 }
 
 impl EarlierFrames {
-    /// Reads the files of frames that are there, and checks that they may be replaced.
+    /// Reads the files of frames that are there, and finds those that may not be replaced.
     ///
     /// # Errors
-    /// As [`Outputs::check`], of the first file that may not be.
+    /// As [`Outputs::check`], of the first file, where none of all may be replaced.
     pub(super) fn read(
         frames: &FrameList,
         pattern: &FramePattern,
@@ -76,20 +82,27 @@ impl EarlierFrames {
             // Before the file: what comes in between is read again.
             let stamp = stamp(&file);
             let mut plan = None;
-            outputs.check_looking(&file, format.kind(), |bytes| {
+            let checked = outputs.check_looking(&file, format.kind(), |bytes| {
                 plan = format.plan_of(bytes);
                 plan.is_some()
-            })?;
-            earlier.0.extend(plan.map(|plan| (file, (plan, stamp))));
+            });
+            match checked {
+                Ok(()) => earlier.whole.extend(plan.map(|plan| (file, (plan, stamp)))),
+                Err(problem) => drop(earlier.refused.insert(file, problem)),
+            }
         }
-        Ok(earlier)
+        if earlier.refused.len() < frames.frames().len() {
+            return Ok(earlier);
+        }
+        let mut files = frames.frames().iter().map(|frame| pattern.path(*frame));
+        files.find_map(|file| earlier.refused.remove(&file)).map_or(Ok(earlier), Err)
     }
 
     /// True if the file is whole and of the plan. One that is another since it was read, such as a
     /// frame that another machine has drawn, is read again.
     fn has(&self, file: &Path, plan: &str, format: PictureFormat) -> bool {
         let now = stamp(file);
-        match self.0.get(file) {
+        match self.whole.get(file) {
             Some((known, then)) if now.is_some() && *then == now => known == plan,
             _ => {
                 now.is_some()
@@ -117,6 +130,8 @@ enum FrameState<T> {
     Equal { frame: i32, file: PathBuf },
     /// Neither: the plan, or the picture.
     New(T),
+    /// The frame cannot be planned, drawn or written.
+    Failed(Vec<Diagnostic>),
 }
 
 type PlannedFrame = Frame<Box<LayeredPlan>>;
@@ -136,15 +151,23 @@ struct Summary {
     drawn: usize,
     equal: usize,
     kept: usize,
+    /// Frames that failed, and the first reason.
+    failed: Vec<i32>,
+    reason: String,
     seconds: Seconds,
     /// Number of threads that write.
     writers: usize,
 }
 
-/// Draws frames with what was opened.
+/// Number of frames that may fail one after another, with none whole between them, before the
+/// others are given up: a full disk or a lost GPU will not have them either.
+const MOST_FAILED: usize = 8;
+
+/// Draws frames with what was opened. A frame that fails keeps no other from being drawn.
 ///
 /// # Errors
-/// Of the first frame that cannot be planned, drawn or written; the files of those before it stay.
+/// `frames-failed` with the frames that cannot be planned, drawn or written, each of which was told
+/// with its own reasons.
 pub(super) fn draw(
     sequence: Sequence<'_>,
     stage: Stage,
@@ -163,19 +186,19 @@ pub(super) fn draw(
         move || write_all(sequence, &outputs, drawn, output),
     )?;
     output.message(&summary.text(clock.seconds(), &name));
-    Ok(())
+    summary.problem(sequence.frames).map_or(Ok(()), |problem| Err(vec![problem]))
 }
 
-/// Runs the three parts, the second one on this thread. Whichever fails first ends the others, for
+/// Runs the three parts, the second one on this thread. Whichever ends first ends the others, for
 /// nobody takes what they make.
 #[expect(
     clippy::disallowed_methods,
     reason = "the command line's own threads, as many as there are parts"
 )]
 fn in_parallel<W: Send>(
-    plan: impl FnOnce() -> Result<(), Vec<Diagnostic>> + Send,
-    draw: impl FnOnce() -> Result<(), Vec<Diagnostic>>,
-    write: impl FnOnce() -> Result<W, Vec<Diagnostic>> + Send,
+    plan: impl FnOnce() + Send,
+    draw: impl FnOnce(),
+    write: impl FnOnce() -> W + Send,
 ) -> Result<W, Vec<Diagnostic>> {
     let no_thread = |error: std::io::Error| {
         vec![Diagnostic::error("no-thread", format!("the system starts no thread: {error}"))]
@@ -183,22 +206,20 @@ fn in_parallel<W: Send>(
     std::thread::scope(|scope| {
         let planner = threads::builder("plan").spawn_scoped(scope, plan).map_err(no_thread)?;
         let writer = threads::builder("write").spawn_scoped(scope, write).map_err(no_thread)?;
-        let drawn = draw();
-        let planned = planner.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-        let written = writer.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-        // What went wrong first is told: drawing ends early, and without a word, when a frame
-        // cannot be written.
-        drawn.and(planned).and(written)
+        draw();
+        planner.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+        Ok(writer.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
     })
 }
 
-/// Plans frame after frame. Ends early where nobody draws any more.
+/// Plans frame after frame; one that cannot be planned is handed on as failed. Ends early where
+/// nobody draws any more.
 fn plan_all(
     sequence: Sequence<'_>,
     mut stage: Stage,
     to_draw: &SyncSender<PlannedFrame>,
     output: &Output,
-) -> Result<(), Vec<Diagnostic>> {
+) {
     let mut hasher = PlanHasher::default();
     let mut seen: HashMap<String, (i32, PathBuf)> = HashMap::new();
     let mut told = HashSet::new();
@@ -208,8 +229,23 @@ fn plan_all(
         let file = sequence.pattern.path(frame);
         let options = PlanOptions { time: sequence.rate.time(frame), ..stage.options.clone() };
         let mut warnings = Vec::new();
-        let plan = stage.plan(&options)?.tell(&mut warnings);
-        refuse_warnings(sequence.is_strict, &mut warnings)?;
+        let planned = match sequence.earlier.refused.get(&file) {
+            Some(problem) => Err(vec![problem.clone()]),
+            None => stage.plan(&options).map(|plan| plan.tell(&mut warnings)),
+        };
+        let strict =
+            |plan| refuse_warnings(sequence.is_strict, &mut warnings).map(|()| Box::new(plan));
+        let plan = match planned.and_then(strict) {
+            Ok(plan) => plan,
+            Err(problems) => {
+                let state = FrameState::Failed(problems);
+                let (header, seconds) = (ExrHeader::default(), Seconds::default());
+                if to_draw.send(Frame { frame, file, header, state, seconds }).is_err() {
+                    break;
+                }
+                continue;
+            }
+        };
         warnings.retain(|warning| told.insert(warning.to_string()));
         output.diagnostics(&warnings);
         let content = hasher.hash_layered(&plan);
@@ -227,7 +263,7 @@ fn plan_all(
         } else if let Some((frame, file)) = seen.get(&content).cloned() {
             FrameState::Equal { frame, file }
         } else {
-            FrameState::New(Box::new(plan))
+            FrameState::New(plan)
         };
         seen.entry(content).or_insert_with(|| (frame, file.clone()));
         let seconds = Seconds { planning: clock.seconds(), ..Seconds::default() };
@@ -235,7 +271,6 @@ fn plan_all(
             break;
         }
     }
-    Ok(())
 }
 
 /// Key of a file: the plan that it is of, and how it was stored.
@@ -259,7 +294,7 @@ fn draw_all(
     to_write: &SyncSender<DrawnFrame>,
     executor: &mut dyn Executor,
     output: &Output,
-) -> Result<(), Vec<Diagnostic>> {
+) {
     let mut told = HashSet::new();
     for Frame { frame, file, header, state, mut seconds } in planned {
         let state = match state {
@@ -272,16 +307,16 @@ fn draw_all(
                 output.diagnostics(&warnings);
                 let picture = output
                     .watch_async("drawing", async |progress| plan.draw(executor, progress).await);
-                let picture = crate::wait(picture).map_err(|problem| vec![problem])?;
+                let picture = crate::wait(picture);
                 seconds.drawing = clock.seconds();
-                FrameState::New(picture)
+                picture.map_or_else(|problem| FrameState::Failed(vec![problem]), FrameState::New)
             }
+            FrameState::Failed(problems) => FrameState::Failed(problems),
         };
         if to_write.send(Frame { frame, file, header, state, seconds }).is_err() {
             break;
         }
     }
-    Ok(())
 }
 
 impl DrawnFrame {
@@ -291,6 +326,7 @@ impl DrawnFrame {
             FrameState::Kept => "kept",
             FrameState::Equal { .. } => "equal",
             FrameState::New(_) => "drawn",
+            FrameState::Failed(_) => "failed",
         }
     }
 
@@ -302,8 +338,10 @@ impl DrawnFrame {
             "plan": self.header.plan.split(' ').next(),
             "seconds": {"planning": planning, "drawing": drawing, "writing": writing},
         });
-        if let FrameState::Equal { frame, .. } = &self.state {
-            told["to"] = json!(frame);
+        match &self.state {
+            FrameState::Equal { frame, .. } => told["to"] = json!(frame),
+            FrameState::Failed(problems) => told["problems"] = json!(problems),
+            FrameState::Kept | FrameState::New(_) => {}
         }
         told
     }
@@ -318,20 +356,56 @@ impl DrawnFrame {
                 "{file}: planned in {planning:.3} s, drawn in {drawing:.3} s, written in \
                  {writing:.3} s"
             ),
+            FrameState::Failed(_) => format!("{file}: failed"),
         }
     }
 }
 
 impl Summary {
+    /// Number of frames that are whole.
     fn count(&self) -> usize {
         self.drawn + self.equal + self.kept
     }
 
+    /// Number of frames that are whole or failed.
+    fn told(&self) -> usize {
+        self.count() + self.failed.len()
+    }
+
+    /// The problem that frames failed, on one line; `None` where all are whole.
+    fn problem(&self, asked: &FrameList) -> Option<Diagnostic> {
+        const NAMED: usize = 12;
+        let all = asked.frames().len();
+        let (failed, rest) = (self.failed.len(), all.saturating_sub(self.told()));
+        if failed == 0 {
+            return None;
+        }
+        let named = FrameList::of(self.failed.iter().take(NAMED).copied().collect());
+        let more =
+            if failed > NAMED { format!(" and {} more", failed - NAMED) } else { String::new() };
+        let given_up = match rest {
+            0 => String::new(),
+            rest => format!(", and {rest} were not tried after {MOST_FAILED} in a row"),
+        };
+        let reason = &self.reason;
+        let message = format!("{failed} of {all} frames failed{given_up}: {named}{more}; {reason}");
+        Some(Diagnostic::error("frames-failed", message))
+    }
+
     fn add(&mut self, frame: &DrawnFrame) {
-        *match frame.state {
+        *match &frame.state {
             FrameState::Kept => &mut self.kept,
             FrameState::Equal { .. } => &mut self.equal,
             FrameState::New(_) => &mut self.drawn,
+            FrameState::Failed(problems) => {
+                if let Some(first) = problems.first().filter(|_| self.failed.is_empty()) {
+                    let file = first.place.file.as_deref();
+                    let file = file.map_or_else(String::new, |file| format!("{file}: "));
+                    self.reason = format!("{file}{}", first.message);
+                }
+                self.failed.push(frame.frame);
+                return;
+            }
         } += 1;
         self.seconds.planning += frame.seconds.planning;
         self.seconds.drawing += frame.seconds.drawing;
@@ -340,7 +414,7 @@ impl Summary {
 
     /// The sum of it, and what took the time.
     fn text(&self, seconds: f64, executor: &str) -> String {
-        let Self { drawn, equal, kept, writers, .. } = self;
+        let Self { drawn, equal, kept, failed, writers, .. } = self;
         let Seconds { planning, drawing, writing } = self.seconds;
         let writing = writing / (*writers).max(1) as f64;
         let parts = [("planning", planning), ("drawing", drawing), ("writing", writing)];
@@ -348,9 +422,14 @@ impl Summary {
         let (bound, longest) = most.unwrap_or_default();
         let frames = self.count();
         let an_hour = 3600.0 * frames as f64 / seconds.max(1e-9);
+        let failed = match failed.len() {
+            0 => String::new(),
+            count => format!(", {count} failed"),
+        };
         format!(
-            "{frames} frames on {executor}: {drawn} drawn, {equal} equal to others, {kept} kept; \
-             {seconds:.1} s, {an_hour:.0} frames an hour, bound by {bound} ({longest:.1} s of it)"
+            "{frames} frames on {executor}: {drawn} drawn, {equal} equal to others, {kept} kept\
+             {failed}; {seconds:.1} s, {an_hour:.0} frames an hour, bound by {bound} \
+             ({longest:.1} s of it)"
         )
     }
 }

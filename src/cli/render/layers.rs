@@ -62,21 +62,28 @@ pub(super) fn asked(
     let mut asked = AskedLayers { mattes: arguments.mattes.clone(), ..AskedLayers::default() };
     asked.mattes.sort();
     asked.mattes.dedup();
-    let mut slices = Vec::new();
+    let (mut slices, mut warnings) = (Vec::new(), Vec::new());
     let time = arguments.time_of(setup);
     let moved = setup.at(time);
     for text in &arguments.aovs {
         match Contributions::all().find(|(name, _)| name == text) {
             Some((_, slice)) if slices.contains(&slice) => {}
             Some((_, slice)) => slices.push(slice),
-            None if text == NAMED => asked.aovs.extend(named_outputs(setup)),
+            None if text == NAMED => {
+                let named = named_outputs(setup);
+                let none = "no look names an output in its `aovs`";
+                warnings.extend(named.is_empty().then(|| nothing_asked(text, none)));
+                asked.aovs.extend(named);
+            }
             None if text == SHADOWS => {
-                asked.aovs.extend(shadow_outputs(&moved, library, time)?);
+                let shadows = shadow_outputs(&moved, library, time)?;
+                let none = "no look draws the shadow of a light";
+                warnings.extend(shadows.is_empty().then(|| nothing_asked(text, none)));
+                asked.aovs.extend(shadows);
             }
             None => asked.aovs.push(wire_request(setup, text).map_err(one)?),
         }
     }
-    let mut warnings = Vec::new();
     if !slices.is_empty() {
         let made = contributions(&moved, library, time, &slices, arguments.naming)?;
         let ContributionLayers { layers, tables } = made.tell(&mut warnings);
@@ -88,6 +95,11 @@ pub(super) fn asked(
     }
     asked.check().map_err(one)?;
     Ok(WithWarnings::new(asked, warnings))
+}
+
+/// The note that a word asks for no layer, and why.
+fn nothing_asked(word: &str, reason: &str) -> Diagnostic {
+    Diagnostic::note("no-layers", format!("`--aov {word}` adds nothing: {reason}"))
 }
 
 /// Checks that the tables of layers can be written beside the picture, and lets the header say

@@ -23,7 +23,7 @@ use super::tier::{self, TierChoice};
 use super::view::ViewArguments;
 use crate::clock::Clock;
 use crate::compile::Live;
-use crate::diag::{Diagnostic, WithWarnings};
+use crate::diag::{Diagnostic, Severity, WithWarnings};
 use crate::document::{Camera, ColorSpace, Look, Scene, Tier, parse_hex};
 use crate::film::exr::{ExrEncoding, ExrHeader, LosslessCompression, SampleType};
 use crate::film::{
@@ -240,6 +240,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     match &sequence {
         None => outputs.check(target, format.kind()).map_err(one)?,
         Some(FrameFiles { frames, pattern, .. }) => {
+            output.message(&format!("reading {} ...", arguments.document.display()));
             earlier = EarlierFrames::read(frames, pattern, format, &outputs).map_err(one)?;
         }
     }
@@ -257,8 +258,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
         early = Some(executor);
     }
     if let Some(FrameFiles { frames, rate, pattern: files }) = &sequence {
-        refuse_warnings(arguments.strict, &mut warnings)?;
-        output.diagnostics(&warnings);
+        tell_before_series(arguments.strict, warnings, output)?;
         reads_all(&mut outputs, &stage.setup, &stage.planner.assets);
         layers::write_tables(&stage.asked, (target, pattern), &mut outputs).map_err(one)?;
         let mut executor = match early {
@@ -325,6 +325,25 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
 fn looks_told(setup: &Setup, library: &Library) -> Vec<serde_json::Value> {
     let looks = setup.looks.iter().map(|worn| &worn.look);
     looks.map(|look| json!({"name": look.name, "tiers": tier::counts(look, library)})).collect()
+}
+
+/// Tells, before a series of pictures, warnings and that looks are compiled now, but not what is
+/// noted about meshes: who draws one series after another of a scene has that from `chiaro check`,
+/// `chiaro mesh` and each single picture.
+///
+/// # Errors
+/// As [`refuse_warnings`].
+fn tell_before_series(
+    is_strict: bool,
+    mut warnings: Vec<Diagnostic>,
+    output: &Output,
+) -> Result<(), Vec<Diagnostic>> {
+    refuse_warnings(is_strict, &mut warnings)?;
+    warnings.retain(|told| told.severity != Severity::Note || !told.code.starts_with("mesh-"));
+    output.diagnostics(&warnings);
+    // Seconds go by before the first picture.
+    output.message("compiling ...");
+    Ok(())
 }
 
 /// The warning about looks that chose themselves what is shown, where a view shows them anew.

@@ -10,13 +10,20 @@ pub(super) enum ProgressLines {
 }
 
 impl ProgressLines {
-    /// Tells that a frame is whole, the so many-th of all.
-    pub(super) fn tell(self, frame: i32, count: usize, all: usize, output: &Output) {
+    /// Tells that a frame is whole or has failed, the so many-th of all.
+    pub(super) fn tell(
+        self,
+        (frame, is_whole): (i32, bool),
+        count: usize,
+        all: usize,
+        output: &Output,
+    ) {
         match self {
             Self::Openjd => {
                 let percent = 100.0 * count as f64 / all.max(1) as f64;
                 output.result(&format!("openjd_progress: {percent:.1}"));
-                output.result(&format!("openjd_status: frame {frame} is whole"));
+                let fate = if is_whole { "is whole" } else { "failed" };
+                output.result(&format!("openjd_status: frame {frame} {fate}"));
             }
         }
     }

@@ -16,7 +16,7 @@ use crate::document::Value;
 use crate::files::{self, OutputKind};
 use crate::film::sheet::{self, SheetCell, columns_for, scaled};
 use crate::frame::{Executor, PlanOptions, PlanStyle};
-use crate::output::{Output, refuse_warnings};
+use crate::output::Output;
 use crate::target::{outputs, reads_all};
 
 const EXAMPLES: &str = "\
@@ -132,8 +132,7 @@ pub(crate) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     reads_all(&mut outputs, &stage.setup, &stage.planner.assets);
     check(&outputs).map_err(one)?;
     warnings.extend(super::warning_of_view(&stage.setup, view.as_ref()));
-    refuse_warnings(render.strict, &mut warnings)?;
-    output.diagnostics(&warnings);
+    super::tell_before_series(render.strict, warnings, output)?;
     let mut executor = executor(render.on, output).await.map_err(one)?;
     files::make_folder(&folder).map_err(|problem| vec![*problem])?;
     let mut drawn = Vec::with_capacity(cells.len());

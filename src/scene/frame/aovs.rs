@@ -70,24 +70,33 @@ pub struct AovLayer {
 }
 
 impl AovLayer {
-    /// The layers of `requests`, with what modules of looks give of them.
+    /// The layers of `requests`, with what modules of looks, each with the look's file, give of
+    /// them.
     ///
     /// # Errors
     /// The reasons why no look has what a request asks for.
     pub(super) fn planned<'m>(
         requests: &[AovRequest],
-        modules: &(impl Iterator<Item = &'m CompiledShader> + Clone),
+        modules: &(impl Iterator<Item = (&'m str, &'m CompiledShader)> + Clone),
     ) -> Result<Vec<Self>, Vec<Diagnostic>> {
         let mut problems = Vec::new();
         let mut layers = Vec::with_capacity(requests.len());
         for (number, request) in requests.iter().enumerate() {
-            let given = || modules.clone().filter_map(move |shader| shader.aovs.get(number));
+            let given = || {
+                let modules = modules.clone();
+                modules.filter_map(move |(file, shader)| Some((file, shader.aovs.get(number)?)))
+            };
             let kinds =
-                given().filter_map(|found| Some(AovKind::of(found.as_ref().ok()?.as_ref()?)));
-            let refused = || given().find_map(|found| found.as_ref().err());
+                given().filter_map(|(_, found)| Some(AovKind::of(found.as_ref().ok()?.as_ref()?)));
+            // The look that knows a near name is the one that was meant.
+            let refused = || {
+                let refused =
+                    given().filter_map(|(file, found)| Some((file, found.as_ref().err()?)));
+                refused.min_by_key(|(_, problem)| problem.hints.is_empty())
+            };
             let kind = kinds.max();
-            if let (None, Some(problem)) = (kind, refused()) {
-                problems.push(problem.clone());
+            if let (None, Some((file, problem))) = (kind, refused()) {
+                problems.push(problem.clone().in_file(file));
             }
             layers.push(Self { name: request.name.clone(), kind: kind.unwrap_or_default() });
         }

@@ -4,12 +4,13 @@
 //! Deflate and checksums take longer than a graphics card needs to draw, so there are as many
 //! writers as cores, and as many frames at once as memory is set aside for.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::hash_map::Entry;
+use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
-use super::{DrawnFrame, Frame, FrameState, Sequence, Summary};
+use super::{DrawnFrame, Frame, FrameState, MOST_FAILED, Sequence, Summary};
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::files::{self, Outputs};
@@ -34,12 +35,12 @@ type Form<'a> = (PictureFormat, Option<&'a DisplayView>);
 /// State that writers share.
 #[derive(Debug, Default)]
 struct Progress {
-    /// Files that were written, or could not be.
-    done: HashSet<PathBuf>,
+    /// Files that are done, and true for those that are whole.
+    done: HashMap<PathBuf, bool>,
     /// Bytes that are taken by the frames being written.
     bytes: usize,
-    /// True from the first frame on that could not be written.
-    has_failed: bool,
+    /// True where no more frames are taken: too many failed, or a writer came to grief.
+    is_over: bool,
 }
 
 /// Frames that are still to be written, and how far the writers are.
@@ -55,39 +56,67 @@ struct FrameQueue {
     next: usize,
 }
 
-/// A frame that is whole, or why it is not.
-type WrittenFrame = (usize, Result<DrawnFrame, Diagnostic>);
+/// A frame that is whole, or failed, with its place in the order.
+type WrittenFrame = (usize, DrawnFrame);
 
-/// Writes frames, reads them back, and tells each, in their order, when it is whole.
+/// Writes frames, reads them back, and tells each, in their order, when it is whole or has failed.
 pub(super) fn write_all(
     sequence: Sequence<'_>,
     outputs: &Outputs,
     drawn: Receiver<DrawnFrame>,
     output: &Output,
-) -> Result<Summary, Vec<Diagnostic>> {
+) -> Summary {
     let writers = threads::cores().saturating_sub(1).clamp(1, MOST_WRITERS);
     let mut summary = Summary { writers, ..Summary::default() };
+    // Many frames fail for one reason, which is told once.
+    let mut reasons: HashMap<String, i32> = HashMap::new();
     let told = |frame: &DrawnFrame| {
         summary.add(frame);
         if sequence.has_json {
             output.result(&frame.json(sequence.rate).to_string());
-        } else {
-            output.message(&frame.text());
+        }
+        match &frame.state {
+            FrameState::Failed(problems) => tell_failed(frame, problems, &mut reasons, output),
+            _ if sequence.has_json => {}
+            _ => output.message(&frame.text()),
         }
         if let Some(lines) = sequence.progress {
             let all = sequence.frames.frames().len();
-            lines.tell(frame.frame, summary.count(), all, output);
+            let is_whole = !matches!(frame.state, FrameState::Failed(_));
+            lines.tell((frame.frame, is_whole), summary.told(), all, output);
         }
     };
-    write_by(writers, (sequence.format, sequence.view), outputs, drawn, told)
-        .map_err(|problem| vec![problem])?;
-    Ok(summary)
+    write_by(writers, (sequence.format, sequence.view), outputs, drawn, told);
+    summary
 }
 
-/// Writes frames by so many threads, and tells each, in their order, when it is whole.
-///
-/// # Errors
-/// Of the first frame, in the order, that could not be written; those before it were told.
+/// Tells why a frame failed; of reasons that were told before, the frame that they were of.
+fn tell_failed(
+    failed: &DrawnFrame,
+    problems: &[Diagnostic],
+    reasons: &mut HashMap<String, i32>,
+    output: &Output,
+) {
+    let Frame { frame, .. } = failed;
+    let text = failed.text();
+    let all: Vec<String> = problems.iter().map(ToString::to_string).collect();
+    match reasons.entry(all.join("\n")) {
+        Entry::Occupied(known) => output.message(&format!("{text}, as frame {}", known.get())),
+        Entry::Vacant(new) => {
+            output.message(&text);
+            output.diagnostics(problems);
+            new.insert(*frame);
+        }
+    }
+}
+
+/// True for a problem of a file that is there already, and of no other.
+fn is_of_file(problem: &Diagnostic) -> bool {
+    ["file-exists", "would-overwrite"].contains(&problem.code)
+}
+
+/// Writes frames by so many threads, and tells each, in their order, when it is whole or has
+/// failed.
 #[expect(
     clippy::disallowed_methods,
     reason = "the command line's own threads: they wait for pictures, as rayon's must not"
@@ -98,7 +127,7 @@ fn write_by(
     outputs: &Outputs,
     drawn: Receiver<DrawnFrame>,
     tell: impl FnMut(&DrawnFrame),
-) -> Result<(), Diagnostic> {
+) {
     let desk = Desk {
         drawn: Mutex::new(FrameQueue { drawn, next: 0 }),
         progress: Mutex::default(),
@@ -117,36 +146,8 @@ fn write_by(
             desk.write_frames(form, outputs.another(), &to_tell);
         }
         drop(to_tell);
-        tell_all(told, tell)
-    })
-}
-
-/// Tells frames in their order.
-///
-/// # Errors
-/// Of the first frame, in the order, that could not be written.
-fn tell_all(
-    told: Receiver<WrittenFrame>,
-    mut tell: impl FnMut(&DrawnFrame),
-) -> Result<(), Diagnostic> {
-    let mut early = BTreeMap::new();
-    let mut next = 0;
-    let mut problem: Option<(usize, Diagnostic)> = None;
-    for (place, written) in told {
-        match written {
-            Ok(frame) => drop(early.insert(place, frame)),
-            Err(found) => {
-                if problem.as_ref().is_none_or(|(known, _)| place < *known) {
-                    problem = Some((place, found));
-                }
-            }
-        }
-        while let Some(frame) = early.remove(&next) {
-            next += 1;
-            tell(&frame);
-        }
-    }
-    problem.map_or(Ok(()), |(_, problem)| Err(problem))
+        desk.tell_all(told, tell);
+    });
 }
 
 /// Room of a frame that is being written; given back whatever becomes of it, so that nobody waits
@@ -155,6 +156,8 @@ struct Seat<'a> {
     desk: &'a Desk,
     file: PathBuf,
     bytes: usize,
+    /// True once the writer is back from its work, with a whole file or without.
+    is_done: bool,
     is_whole: bool,
 }
 
@@ -162,28 +165,56 @@ impl Drop for Seat<'_> {
     fn drop(&mut self) {
         let mut progress = self.desk.progress();
         progress.bytes -= self.bytes;
-        progress.has_failed |= !self.is_whole;
-        progress.done.insert(std::mem::take(&mut self.file));
+        progress.is_over |= !self.is_done;
+        progress.done.insert(std::mem::take(&mut self.file), self.is_whole);
         drop(progress);
         self.desk.changed.notify_all();
     }
 }
 
 impl Desk {
-    /// Writes frame after frame, until there are none or one could not be written.
+    /// Tells frames in their order. Where too many fail one after another, no more are taken.
+    fn tell_all(&self, told: Receiver<WrittenFrame>, mut tell: impl FnMut(&DrawnFrame)) {
+        let mut early = BTreeMap::new();
+        let (mut next, mut in_a_row) = (0, 0);
+        for (place, frame) in told {
+            early.insert(place, frame);
+            while let Some(frame) = early.remove(&next) {
+                next += 1;
+                in_a_row = match &frame.state {
+                    // Somebody's files say nothing about the frames after them.
+                    FrameState::Failed(problems) if problems.iter().any(is_of_file) => in_a_row,
+                    FrameState::Failed(_) => in_a_row + 1,
+                    _ => 0,
+                };
+                if in_a_row >= MOST_FAILED {
+                    self.progress().is_over = true;
+                }
+                tell(&frame);
+            }
+        }
+    }
+
+    /// Writes frame after frame, until there are none or they are given up.
     fn write_frames(&self, form: Form<'_>, mut outputs: Outputs, tell: &Sender<WrittenFrame>) {
         while let Some((place, mut frame, bytes)) = self.take() {
-            let mut seat = Seat { desk: self, file: frame.file.clone(), bytes, is_whole: false };
+            let file = frame.file.clone();
+            let mut seat = Seat { desk: self, file, bytes, is_done: false, is_whole: false };
             let clock = Clock::start();
             let written = self.write(form, &mut outputs, &frame);
             frame.seconds.writing = clock.seconds();
-            seat.is_whole = written.is_ok();
+            seat.is_done = true;
+            seat.is_whole = written.is_ok() && !matches!(frame.state, FrameState::Failed(_));
             drop(seat);
-            // The picture is not needed any more, and may be large.
-            if let FrameState::New(picture) = &mut frame.state {
-                *picture = crate::film::DrawnLayers::default();
+            match (written, &mut frame.state) {
+                (Err(problem), state) => *state = FrameState::Failed(vec![problem]),
+                // The picture is not needed any more, and may be large.
+                (Ok(()), FrameState::New(picture)) => {
+                    *picture = crate::film::DrawnLayers::default();
+                }
+                (Ok(()), _) => {}
             }
-            if tell.send((place, written.map(|()| frame))).is_err() {
+            if tell.send((place, frame)).is_err() {
                 break;
             }
         }
@@ -194,13 +225,13 @@ impl Desk {
     fn take(&self) -> Option<(usize, DrawnFrame, usize)> {
         // Held while waiting for room: one frame waits, and no more are taken.
         let mut waiting = self.drawn.lock().unwrap_or_else(PoisonError::into_inner);
-        if self.progress().has_failed {
+        if self.progress().is_over {
             return None;
         }
         let frame = waiting.drawn.recv().ok()?;
         let bytes = match &frame.state {
             FrameState::New(drawn) => COPIES.saturating_mul(drawn.bytes()),
-            FrameState::Kept | FrameState::Equal { .. } => 0,
+            FrameState::Kept | FrameState::Equal { .. } | FrameState::Failed(_) => 0,
         };
         let is_full = |progress: &mut Progress| {
             progress.bytes > 0 && progress.bytes.saturating_add(bytes) > MOST_BYTES
@@ -226,12 +257,17 @@ impl Desk {
     ) -> Result<(), Diagnostic> {
         let Frame { file, header, .. } = frame;
         match &frame.state {
-            FrameState::Kept => return Ok(()),
+            FrameState::Kept | FrameState::Failed(_) => return Ok(()),
             FrameState::New(picture) => {
                 outputs.write(file, format.kind(), &format.encode(picture, header, view)?)?;
             }
-            FrameState::Equal { file: first, .. } => {
-                self.wait_for(first);
+            FrameState::Equal { frame: number, file: first } => {
+                if !self.wait_for(first) {
+                    let message =
+                        format!("this is the same picture as frame {number}, which failed");
+                    let problem = Diagnostic::error("not-whole", message);
+                    return Err(problem.in_file(file.display().to_string()));
+                }
                 match format {
                     PictureFormat::Png => {
                         outputs.check(file, format.kind())?;
@@ -254,10 +290,12 @@ impl Desk {
             .hint("the disk may be full or failing; the same command goes on with this frame"))
     }
 
-    /// Waits until a frame that was taken before is written, or could not be.
-    fn wait_for(&self, file: &Path) {
-        let is_open = |progress: &mut Progress| !progress.done.contains(file);
-        drop(self.changed.wait_while(self.progress(), is_open));
+    /// Waits until a frame that was taken before is done; true if its file is whole.
+    fn wait_for(&self, file: &Path) -> bool {
+        let is_open = |progress: &mut Progress| !progress.done.contains_key(file);
+        let progress = self.changed.wait_while(self.progress(), is_open);
+        let progress = progress.unwrap_or_else(PoisonError::into_inner);
+        progress.done.get(file).is_some_and(|is_whole| *is_whole)
     }
 }
 
@@ -303,17 +341,20 @@ mod tests {
         frames: Vec<DrawnFrame>,
         format: PictureFormat,
         outputs: &Outputs,
-    ) -> (Vec<i32>, Result<(), Diagnostic>) {
+    ) -> (Vec<i32>, Vec<i32>) {
         let (to_write, drawn) = sync_channel(1);
-        let mut told = Vec::new();
-        let result = std::thread::scope(|scope| {
+        let (mut whole, mut failed) = (Vec::new(), Vec::new());
+        std::thread::scope(|scope| {
             scope.spawn(move || {
                 // Until nobody takes them.
                 frames.into_iter().all(|frame| to_write.send(frame).is_ok())
             });
-            write_by(5, (format, None), outputs, drawn, |frame| told.push(frame.frame))
+            write_by(5, (format, None), outputs, drawn, |frame| match &frame.state {
+                FrameState::Failed(_) => failed.push(frame.frame),
+                _ => whole.push(frame.frame),
+            });
         });
-        (told, result)
+        (whole, failed)
     }
 
     #[test]
@@ -326,9 +367,9 @@ mod tests {
                 let equal = FrameState::Equal { frame: first, file };
                 frame(folder.path(), number, if number == first { drawn(first) } else { equal })
             };
-            let (told, result) = written((0..40).map(of).collect(), format, &Outputs::new(false));
-            result.unwrap();
-            assert_eq!(told, Vec::from_iter(0..40));
+            let (whole, failed) = written((0..40).map(of).collect(), format, &Outputs::new(false));
+            assert!(failed.is_empty(), "{failed:?}");
+            assert_eq!(whole, Vec::from_iter(0..40));
             for number in 0..40 {
                 let bytes = read(&folder.path().join(format!("{number:04}.exr"))).unwrap();
                 let first = number - number % 3;
@@ -338,16 +379,32 @@ mod tests {
     }
 
     #[test]
-    fn a_frame_that_cannot_be_written_ends_the_others_and_is_told() {
+    fn a_frame_that_cannot_be_written_is_told_and_the_others_are_whole() {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("0007.exr"), "an artist's own").unwrap();
-        let frames = (0..40).map(|number| frame(folder.path(), number, drawn(number)));
+        let of = |number: i32| {
+            let file = folder.path().join("0007.exr");
+            let equal = FrameState::Equal { frame: 7, file };
+            frame(folder.path(), number, if number == 9 { equal } else { drawn(number) })
+        };
         let format = PictureFormat::Exr(ExrEncoding::default());
-        let (told, result) = written(frames.collect(), format, &Outputs::new(false));
-        let problem = result.unwrap_err();
-        assert!(problem.code == "file-exists" && problem.to_string().contains("0007"), "{problem}");
-        assert_eq!(told, Vec::from_iter(0..7), "no frame after it is told");
-        let whole = std::fs::read_dir(folder.path()).unwrap().count();
-        assert!(whole < 40, "drawing ended: {whole}");
+        let (whole, failed) = written((0..40).map(of).collect(), format, &Outputs::new(false));
+        assert_eq!(failed, [7, 9], "the frame, and the one that is the same picture");
+        assert_eq!(whole.len(), 38);
+        let kept = std::fs::read(folder.path().join("0007.exr")).unwrap();
+        assert_eq!(kept, b"an artist's own");
+    }
+
+    #[test]
+    fn frames_that_fail_one_after_another_end_the_others() {
+        let folder = tempfile::tempdir().unwrap();
+        let of = |number: i32| {
+            let lost = FrameState::Failed(vec![Diagnostic::error("lost", "the GPU is gone")]);
+            frame(folder.path(), number, if number < 4 { drawn(number) } else { lost })
+        };
+        let format = PictureFormat::Exr(ExrEncoding::default());
+        let (whole, failed) = written((0..900).map(of).collect(), format, &Outputs::new(false));
+        assert_eq!(whole, [0, 1, 2, 3]);
+        assert!((MOST_FAILED..900).contains(&failed.len()), "{}", failed.len());
     }
 }

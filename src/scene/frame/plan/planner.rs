@@ -19,7 +19,7 @@ use crate::frame::keys::{Rig, SceneRig};
 use crate::frame::mattes::sample_shifts;
 use crate::frame::motion::KnownPoses;
 use crate::frame::screen::Ink;
-use crate::frame::setup::Setup;
+use crate::frame::setup::{Setup, SetupLook};
 use crate::frame::visibility::{CullMode, KnownBounds};
 use crate::ids::NodePath;
 use crate::library::Library;
@@ -128,9 +128,21 @@ impl Planner {
     }
 
     /// The layers beside the picture, as the looks' modules give them.
-    fn planned_aovs(&self, variants: &Variants) -> Result<Vec<AovLayer>, Vec<Diagnostic>> {
-        let shaders = variants.values().filter_map(|variant| self.shaders.get(&variant.key));
-        AovLayer::planned(&self.aovs, &shaders.map(|shaders| &*shaders.draw))
+    fn planned_aovs(
+        &self,
+        looks: &[SetupLook],
+        variants: &Variants,
+    ) -> Result<Vec<AovLayer>, Vec<Diagnostic>> {
+        if self.aovs.is_empty() {
+            return Ok(Vec::new());
+        }
+        let mut variants: Vec<_> = variants.iter().collect();
+        variants.sort_by_key(|((object, look), _)| (*look, *object));
+        let modules = variants.into_iter().filter_map(|((_, look), variant)| {
+            let file = looks.get(*look)?.source.file();
+            Some((file, &*self.shaders.get(&variant.key)?.draw))
+        });
+        AovLayer::planned(&self.aovs, &modules)
     }
 
     /// Plans one picture of `setup`; warns of oddities of the looks and objects in it. Where a shot
@@ -162,7 +174,7 @@ impl Planner {
         let ink = ink.filter(|_| !visible.is_empty() && !self.mattes);
         let wanted = WantedPasses::new(&readers, ink.is_some());
         let stages = wanted.stages_before();
-        let aovs = self.planned_aovs(&variants)?;
+        let aovs = self.planned_aovs(&setup.looks, &variants)?;
         self.compile_before(&scene, &visible, &variants, &stages)?;
         let warnings = self.warnings(&scene, &visible, &variants);
         let casters = self.casters(&scene, &visible, &variants, &mut dropped)?;
