@@ -8,10 +8,13 @@ use serde_json::{Value as Json, json};
 use super::open::beside;
 use super::output::Output;
 use super::target::outputs;
+use crate::catalog::values;
 use crate::diag::{Diagnostic, has_errors};
-use crate::document::{Document, LoadedDocument, Override, Shot, value_address};
+use crate::document::{
+    ColorSpace, Document, LoadedDocument, Override, Shot, linear_to_srgb, parse_hex, value_address,
+};
 use crate::files::{Disk, OutputKind};
-use crate::frame::{Assets, ResolvedShot, Setup, ValueChange, open};
+use crate::frame::{Assets, ResolvedShot, Setup, SetupLook, ValueChange, open};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -51,9 +54,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let Some(shot) = &setup.shot else { return Err(vec![not_a_shot(&arguments.shot)]) };
     match (arguments.diff, arguments.json) {
         (true, true) => output.json(&json!(shot.changes)),
-        (true, false) => output.result(&diff(shot)),
+        (true, false) => output.result(&diff(&setup, shot)),
         (false, true) => output.json(&summary_json(&setup, shot)),
-        (false, false) => output.result(summary(shot).trim_end()),
+        (false, false) => output.result(summary(&setup, shot).trim_end()),
     }
     Ok(())
 }
@@ -65,7 +68,7 @@ fn not_a_shot(path: &Path) -> Diagnostic {
 }
 
 /// Every change, by the files that make them, the farthest first.
-fn diff(shot: &ResolvedShot) -> String {
+fn diff(setup: &Setup, shot: &ResolvedShot) -> String {
     let mut text = String::new();
     for file in shot.stack.shots.iter().rev() {
         let changes = shot.changes.iter().filter(|change| change.by == file.path);
@@ -75,13 +78,14 @@ fn diff(shot: &ResolvedShot) -> String {
         if changes.is_empty() {
             let _ = writeln!(text, "{path}, over {over}: changes nothing");
         } else {
-            let _ = writeln!(text, "{path}, over {over}\n{}", changes_text(&changes, false));
+            let changes = changes_text(&changes, false, setup);
+            let _ = writeln!(text, "{path}, over {over}\n{changes}");
         }
     }
     text.trim_end().to_owned()
 }
 
-fn summary(shot: &ResolvedShot) -> String {
+fn summary(setup: &Setup, shot: &ResolvedShot) -> String {
     let stack = &shot.stack;
     let [first, last] = stack.frames();
     let mut text = String::new();
@@ -100,7 +104,8 @@ fn summary(shot: &ResolvedShot) -> String {
     if standing.is_empty() {
         text += "changes nothing\n";
     } else {
-        let _ = writeln!(text, "changes\n{}", changes_text(&standing, stack.shots.len() > 1));
+        let changes = changes_text(&standing, stack.shots.len() > 1, setup);
+        let _ = writeln!(text, "changes\n{changes}");
     }
     text
 }
@@ -133,13 +138,14 @@ fn stepping(step: u32) -> String {
 }
 
 /// Changes, one a line: address, from, to, and where it is asked for the file.
-pub(super) fn changes_text(changes: &[ValueChange], with_files: bool) -> String {
+pub(super) fn changes_text(changes: &[ValueChange], with_files: bool, setup: &Setup) -> String {
     let addresses: Vec<String> = changes.iter().map(ValueChange::address).collect();
     let width = addresses.iter().map(|address| address.chars().count()).max().unwrap_or_default();
     let mut text = String::new();
     for (change, address) in changes.iter().zip(&addresses) {
-        let from = value_text(&change.from);
-        let to = value_text(&change.to);
+        let space = color_space_of(change, setup);
+        let from = value_text(&change.from, space);
+        let to = value_text(&change.to, space);
         let _ = write!(text, "  {address:width$}  {from} -> {to}");
         if change.step > 1 {
             let _ = write!(text, " {}", stepping(change.step));
@@ -156,19 +162,61 @@ pub(super) fn changes_text(changes: &[ValueChange], with_files: bool) -> String 
     text
 }
 
-/// A value on a line; keys by their frames.
-fn value_text(value: &Json) -> String {
-    let key =
-        |key: &Json| Some(format!("{} at {}", value_text(key.get("value")?), key.get("frame")?));
+/// The space of the numbers of a color; `None` where the value is none.
+fn color_space_of(change: &ValueChange, setup: &Setup) -> Option<ColorSpace> {
+    let name = change.target.rsplit('.').next().unwrap_or_default();
+    let is_named = ["color", "tint", "backdrop"].iter().any(|color| name.ends_with(color));
+    if !(is_named || is_hex(&change.from) || is_hex(&change.to)) {
+        return None;
+    }
+    // Lights have the space of the looks that they light.
+    let is_meant = |look: &&SetupLook| {
+        change.look.as_deref().is_none_or(|path| Path::new(path) == Path::new(look.source.file()))
+    };
+    let mut looks = setup.looks.iter().filter(is_meant).map(|look| look.look.color_space);
+    let first = looks.next().unwrap_or_default();
+    Some(if looks.all(|space| space == first) { first } else { ColorSpace::Display })
+}
+
+fn is_hex(value: &Json) -> bool {
+    value.as_str().and_then(parse_hex).is_some()
+}
+
+/// A color as the window's fields have it, `#ff8000`; `None` for what no screen shows.
+fn color_text(numbers: &[Json], space: ColorSpace) -> Option<String> {
+    let numbers: Option<Vec<f64>> = numbers.iter().map(Json::as_f64).collect();
+    let (rgb, a) = match numbers?[..] {
+        [r, g, b] => ([r, g, b], 1.0),
+        [r, g, b, a] => ([r, g, b], a),
+        _ => return None,
+    };
+    let [r, g, b] = match space {
+        ColorSpace::Display => rgb,
+        ColorSpace::Linear => rgb.map(linear_to_srgb),
+    };
+    let is_shown = [r, g, b, a].iter().all(|x| (0.0..=1.0).contains(x));
+    is_shown.then(|| values::hex([r, g, b, a]))
+}
+
+/// A value on a line, of a color in a space as fields have it; keys by their frames.
+fn value_text(value: &Json, color: Option<ColorSpace>) -> String {
+    let key = |key: &Json| {
+        let (value, frame) = (key.get("value")?, key.get("frame")?);
+        Some(format!("{} at {frame}", value_text(value, color)))
+    };
     let keys = value.as_array().filter(|keys| !keys.is_empty());
     let keys: Option<Vec<String>> = keys.and_then(|keys| keys.iter().map(key).collect());
     match (keys, value) {
         (Some(keys), _) => keys.join(", "),
         (None, Json::Null) => "default".to_owned(),
         (None, Json::Array(numbers)) => {
+            if let Some(text) = color.and_then(|space| color_text(numbers, space)) {
+                return text;
+            }
             let numbers: Vec<String> = numbers.iter().map(number_text).collect();
             format!("[{}]", numbers.join(", "))
         }
+        (None, Json::String(text)) if is_hex(value) => text.clone(),
         (None, value) => number_text(value),
     }
 }
@@ -251,11 +299,15 @@ mod tests {
 
     #[test]
     fn values_are_told_on_a_line() {
-        let told = |json: &str| value_text(&serde_json::from_str(json).unwrap());
+        let of = |json: &str, space| value_text(&serde_json::from_str(json).unwrap(), space);
+        let told = |json: &str| of(json, None);
         assert_eq!(told("1"), "1");
         assert_eq!(told("0.30000000000000004"), "0.3");
         assert_eq!(told("[1, 0.5, 0]"), "[1, 0.5, 0]");
-        assert_eq!(told("\"#ff8800\""), "\"#ff8800\"");
+        assert_eq!(told("\"#ff8800\""), "#ff8800");
+        assert_eq!(of("[1, 0.5, 0]", Some(ColorSpace::Display)), "#ff8000");
+        assert_eq!(of("[1, 0.5, 0, 0.5]", Some(ColorSpace::Linear)), "#ffbc0080");
+        assert_eq!(of("[4, 0.5, 0]", Some(ColorSpace::Linear)), "[4, 0.5, 0]", "no screen's");
         assert_eq!(told("null"), "default");
         assert_eq!(
             told("[{\"frame\": 1, \"value\": 2}, {\"frame\": 9, \"value\": 3}]"),

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
+use super::super::shot::changes_text;
 use crate::compile::{
     BindingKind, CompiledShader, HostStep, LoopedLights, Removal, TypedGraph, TypedSource,
     VertexAttribute, check,
@@ -30,6 +31,9 @@ pub(super) struct ExplainReport {
     /// Values that the shot changes; empty without a shot.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) changes: Vec<ValueChange>,
+    /// The same in words.
+    #[serde(skip)]
+    pub(super) changes_told: String,
     /// Width and height of the picture, in pixels.
     pub(super) size: [u32; 2],
     pub(super) passes: Vec<Pass>,
@@ -172,7 +176,8 @@ impl ExplainReport {
         library: &Library,
     ) -> Result<Self, Vec<Diagnostic>> {
         let changes = setup.shot.iter().flat_map(|shot| &shot.changes);
-        let standing = changes.filter(|change| change.stands).cloned().collect();
+        let standing: Vec<_> = changes.filter(|change| change.stands).cloned().collect();
+        let changes_told = changes_text(&standing, true, setup);
         let mut looks: Vec<(usize, LookReport)> = Vec::new();
         for draw in &plan.draws {
             let Some((index, values)) = look_of(setup, draw) else { continue };
@@ -199,6 +204,7 @@ impl ExplainReport {
             size: plan.size,
             passes: plan.passes.clone(),
             changes: standing,
+            changes_told,
             dropped: plan.dropped.clone(),
             effects: effects(plan, &HashMap::new()),
             view_bytes: plan.view.uniform_bytes().len(),

@@ -2,7 +2,6 @@
 
 use std::fmt::Write as _;
 
-use super::super::shot::changes_text;
 use super::super::tier;
 use super::report::{DecidingDriver, ExplainReport, LookReport, LoopReport, names};
 use crate::compile::TierReason;
@@ -14,7 +13,7 @@ pub(super) fn tell(report: &ExplainReport, document: &str) -> String {
     let [width, height] = report.size;
     let mut text = format!("{document}, {width}x{height} pixels\n");
     if !report.changes.is_empty() {
-        let _ = writeln!(text, "\nChanged by shots\n{}", changes_text(&report.changes, true));
+        let _ = writeln!(text, "\nChanged by shots\n{}", report.changes_told);
     }
     text += "\nPasses, in order\n";
     for pass in report.effects.iter().filter(|effect| effect.pass.is_some()) {
