@@ -4,18 +4,13 @@
 use std::path::PathBuf;
 
 use chiaro::diag::Diagnostic;
-use chiaro::document::{Camera, Edit, GraphId, Look, Scene, SceneEdit, Shot, ShotEdit, Value};
+use chiaro::document::{Camera, Edit, GraphId, Look, SceneEdit, ShotEdit, Value};
 use chiaro::frame::{Assets, Setup, ValueChange, open};
 use eframe::egui::{Key, Modifiers, Role};
 
 use crate::editor_support::User;
 use crate::editor_support::home::Home;
-
-const LOOK: &str = r#"{"chiaro": "look", "lights": {"key": {"direction": [0, 0, 1]}},
- "nodes": [{"id": "base", "kind": "base"},
-  {"id": "layer", "kind": "light_layer", "values": {"light": "key", "opacity": 0.5}},
-  {"id": "output", "kind": "output"}],
- "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}]}"#;
+use crate::editor_support::shots::{LOOK, save, scene, shot, write};
 
 const SCENE: &str = r#"{"chiaro": "scene",
  "objects": [{"id": "ball", "mesh": "shape:sphere", "looks": "look.json"}],
@@ -39,9 +34,7 @@ const FILES: [(&str, &str); 4] =
     [("look.json", LOOK), ("scene.json", SCENE), ("sequence.json", SEQUENCE), ("shot.json", SHOT)];
 
 fn shot_file(home: &Home) -> PathBuf {
-    for (name, text) in FILES {
-        std::fs::write(home.file(name), text).unwrap();
-    }
+    write(home, &FILES);
     home.file("shot.json")
 }
 
@@ -49,14 +42,6 @@ fn opened(home: &Home) -> User {
     let mut hand = home.window(Some(&shot_file(home)));
     hand.settle();
     hand
-}
-
-fn scene(hand: &User) -> &Scene {
-    hand.app().session().open_scene().expect("one is open").scene()
-}
-
-fn shot(hand: &User) -> &Shot {
-    hand.app().session().shot().expect("one is open").shot()
 }
 
 fn opacity(look: &Look) -> Option<&Value> {
@@ -91,11 +76,6 @@ fn brighter(hand: &User, id: &str, intensity: f64) -> SceneEdit {
     let mut light = scene(hand).lights[id].clone();
     light.intensity = intensity;
     SceneEdit::SetLight { id: id.into(), light }
-}
-
-fn save(hand: &mut User) {
-    hand.key_with(Modifiers::COMMAND, Key::S);
-    hand.settle();
 }
 
 fn at(hand: &mut User, frame: f64) {

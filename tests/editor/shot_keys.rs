@@ -2,7 +2,7 @@
 //! `render`, and kept as pictures while its camera moves.
 
 use chiaro::compile::Live;
-use chiaro::document::{Camera, FrameRate, SceneEdit, Shot, Value};
+use chiaro::document::{Camera, FrameRate, SceneEdit, Value};
 use chiaro::film::PlanHasher;
 use chiaro::frame::{Assets, PlanOptions, Planner, open};
 use chiaro::library::Library;
@@ -11,12 +11,7 @@ use egui_kittest::kittest::Queryable as _;
 
 use crate::editor_support::User;
 use crate::editor_support::home::Home;
-
-const LOOK: &str = r#"{"chiaro": "look", "lights": {"key": {"direction": [0, 0, 1]}},
- "nodes": [{"id": "base", "kind": "base"},
-  {"id": "layer", "kind": "light_layer", "values": {"light": "key", "opacity": 0.5}},
-  {"id": "output", "kind": "output"}],
- "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}]}"#;
+use crate::editor_support::shots::{self, LOOK, shot};
 
 const SCENE: &str = r#"{"chiaro": "scene",
  "objects": [{"id": "ball", "mesh": "shape:sphere", "looks": "look.json"}],
@@ -38,9 +33,8 @@ fn write(home: &Home, rate: &str, frames: [i32; 2], overrides: &[&str]) {
         r#"{{"chiaro": "shot", "scene": "scene.json", "frames": {frames:?}, "rate": {rate},
         "size": [320, 180], "overrides": [{overrides}]}}"#
     );
-    for (name, text) in [("look.json", LOOK), ("scene.json", SCENE), ("shot.json", &shot)] {
-        std::fs::write(home.file(name), text).unwrap();
-    }
+    let files = [("look.json", LOOK), ("scene.json", SCENE), ("shot.json", &shot)];
+    shots::write(home, &files);
 }
 
 /// A window with the shot and its timeline.
@@ -60,10 +54,6 @@ fn show_timeline(hand: &mut User) {
     let nothing = hand.empty_place();
     hand.click(nothing);
     hand.settle();
-}
-
-fn shot(hand: &User) -> &Shot {
-    hand.app().session().shot().expect("one is open").shot()
 }
 
 /// The keys of a value that the shot changes.

@@ -3,18 +3,12 @@
 
 use std::path::PathBuf;
 
-use chiaro::document::{Edit, GraphId, Scene, SceneEdit, Shot, Value};
+use chiaro::document::{Edit, GraphId, SceneEdit, Shot, Value};
 use eframe::egui::{Key, Modifiers, Role, vec2};
 
 use crate::editor_support::User;
 use crate::editor_support::home::Home;
-
-const LOOK: &str = r#"{"chiaro": "look", "lights": {"key": {"direction": [0, 0, 1]}},
- "markers": [{"time": 0.25, "name": "glint"}],
- "nodes": [{"id": "base", "kind": "base"},
-  {"id": "layer", "kind": "light_layer", "values": {"light": "key", "opacity": 0.5}},
-  {"id": "output", "kind": "output"}],
- "wires": [{"from": "base", "to": "layer.below"}, {"from": "layer", "to": "output.color"}]}"#;
+use crate::editor_support::shots::{LOOK, save, scene, shot, write};
 
 const SCENE: &str = r#"{"chiaro": "scene",
  "objects": [{"id": "ball", "mesh": "shape:sphere", "looks": "look.json"}],
@@ -28,20 +22,10 @@ const SHOT: &str = r#"{"chiaro": "shot", "scene": "scene.json", "frames": [0, 48
 const FILES: [(&str, &str); 3] = [("look.json", LOOK), ("scene.json", SCENE), ("shot.json", SHOT)];
 
 fn opened(home: &Home, file: &str) -> User {
-    for (name, text) in FILES {
-        std::fs::write(home.file(name), text).unwrap();
-    }
+    write(home, &FILES);
     let mut hand = home.window(Some(&home.file(file)));
     hand.settle();
     hand
-}
-
-fn shot(hand: &User) -> &Shot {
-    hand.app().session().shot().expect("one is open").shot()
-}
-
-fn scene(hand: &User) -> &Scene {
-    hand.app().session().open_scene().expect("one is open").scene()
 }
 
 fn intensity(hand: &User) -> f64 {
@@ -53,11 +37,6 @@ fn set_intensity(hand: &mut User, intensity: f64) {
     light.intensity = intensity;
     let edit = SceneEdit::SetLight { id: "sun".into(), light };
     hand.app_mut().session_mut().apply_to_scene(edit, None).unwrap();
-    hand.settle();
-}
-
-fn save(hand: &mut User) {
-    hand.key_with(Modifiers::COMMAND, Key::S);
     hand.settle();
 }
 

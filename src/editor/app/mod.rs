@@ -76,6 +76,7 @@ pub struct App {
     dialogs: Dialogs,
     dock: Dock,
     look_exports: LookExports,
+    colors: colors::ColorOpener,
     safety: Safety,
     sheet: Sheet,
     start: Option<StartPage>,
@@ -131,6 +132,7 @@ impl App {
             dialogs: Dialogs::new(waker()),
             dock: Dock::default(),
             look_exports: LookExports::new(gpu, waker()),
+            colors: colors::ColorOpener::new(waker()),
             safety: Safety::new(waker()),
             sheet: Sheet::default(),
             start: None,
@@ -338,6 +340,7 @@ impl App {
             || self.session.is_compiling()
             || self.bench.is_busy()
             || self.look_exports.is_busy()
+            || self.colors.is_busy()
     }
 
     /// Waits until shaders, pictures and values are made; for tests.
@@ -345,6 +348,7 @@ impl App {
         self.session.wait();
         self.bench.wait();
         self.look_exports.wait();
+        self.colors.wait();
         if let Some(picture) = &self.bench.picture {
             picture.wait();
         }
@@ -393,6 +397,7 @@ impl App {
         }
         self.shortcuts(ui, &mut commands);
         self.take_look_exports(ui);
+        self.take_colors();
         self.message = self.bench.painting.exported().or(self.message.take());
         self.take_made();
         let dropped =

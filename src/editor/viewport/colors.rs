@@ -7,31 +7,67 @@ use crate::commands::{Command, DisplayCommand};
 use crate::film::{BUILT_IN, ColorConfig, VIEW_VARIABLE};
 use crate::state::display::DisplayChoice;
 use crate::state::session::Session;
+use crate::state::worker::{BackgroundJobs, Worker};
 
 /// Configuration for the menu, with all displays and their views, or the reason why there are none.
-pub(super) struct ListedConfig {
+struct ListedConfig {
     name: String,
     displays: Result<Vec<(String, Vec<String>)>, String>,
 }
 
 impl ListedConfig {
-    fn open(name: &str) -> Self {
-        let opened = ColorConfig::open(name).map(|config| config.displays());
-        Self { name: name.to_owned(), displays: opened.map_err(|problem| problem.message) }
+    fn open(name: String) -> Self {
+        let opened = ColorConfig::open(&name).map(|config| config.displays());
+        Self { name, displays: opened.map_err(|problem| problem.message) }
+    }
+}
+
+/// Configurations for the menu. A studio's is a file of a megabyte on a slow disk, so that it is
+/// read beside the window.
+#[derive(Default)]
+pub(super) struct ColorMenu {
+    /// Name of the configuration that is listed, or is to be.
+    wanted: String,
+    listed: Option<ListedConfig>,
+    /// Reader of configurations; `None` until the menu is opened.
+    reader: Option<Worker<String, ListedConfig>>,
+}
+
+impl BackgroundJobs for ColorMenu {
+    fn is_busy(&self) -> bool {
+        self.reader.as_ref().is_some_and(Worker::owes)
+    }
+
+    fn wait(&self) {
+        if let Some(reader) = &self.reader {
+            reader.wait();
+        }
+    }
+}
+
+impl ColorMenu {
+    /// The configuration of a name; `None` while it is read.
+    fn config(&mut self, ui: &Ui, name: &str) -> Option<&ListedConfig> {
+        let ctx = ui.ctx().clone();
+        let reader = self.reader.get_or_insert_with(|| {
+            Worker::new("colors", move || ctx.request_repaint(), ListedConfig::open)
+        });
+        if self.wanted != name {
+            self.wanted = name.to_owned();
+            reader.request(|_| name.to_owned());
+        }
+        if let Some(read) = reader.answers().pop() {
+            self.listed = Some(read);
+        }
+        self.listed.as_ref().filter(|listed| listed.name == name)
     }
 }
 
 /// Height of a menu of views, in points, above which it scrolls.
 const MENU_HEIGHT: f32 = 420.0;
 
-/// Shows the entry with its menu. `listed` is the configuration of the menu, kept while it is the
-/// same.
-pub(super) fn menu(
-    ui: &mut Ui,
-    session: &Session,
-    listed: &mut Option<ListedConfig>,
-    out: &mut Vec<Command>,
-) {
+/// Shows the entry with its menu.
+pub(super) fn menu(ui: &mut Ui, session: &Session, colors: &mut ColorMenu, out: &mut Vec<Command>) {
     let shown = session.view().display().map(|display| &*display.choice);
     let label = match shown {
         None => "View transform: sRGB".to_owned(),
@@ -49,13 +85,10 @@ pub(super) fn menu(
             Some(choice) => choice.config.clone(),
             None => ColorConfig::name_of(None),
         };
-        if listed.as_ref().is_none_or(|listed| listed.name != name) {
-            *listed = Some(ListedConfig::open(&name));
-        }
-        let Some(ListedConfig { displays, .. }) = listed else { return };
-        match displays {
-            Ok(displays) => views(ui, &name, displays, shown, out),
-            Err(problem) => drop(ui.label(problem.as_str())),
+        match colors.config(ui, &name).map(|listed| &listed.displays) {
+            Some(Ok(displays)) => views(ui, &name, displays, shown, out),
+            Some(Err(problem)) => drop(ui.label(problem.as_str())),
+            None => drop(ui.weak("Reading the configuration...")),
         }
         ui.separator();
         configurations(ui, &name, out);

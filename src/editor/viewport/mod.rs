@@ -105,8 +105,8 @@ pub struct Viewport {
     through: Option<LookThrough>,
     /// Exposure in stops; for this window only.
     exposure: f32,
-    /// Configuration in the menu of views.
-    colors: Option<colors::ListedConfig>,
+    /// Configurations in the menu of views.
+    colors: colors::ColorMenu,
     exports: Exports,
     preparing: preparing::PictureDelay,
     reference: Option<ReferenceImage>,
@@ -159,7 +159,7 @@ impl Viewport {
             turns: false,
             through: None,
             exposure: 0.0,
-            colors: None,
+            colors: colors::ColorMenu::default(),
             exports: Exports::new(gpu, wake),
             preparing: preparing::PictureDelay::default(),
             reference: None,
@@ -670,11 +670,12 @@ impl Viewport {
 
 impl BackgroundJobs for Viewport {
     fn is_busy(&self) -> bool {
-        self.surfaces.is_busy() || self.exports.is_busy()
+        self.surfaces.is_busy() || self.exports.is_busy() || self.colors.is_busy()
     }
 
     fn wait(&self) {
         self.surfaces.wait();
         self.exports.wait();
+        self.colors.wait();
     }
 }

@@ -3,6 +3,7 @@
 
 pub(crate) mod home;
 pub(crate) mod painting;
+pub(crate) mod shots;
 mod verbs;
 
 use std::cell::RefCell;
