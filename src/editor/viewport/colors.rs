@@ -35,7 +35,8 @@ pub(super) struct ColorMenu {
 
 impl BackgroundJobs for ColorMenu {
     fn is_busy(&self) -> bool {
-        self.reader.as_ref().is_some_and(Worker::owes)
+        // An answer may lie there for long: it is taken when the menu is open.
+        self.reader.as_ref().is_some_and(Worker::is_busy)
     }
 
     fn wait(&self) {
