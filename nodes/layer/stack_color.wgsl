@@ -3,8 +3,8 @@ import chiaro::types;
 /// Stack color
 ///
 /// The straight color of a whole stack of layers, for a layer that lays the stack over another one:
-/// a *Folder*. Light that lies over nothing, as a layer in the mode *Add* leaves, is kept: it covers
-/// a millionth, where a plain wire into a color would hide it.
+/// a *Folder*. Light that lies over nothing, as a layer in the mode *Add* leaves, is kept: it
+/// covers a millionth, where a plain wire into a color would hide it.
 ///
 /// @param stack "Stack" wire : The finished stack, over a transparent *Base*.
 /// @return color "Color" : Its color and how much of it there is.

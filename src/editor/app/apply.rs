@@ -137,11 +137,7 @@ impl App {
             Command::KeepLightColumns(columns) => self.keep_light_columns(columns),
             Command::KeepFrameMemory(mib) => self.keep_frame_memory(mib),
             Command::ChooseLight(id) => self.session.choose_light(id),
-            Command::LinkPointed(is_linked) => {
-                for command in self.bench.links.link_pointed(&self.session, is_linked) {
-                    self.carry_out(ui, command);
-                }
-            }
+            Command::LinkPointed(is_linked) => self.link_pointed(ui, is_linked),
             Command::ShowPanel(PanelId::PAINT) if is_painting_shown(&self.session) => {
                 self.show_painting_panels();
             }
@@ -174,6 +170,13 @@ impl App {
             Command::Recovery(command) => self.apply_to_recovery(command),
             Command::ReadNotes => self.session.read_notes(),
             Command::Tell(text) => self.message = Some(text),
+        }
+    }
+
+    /// Links the lights that are selected in *Links* to the object pointed at, or unlinks them.
+    fn link_pointed(&mut self, ui: &Ui, is_linked: bool) {
+        for command in self.bench.links.link_pointed(&self.session, is_linked) {
+            self.carry_out(ui, command);
         }
     }
 

@@ -19,8 +19,8 @@ pub(super) struct DropTarget {
 
 impl DropTarget {
     /// The place at a height, counted in rows from the top of the list: over a row in its upper
-    /// half, after it in its lower half. After an open folder is in it; the middle of a closed one is
-    /// in it too.
+    /// half, after it in its lower half. After an open folder is in it; the middle of a closed one
+    /// is in it too.
     pub(super) fn at(
         height: f32,
         rows: &[TreeRow],

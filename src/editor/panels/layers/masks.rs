@@ -75,10 +75,11 @@ pub(super) fn menu(
     }
     ui.add_enabled_ui(is_free, |ui| {
         let shown = ui.menu_button("Mask by", |ui| {
-            let help = "Hides the layer; what is painted on the model with a brush shows it. Kept in \
-                        a picture beside the look's file, by the mesh's UVs";
+            let help = "Hides the layer; what is painted on the model with a brush shows it. Kept \
+                        in a picture beside the look's file, by the mesh's UVs";
             let unsaved = "Save the look first: the mask is a picture beside its file";
-            let button = ui.add_enabled(session.path().is_some(), Button::new("Paint on the model"));
+            let is_saved = session.path().is_some();
+            let button = ui.add_enabled(is_saved, Button::new("Paint on the model"));
             if button.on_hover_text(help).on_disabled_hover_text(unsaved).clicked() {
                 out.push(Command::Mask(MaskCommand::New(layer.clone())));
             }

@@ -175,8 +175,8 @@ impl Row<'_> {
         self.opacity(&mut below, &title, out);
         let mut help = changed.help();
         help += if help.is_empty() { "" } else { "\n" };
-        help += "Click selects its node too, with Ctrl or Shift several · drag to reorder · right click for \
-                 more";
+        help += "Click selects its node too, with Ctrl or Shift several · drag to reorder · right \
+                 click for more";
         let whole = if whole.dragged() { whole } else { whole.on_hover_text(help) };
         RowResponse { whole, more, is_fold_toggled }
     }

@@ -244,9 +244,9 @@ impl LayerTree {
                     }
                     // The wire of a removed layer goes with its node.
                     None => {
-                        edits.extend(old.filter(|old| outlets.contains(&old.from)).map(|wire| {
-                            Edit::RemoveWire { graph: GraphId::Look, wire: wire.clone() }
-                        }))
+                        let gone = old.filter(|old| outlets.contains(&old.from)).cloned();
+                        let removal = |wire: Wire| Edit::RemoveWire { graph: GraphId::Look, wire };
+                        edits.extend(gone.map(removal));
                     }
                     Some(_) => {}
                 }

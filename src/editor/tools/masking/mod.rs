@@ -1,5 +1,5 @@
-//! Painting of a layer's mask on the mesh: a stroke on the picture is carried onto the texels of the
-//! mesh's UVs on a thread (`work`, `project`), and becomes a step of the mask's file.
+//! Painting of a layer's mask on the mesh: a stroke on the picture is carried onto the texels of
+//! the mesh's UVs on a thread (`work`, `project`), and becomes a step of the mask's file.
 
 mod project;
 mod work;

@@ -315,7 +315,11 @@ mod tests {
             ..Mesh::default()
         };
         let world_from_object = DMat4::IDENTITY;
-        MaskObject { mesh: Arc::new(mesh), world_from_object, worn: vec![0..6] }
+        MaskObject {
+            mesh: Arc::new(mesh),
+            world_from_object,
+            worn: std::iter::once(0..6).collect(),
+        }
     }
 
     /// A view of 100 by 100 pixels that the square of side 2 fills.

@@ -176,8 +176,8 @@ mod tests {
 
     #[test]
     fn an_object_follows_its_handles() {
-        for axis in 0..3 {
-            let new = dragged(GizmoHandle::Move(axis), |at| at + AXES[axis] * 0.3, false);
+        for (axis, along) in AXES.into_iter().enumerate() {
+            let new = dragged(GizmoHandle::Move(axis), |at| at + along * 0.3, false);
             let mut wanted = start();
             wanted.translate[axis] += 0.3;
             assert!(close(new.translate, wanted.translate) && new.rotate == wanted.rotate);
