@@ -56,7 +56,8 @@ fn bands_edges_and_a_highlight_are_shaped_on_the_object() {
     hand.drag(bar, bar + vec2(12.0, 0.0));
     hand.settle();
     assert!(ramp(&hand, "bands").stops[3].at > 0.5, "{:?}", ramp(&hand, "bands"));
-    hand.set("Softness", "6");
+    let softness = hand.number_field("Softness");
+    hand.type_over(softness, "6");
     let soft = ramp(&hand, "bands");
     assert_eq!(soft.stops.len(), 6, "two stops for each edge");
     assert!(((soft.stops[1].at - soft.stops[0].at) * PI - 6_f64.to_radians()).abs() < 1e-4);
@@ -65,8 +66,10 @@ fn bands_edges_and_a_highlight_are_shaped_on_the_object() {
     hand.press("Add layer");
     hand.press("Add Cartoon");
     hand.settle();
-    hand.set("Edge", "60");
-    hand.set("Softness", "10");
+    for (label, degrees) in [("Edge", "60"), ("Softness", "10")] {
+        let field = hand.number_field(label);
+        hand.type_over(field, degrees);
+    }
     for (port, degrees) in [("offset", 55.0_f64), ("falloff", 60.0), ("cutoff", 65.0)] {
         let is = number(&hand, "cartoon", port).to_degrees();
         assert!((is - degrees).abs() < 1e-6, "{port}: {is}");
