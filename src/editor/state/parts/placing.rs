@@ -359,7 +359,7 @@ fn title(to: Recipient<'_>, id: &NodeId) -> String {
     if node.name.is_empty() { kind() } else { node.name.clone() }
 }
 
-/// What a part brings along, and what of its names the look had already.
+/// Words on the lights, groups and nodes of a part: new ones, and those that the look has.
 fn along(to: Recipient<'_>, part: &Look) -> String {
     let mut told = String::new();
     let mut tell = |what: &str, names: Vec<String>| {

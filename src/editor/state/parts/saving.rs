@@ -34,7 +34,7 @@ pub(crate) struct PartDraft {
     pub(crate) kind: PartKind,
     /// The part, with a name, tags and a description to begin with.
     pub(crate) look: Look,
-    /// What of the look does not go along.
+    /// Notes on parts of the look that do not go along.
     pub(crate) notes: Vec<String>,
 }
 
@@ -186,7 +186,7 @@ impl PartSource<'_> {
         all
     }
 
-    /// What of the look does not go along with a part.
+    /// Notes on parts of the look that do not go along.
     fn left(self, part: &Look, choice: &PartChoice) -> Vec<String> {
         if *choice == PartChoice::Look {
             return Vec::new();
