@@ -58,8 +58,8 @@ pub(super) struct CauseRequest {
     pub(super) progress: Progress,
 }
 
-/// Finds the causes of the passes of a look: single values first, then values that only together
-/// are one.
+/// Finds the causes of the passes of a look: single values first, then values of the same name
+/// that only together are one.
 pub(super) fn causes(request: &CauseRequest) -> Vec<PassCause> {
     let mut trials = Trials { request, left: MOST_TRIALS };
     let Some(shader) = trials.compiled(&[]) else { return Vec::new() };
@@ -67,43 +67,38 @@ pub(super) fn causes(request: &CauseRequest) -> Vec<PassCause> {
     if all.is_empty() {
         return Vec::new();
     }
-    let candidates = candidates(request, &shader);
-    let mut found: Vec<PassCause> = Vec::new();
-    for candidate in &candidates {
+    let (mut found, mut others): (Vec<PassCause>, Vec<CauseValue>) = Default::default();
+    for candidate in candidates(request, &shader) {
         let values = vec![candidate.clone()];
-        let passes = trials.passes_without(&values, &all);
-        if !passes.is_empty() {
-            found.push(PassCause { values, passes });
+        match trials.passes_without(&values, &all) {
+            Some(passes) if !passes.is_empty() => found.push(PassCause { values, passes }),
+            Some(_) => others.push(candidate),
+            None => {}
         }
     }
     let explained: BTreeSet<PassId> = found.iter().flat_map(|cause| cause.passes.clone()).collect();
-    if all.iter().any(|pass| !explained.contains(pass)) && candidates.len() > 1 {
-        found.extend(together(&mut trials, &candidates, &all, &explained));
+    let unexplained: BTreeSet<PassId> = all.difference(&explained).copied().collect();
+    let names: BTreeSet<PortName> = others.iter().map(|value| value.port.clone()).collect();
+    for name in names.into_iter().filter(|_| !unexplained.is_empty()) {
+        let values: Vec<CauseValue> =
+            others.iter().filter(|value| value.port == name).cloned().collect();
+        found.extend(together(&mut trials, values, &unexplained));
     }
     found
 }
 
-/// The least values that are a cause together, of passes that no value alone is the cause of.
+/// The least of some values that are a cause together.
 fn together(
     trials: &mut Trials<'_>,
-    candidates: &[CauseValue],
+    mut values: Vec<CauseValue>,
     all: &BTreeSet<PassId>,
-    explained: &BTreeSet<PassId>,
 ) -> Option<PassCause> {
-    let mut values = candidates.to_vec();
-    let unexplained = |trials: &mut Trials<'_>, values: &[CauseValue]| -> Vec<PassId> {
-        let passes = trials.passes_without(values, all);
-        passes.into_iter().filter(|pass| !explained.contains(pass)).collect()
-    };
-    let passes = unexplained(trials, &values);
-    if passes.is_empty() {
-        return None;
-    }
+    let passes = trials.passes_without(&values, all).filter(|passes| !passes.is_empty())?;
     let mut index = 0;
     while index < values.len() {
         let mut fewer = values.clone();
         fewer.remove(index);
-        if unexplained(trials, &fewer) == passes {
+        if trials.passes_without(&fewer, all).as_ref() == Some(&passes) {
             values = fewer;
         } else {
             index += 1;
@@ -133,16 +128,20 @@ impl Trials<'_> {
         Some(compile(&look, &self.request.library, &options).ok()?.value)
     }
 
-    /// Passes of `all` that go without values; none where a node that has one goes as well, as the
-    /// values would then be no more than a way to take the node out.
-    fn passes_without(&mut self, without: &[CauseValue], all: &BTreeSet<PassId>) -> Vec<PassId> {
-        let Some(shader) = self.compiled(without) else { return Vec::new() };
+    /// Passes of `all` that go without values; `None` where a node that has one goes as well, as
+    /// the values would then be no more than a way to take the node out.
+    fn passes_without(
+        &mut self,
+        without: &[CauseValue],
+        all: &BTreeSet<PassId>,
+    ) -> Option<Vec<PassId>> {
+        let shader = self.compiled(without)?;
         let lives = |id: &NodeId| shader.spans.nodes().any(|path| path.outermost() == Some(id));
         if !without.iter().all(|value| lives(&value.node)) {
-            return Vec::new();
+            return None;
         }
         let left = passes_of(&shader);
-        all.iter().filter(|pass| !left.contains(pass)).copied().collect()
+        Some(all.iter().filter(|pass| !left.contains(pass)).copied().collect())
     }
 }
 

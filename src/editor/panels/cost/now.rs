@@ -1,6 +1,8 @@
 //! Cost of the picture as it was just drawn: its time, its passes with their causes, and the shares
 //! of its nodes.
 
+use std::sync::Arc;
+
 use eframe::egui::{Label, ProgressBar, RichText, Role, Ui, WidgetInfo};
 
 use super::Cost;
@@ -22,25 +24,19 @@ const LEAST_SHARE: f64 = 0.01;
 /// Help on the time of the picture.
 pub(super) const TIMED: &str = "From when the picture was handed to the GPU until the GPU was \
                                 done, by the clock on the wall: other work of the GPU counts, \
-                                too. Measure tells more, with a clock of the GPU where there is one.";
+                                too. Measure tells more, by the GPU's own clock if there is one.";
 
 impl Cost {
     /// Shows the values that passes are needed for.
-    pub(super) fn causes(
-        &mut self,
-        ui: &mut Ui,
-        session: &Session,
-        cost: &PictureCost,
-        out: &mut Vec<Command>,
-    ) {
-        self.ask_for_causes(session, cost);
+    pub(super) fn causes(&mut self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
+        self.ask_for_causes(session);
         for cause in &self.causes {
             show_cause(ui, session, cause, out);
         }
     }
 
-    /// Asks for the causes of passes, where the look has changed and has any.
-    fn ask_for_causes(&mut self, session: &Session, cost: &PictureCost) {
+    /// Asks for the causes of passes, where the look has changed.
+    fn ask_for_causes(&mut self, session: &Session) {
         for (of, causes) in self.causer.answers() {
             if Some(of) == self.causes_of {
                 self.causes = causes;
@@ -53,13 +49,11 @@ impl Cost {
         self.causes_of = Some(revision);
         self.cause_search.stop();
         self.causes.clear();
-        if cost.passes_before().next().is_some() {
-            let look = std::sync::Arc::new(session.look().clone());
-            let library = session.project.library.clone();
-            self.cause_search = Progress::new();
-            let progress = self.cause_search.clone();
-            self.causer.request(|_| (revision, CauseRequest { look, library, progress }));
-        }
+        let look = Arc::new(session.look().clone());
+        let library = session.project.library.clone();
+        self.cause_search = Progress::new();
+        let progress = self.cause_search.clone();
+        self.causer.request(|_| (revision, CauseRequest { look, library, progress }));
     }
 }
 

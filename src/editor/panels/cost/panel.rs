@@ -57,9 +57,7 @@ impl Cost {
         }
         let mut out = Vec::new();
         self.head(ui, session, size, cost);
-        if let Some(cost) = cost {
-            self.causes(ui, session, cost, &mut out);
-        }
+        self.causes(ui, session, &mut out);
         let mut picked = None;
         let area = ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             let row = self.measured(ui, session, &mut picked);
