@@ -18,6 +18,7 @@ fn a_rim_is_taken_from_a_sheet() {
     artist.press("Node Rim against the backdrop");
     artist.menu_of("Opacity", "Wedge this value");
     artist.press("Add a value");
+    artist.bring(Role::Button, "behind: Intensity");
     artist.press("behind: Intensity");
     for (target, from, to) in [("rim.opacity", "0.25", "1"), ("behind.intensity", "1", "4")] {
         let number_of = format!("Number of values of {target}");

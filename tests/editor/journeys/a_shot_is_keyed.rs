@@ -45,6 +45,7 @@ fn a_shot_is_begun_keyed_saved_and_drawn() {
     assert_eq!([studio.read("stage.json"), studio.read("stage-look.json")], before);
     let told = studio.chiaro(&["shot", "sh010.json", "--diff"]);
     assert!(told.contains("warm_body.opacity"), "{told}");
+    std::fs::create_dir(studio.path("out")).unwrap();
     let render = ["render", "sh010.json", "-o", "out/####.png", "--size", "96x54"];
     studio.chiaro(&[&render[..], &["--frames", "1,48"]].concat());
     let light = |name: &str| -> u64 {

@@ -30,7 +30,7 @@ pub(crate) enum RunEnd {
     Done,
     /// The run was asked to end.
     Stopped,
-    /// Something went wrong, as the messages tell.
+    /// Failure, whose reason the messages tell.
     Failed,
 }
 

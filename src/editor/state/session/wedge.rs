@@ -14,8 +14,8 @@ const TAKING: GestureId = GestureId(0x77_65_64_67_65);
 /// Parts of a scene whose fields vary by their addresses, as `chiaro wedge` has them.
 const SCENE_PARTS: [&str; 5] = ["light_groups", "camera", "outlines", "backdrop", "illumination"];
 
-/// Places of a cell's values: fields of the scene, targets of the scene's lights, values of objects,
-/// targets of the look.
+/// Places of a cell's values: fields of the scene, targets of the scene's lights, values of
+/// objects, targets of the look.
 #[derive(Default)]
 struct CellPlaces {
     fields: Vec<(String, Value)>,
