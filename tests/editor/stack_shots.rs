@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::editor_support::User;
 use chiaro::editor::App;
 use chiaro::render::device_descriptor;
-use eframe::egui::{Role, Theme, vec2};
+use eframe::egui::{Key, Modifiers, Role, Theme, vec2};
 use eframe::egui_wgpu::WgpuSetup;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -107,4 +107,30 @@ fn shots() {
     save(&mut hand, "problems-light");
     hand.harness.ctx.set_theme(Theme::Dark);
     save(&mut hand, "problems");
+}
+
+#[test]
+#[ignore = "writes pictures to be looked at"]
+fn shots_of_folders() {
+    let mut hand = window();
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("layers.json");
+    std::fs::copy("examples/looks/figure1-layers.json", &file).unwrap();
+    hand.app_mut().open(&file);
+    hand.settle();
+    press(&mut hand, "Layer Specular");
+    let at = hand.place("Layer Diffuse").left_top() + vec2(60.0, 26.0);
+    hand.click_with(Modifiers::COMMAND, at);
+    hand.settle();
+    save(&mut hand, "folders-two");
+    hand.key_with(Modifiers::COMMAND, Key::G);
+    hand.settle();
+    press(&mut hand, "More of Folder");
+    save(&mut hand, "folders-menu");
+    press(&mut hand, "Mask by");
+    press(&mut hand, "Paint on the model");
+    let middle = hand.app().viewport().rect().unwrap().center();
+    hand.drag(middle - vec2(60.0, 0.0), middle + vec2(60.0, 10.0));
+    hand.settle();
+    save(&mut hand, "folders-masked");
 }
