@@ -51,7 +51,7 @@ impl Bands {
                 softness: 0.0,
             },
             Some((first, _))
-                if ramp.interpolation == Interpolation::Linear && stops.len() % 2 == 0 =>
+                if ramp.interpolation == Interpolation::Linear && stops.len().is_multiple_of(2) =>
             {
                 let pairs = || stops.chunks_exact(2);
                 let joins = stops[1..].chunks_exact(2).all(|pair| pair[0].color == pair[1].color);
