@@ -12,7 +12,8 @@ use crate::editor_support::{User, node_center};
 const FROM: &str = r##"{"name": "From", "lights": {"key": {}, "back": {"name": "Moon"}}, "nodes": [
     {"id": "base", "kind": "base"},
     {"id": "tint", "kind": "color_value", "at": [0, 300]},
-    {"id": "rim", "kind": "light_layer", "name": "Rim", "values": {"light": "back"}, "at": [260, 0]},
+    {"id": "rim", "kind": "light_layer", "name": "Rim", "values": {"light": "back"},
+      "at": [260, 0]},
     {"id": "output", "kind": "output", "at": [520, 0]}],
   "wires": [{"from": "base", "to": "rim.below"}, {"from": "tint", "to": "rim.convex"},
     {"from": "rim", "to": "output.color"}]}"##;

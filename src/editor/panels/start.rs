@@ -333,7 +333,7 @@ impl Start {
     /// the page appears.
     fn search(&mut self, ui: &mut Ui, is_new: bool) {
         let edit = TextEdit::singleline(&mut self.query)
-            .hint_text("Find an example: anime, watercolor, shadow, hatching")
+            .hint_text("Find: anime, watercolor, shadow, hatching")
             .desired_width(320.0)
             .char_limit(100);
         let response = ui.add(edit);

@@ -1,6 +1,6 @@
 //! Library of everything that a look can be made of: nodes by category, saved parts, and finished
-//! looks as pictures. A node is dragged onto the canvas or added by a click, a part is dropped where
-//! it belongs, and a look opens as a new one.
+//! looks as pictures. A node is dragged onto the canvas or added by a click, a part is dropped
+//! where it belongs, and a look opens as a new one.
 
 pub(super) mod cards;
 mod drops;

@@ -1,7 +1,8 @@
 //! Search by words: each word of a query begins a word of what is found.
 
 /// Rank of texts in a search, 0 best: the greatest index of a text, the most telling first, that a
-/// word of the query is first found in. `None` where a word of the query begins none of their words.
+/// word of the query is first found in. `None` where a word of the query begins none of their
+/// words.
 pub(super) fn rank(query: &str, texts: &[&str]) -> Option<usize> {
     if query.trim().is_empty() {
         return Some(0);
