@@ -36,6 +36,7 @@ mod shot_documents;
 mod shot_keys;
 mod shot_window;
 mod shots;
+mod snapshots;
 mod stack;
 mod stack_shots;
 mod start;

@@ -1,5 +1,6 @@
 //! Application of commands: the one place that carries out what panels, keys and menus ask for.
 
+use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
@@ -132,9 +133,7 @@ impl App {
             Command::CompareFrames(path) => self.compare_frames(path),
             Command::LeaveProbe => self.bench.tools.of_mut::<Probe>().escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
-            Command::KeepLightColumns(columns) => {
-                self.safety.change_settings(|settings| settings.light_columns = columns);
-            }
+            Command::KeepLightColumns(columns) => self.keep_light_columns(columns),
             Command::KeepFrameMemory(mib) => self.keep_frame_memory(mib),
             Command::ChooseLight(id) => self.session.choose_light(id),
             Command::LinkPointed(is_linked) => {
@@ -163,11 +162,13 @@ impl App {
                 self.bench.canvas.ask(command);
             }
             Command::Scene(command) => self.apply_scene_command(ui, command),
+            Command::Snapshot(command) => self.apply_to_snapshots(command),
             Command::Paint(command) => self.apply_to_painting(ui, command),
             Command::Fit(command) => self.apply_to_fitting(ui, command),
             Command::Placing(command) => self.apply_to_placing(ui, command),
             Command::Sketch(command) => self.apply_to_sketch(command),
             Command::Recovery(command) => self.apply_to_recovery(command),
+            Command::ReadNotes => self.session.read_notes(),
             Command::Tell(text) => self.message = Some(text),
         }
     }
@@ -175,6 +176,11 @@ impl App {
     /// Asks for a mesh to show the look on.
     fn ask_for_mesh(&mut self) {
         self.dialogs.ask(FilePurpose::Mesh, Some(Path::new(&self.session.view.orbit.mesh)));
+    }
+
+    /// Remembers columns of the light table that are shown or hidden by hand.
+    fn keep_light_columns(&mut self, columns: BTreeMap<String, bool>) {
+        self.safety.change_settings(|settings| settings.light_columns = columns);
     }
 
     /// Bounds the memory of kept frames from now on, in MiB.
@@ -271,6 +277,8 @@ impl App {
                 Ok(view) => self.session.view.orbit = view,
                 Err(why) => self.message = Some(why),
             },
+            ViewCommand::Compare(picture) => self.compare(picture),
+            ViewCommand::Vary(subject) => self.vary(subject),
             ViewCommand::ToggleTurntable => self.bench.viewport.toggle_turntable(),
             ViewCommand::ToggleHandles => {
                 let shown = &mut self.bench.tools.of_mut::<HandlesSwitch>().is_on;

@@ -235,13 +235,50 @@ impl App {
         }
     }
 
+    /// Title of the window: what Save writes comes first, and the others that are open after it.
+    pub fn title(&self) -> String {
+        let mut documents = self.documents();
+        self.leave_out_unsaved(&mut documents);
+        let is_any_changed = documents.iter().any(|(_, _, is_changed)| *is_changed);
+        // Save writes all that is changed, or else the first of them.
+        let is_saved = |index: usize, is_changed: bool| match is_any_changed {
+            true => is_changed,
+            false => index == 0,
+        };
+        let names = |of_saved: bool| {
+            let documents = documents.iter().enumerate();
+            let those = documents
+                .filter(|(index, (_, _, is_changed))| is_saved(*index, *is_changed) == of_saved);
+            let mark = if of_saved && is_any_changed { "*" } else { "" };
+            let names = those.map(|(_, (_, name, _))| format!("{name}{mark}"));
+            names.collect::<Vec<String>>().join(", ")
+        };
+        let others = names(false);
+        let others = if others.is_empty() { others } else { format!(" (with {others})") };
+        format!("{}{others} - Chiaro", names(true))
+    }
+
+    /// Takes the mark of changes from documents that Save does not write now: a painting without a
+    /// file that is not shown, and a scene without a file while the look has changes.
+    fn leave_out_unsaved(&self, documents: &mut [(&'static str, String, bool)]) {
+        let session = &self.session;
+        let mut from_end = documents.iter_mut().rev();
+        if session.painting().is_some()
+            && let Some((.., is_changed)) = from_end.next()
+        {
+            *is_changed &= self.saves_painting();
+        }
+        let has_file = session.open_scene().is_none_or(|open_scene| open_scene.path().is_some());
+        if !has_file
+            && session.is_look_dirty()
+            && let Some((.., is_changed)) = from_end.next()
+        {
+            *is_changed = false;
+        }
+    }
+
     pub(super) fn set_title(&self, ctx: &egui::Context) {
-        let documents = self.documents().into_iter();
-        let names = documents.map(|(between, name, is_changed)| {
-            let mark = if is_changed { "*" } else { "" };
-            format!("{between}{name}{mark}")
-        });
-        let title = format!("{} - Chiaro", names.collect::<String>());
+        let title = self.title();
         let id = egui::Id::unique("title");
         if ctx.data(|data| data.get_temp::<String>(id)).as_ref() != Some(&title) {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));

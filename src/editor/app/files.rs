@@ -19,6 +19,7 @@ use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
 use crate::state::scene::{LookToOpen, OpenScene};
 use crate::state::session::painting::is_painting_shown;
+use crate::state::shelf::SnapshotId;
 use crate::state::wedge::WedgeSheet;
 use crate::widgets::confirm;
 
@@ -34,6 +35,8 @@ pub(super) enum PendingAction {
     /// Begins a shot over the files that are open.
     NewShot,
     Example(usize),
+    /// Begins a new look from a snapshot.
+    CopySnapshot(SnapshotId),
     Tour(TourTopic),
     NewPainting {
         grid: Grid,
@@ -286,6 +289,7 @@ impl App {
                 self.open_example(index);
                 self.safety.look();
             }
+            Some(PendingAction::CopySnapshot(id)) => self.copy_snapshot(id),
             Some(PendingAction::Tour(topic)) => self.begin_tour(topic),
             Some(PendingAction::LeaveScene) => {
                 self.safety.put_aside(&self.session);

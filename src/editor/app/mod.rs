@@ -17,6 +17,7 @@ mod recovery;
 pub(crate) mod recovery_bar;
 mod scene;
 pub(crate) mod shortcuts_and_palette;
+mod snapshots;
 pub(crate) mod tour;
 mod welcome;
 

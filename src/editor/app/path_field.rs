@@ -189,6 +189,7 @@ fn title(purpose: FilePurpose) -> &'static str {
         FilePurpose::Shaders(_) => "Export the look into a folder",
         FilePurpose::Export(_) => "Save the picture",
         FilePurpose::Reference => "Show an image with the picture",
+        FilePurpose::Comparison => "Compare with a look or a picture",
         FilePurpose::Frames => "Compare with frames or a document",
         FilePurpose::Colors => "Take the views of an OpenColorIO configuration",
     }

@@ -10,10 +10,12 @@ use crate::app::dialogs::{Answer, DialogKind};
 use crate::app::path_field::PathField;
 use crate::app::tour::{self, Tour};
 use crate::commands::{
-    Command, DisplayCommand, FilePurpose, PaintCommand, SceneCommand, TourTopic,
+    Command, DisplayCommand, FilePurpose, PaintCommand, SceneCommand, TourTopic, ViewCommand,
+    is_image,
 };
 use crate::panels::PanelContext;
 use crate::panels::start::{self, Start};
+use crate::state::comparison::ComparedPicture;
 use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::session::Session;
 use crate::widgets::theme;
@@ -157,6 +159,12 @@ impl App {
             FilePurpose::Export(export) => Command::Export(export, Some(path)),
             FilePurpose::Reference => Command::ShowReference(Some(path)),
             FilePurpose::Colors => Command::Display(DisplayCommand::Open(Some(path))),
+            FilePurpose::Comparison => {
+                Command::View(ViewCommand::Compare(Some(match is_image(&path) {
+                    true => ComparedPicture::Image(path),
+                    false => ComparedPicture::LookFile(path),
+                })))
+            }
             FilePurpose::Frames => Command::CompareFrames(Some(path)),
         };
         chosen.into_iter().map(command).collect()

@@ -1,6 +1,6 @@
 //! Purposes that files are asked for, and the endings of such files.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::{PictureExport, PictureImport};
 use crate::document::Storage;
@@ -33,6 +33,8 @@ pub(crate) enum FilePurpose {
     Export(PictureExport),
     /// An image to show.
     Reference,
+    /// A look or an image to compare the picture with.
+    Comparison,
     /// One of the frames that were rendered, or another document, to compare with.
     Frames,
     /// Configuration of OpenColorIO.
@@ -44,6 +46,12 @@ pub(crate) const MESHES: [&str; 5] = ["obj", "ply", "stl", "gltf", "glb"];
 
 /// File endings of images that can be read.
 pub(crate) const IMAGES: [&str; 5] = ["png", "jpg", "jpeg", "exr", "hdr"];
+
+/// True if a file is an image, by its name.
+pub(crate) fn is_image(path: &Path) -> bool {
+    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    IMAGES.iter().any(|known| known.eq_ignore_ascii_case(ending))
+}
 
 /// File ending of HCBTFs.
 pub(crate) const PAINTING: &str = "hcbtf";
@@ -70,6 +78,7 @@ impl FilePurpose {
             Self::Shaders(_) => ("Folder", &[]),
             Self::Export(_) => ("PNG", &["png"]),
             Self::Reference => ("Image", &IMAGES),
+            Self::Comparison => ("Look or image", &["json", "png", "jpg", "jpeg", "exr", "hdr"]),
             Self::Colors => ("OpenColorIO configuration", &["ocio", "ocioz"]),
             Self::Frames => ("Rendered frame, look, scene or shot", &["exr", "png", "json"]),
         }

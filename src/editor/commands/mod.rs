@@ -18,6 +18,7 @@ mod recovery;
 mod scale;
 mod scene;
 mod shot;
+mod snapshot;
 pub(crate) mod table;
 mod tour;
 
@@ -33,7 +34,7 @@ use crate::state::solo::Solo;
 use crate::state::wedge::WedgeCell;
 use crate::state::wire::ShownWire;
 pub(crate) use display::DisplayCommand;
-pub(crate) use file_purpose::{FilePurpose, IMAGES, MESHES, PAINTING};
+pub(crate) use file_purpose::{FilePurpose, IMAGES, MESHES, PAINTING, is_image};
 pub(crate) use fit::{FitCommand, FitGoal, LightBrush, SketchCommand};
 pub(crate) use graph::{GraphCommand, Heading};
 pub(crate) use painting::{GridPreset, PaintCommand, PaintTool, PictureImport};
@@ -44,6 +45,7 @@ pub(crate) use recovery::RecoveryCommand;
 pub(crate) use scale::ScaleCommand;
 pub(crate) use scene::SceneCommand;
 pub(crate) use shot::ShotCommand;
+pub(crate) use snapshot::SnapshotCommand;
 pub(crate) use tour::TourTopic;
 
 /// Command to the window.
@@ -94,6 +96,8 @@ pub(crate) enum Command {
     LeaveProbe,
     /// Shows a wire in place of the picture, or the picture again.
     ShowWire(Option<ShownWire>),
+    /// Takes the notes about the open documents as read: the status line no longer shows them.
+    ReadNotes,
     /// Shows a message in the status line.
     Tell(String),
     /// Writes a picture to a file; asks for one where there is none.
@@ -157,6 +161,8 @@ pub(crate) enum Command {
     Graph(GraphCommand),
     /// Command about the scene around the look.
     Scene(SceneCommand),
+    /// Command about the snapshots of the look.
+    Snapshot(SnapshotCommand),
     /// Command about the HCBTF that is being painted.
     Paint(PaintCommand),
     /// Command about painting light on the picture.

@@ -32,6 +32,8 @@ impl PanelId {
     pub(crate) const SAMPLES: Self = Self("samples");
     pub(crate) const SHEET: Self = Self("sheet");
     pub(crate) const SHOT: Self = Self("shot");
+    pub(crate) const SNAPSHOTS: Self = Self("snapshots");
     pub(crate) const TIMELINE: Self = Self("timeline");
+    pub(crate) const VARIATIONS: Self = Self("variations");
     pub(crate) const WEDGE: Self = Self("wedge");
 }

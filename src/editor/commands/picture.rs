@@ -1,6 +1,8 @@
 //! Commands about the picture: its view, and its exports.
 
+use crate::state::comparison::ComparedPicture;
 use crate::state::orbit::Orbit;
+use crate::state::variations::VariedSubject;
 
 /// Picture to export.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,4 +32,8 @@ pub(crate) enum ViewCommand {
     ToggleHandles,
     /// Looks through the selected light, or from the camera again.
     LookThrough,
+    /// Compares the picture with another, or asks for a file with one.
+    Compare(Option<ComparedPicture>),
+    /// Shows a sheet of variations.
+    Vary(VariedSubject),
 }

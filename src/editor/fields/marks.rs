@@ -5,7 +5,7 @@ use eframe::egui;
 use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
 use super::row;
-use crate::commands::{Command, PanelId};
+use crate::commands::{Command, PanelId, ViewCommand};
 use crate::document::{Edit, ExposedValue, KeyDirection, Target};
 use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::fields::shot::{self, ChangedValue};
@@ -14,6 +14,7 @@ use crate::ids::{PortName, is_slug, make_slug};
 use crate::library::Type;
 use crate::state::keying::{KeyPlace, KeyedBy, changes_in_time, has_between};
 use crate::state::session::Session;
+use crate::state::variations::{VariationKind, VariedSubject};
 use crate::widgets::menu::scrolling;
 use crate::widgets::theme;
 
@@ -103,6 +104,16 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
             return;
         }
         ui.separator();
+    }
+    if marked.owned.owner == Owner::Look
+        && let Some(port) = marked.owned.keys.base.port_at(&marked.target)
+        && VariationKind::of(&marked.target, &port).is_some()
+    {
+        let help = "Small pictures of the value as it could be; a click takes one";
+        let subject = VariedSubject::Value(marked.target.clone());
+        if ui.button("Variations...").on_hover_text(help).clicked() {
+            out.push(Command::View(ViewCommand::Vary(subject)));
+        }
     }
     match marked.exposed() {
         None if marked.owned.keys.base.own_value(&marked.target).is_none() => {

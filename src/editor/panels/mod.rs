@@ -23,9 +23,11 @@ mod picture;
 mod probe;
 pub(crate) mod problems;
 mod shot;
+mod snapshots;
 pub(crate) mod start;
 mod table;
 mod thumbs;
+pub(crate) mod variations;
 pub(crate) mod wedge;
 mod workbench;
 
@@ -46,9 +48,11 @@ pub(crate) static PANELS: &[PanelRow] = &[
     lights::PANEL,
     objects::PANEL,
     shot::PANEL,
+    variations::PANEL,
     wedge::PANEL,
     library::PANEL,
     history::PANEL,
+    snapshots::PANEL,
     inspector::PANEL,
     curves::profile::PANEL,
     curves::keys::PANEL,

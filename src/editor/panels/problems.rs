@@ -11,7 +11,7 @@ use eframe::egui::{
 use crate::commands::{Command, PanelId};
 use crate::diag::{Diagnostic, Severity};
 use crate::document::Target;
-use crate::panels::table::{PanelPlace, PanelRow};
+use crate::panels::table::{PanelPlace, PanelRow, Presence};
 use crate::state::fixes;
 use crate::state::problem_text::labelled;
 use crate::state::session::Session;
@@ -24,7 +24,11 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     "What is wrong, where, and what mends it",
     PanelPlace::BELOW_PICTURE,
     |_, ui, context| show(ui, context.session),
-);
+)
+.with_each_frame(|_, _, session, presence| {
+    let is_read = presence == Presence::Seen && session.has_unread_notes();
+    is_read.then_some(Command::ReadNotes).into_iter().collect()
+});
 
 /// Largest number of problems that are listed; fixing those shows the others.
 const MAX_LISTED: usize = 100;
@@ -187,10 +191,10 @@ fn counts(ui: &mut Ui, problems: &[&Diagnostic]) {
     }
 }
 
-/// Shows the number of problems, and the worst in words, for the status bar. A click opens the
-/// panel.
+/// Shows the number of problems, and the worst in words, for the status bar, but for notes that
+/// were read in the panel. A click opens the panel.
 pub(crate) fn status(ui: &mut Ui, session: &Session) -> Option<Command> {
-    let problems: Vec<&Diagnostic> = session.all_problems().collect();
+    let problems: Vec<&Diagnostic> = session.unread_problems().collect();
     // `max_by_key` takes the last of equals, so that the reversed order gives the first of the
     // worst.
     let first = problems.iter().rev().max_by_key(|problem| problem.severity)?;

@@ -1,6 +1,7 @@
 //! State of the window, without egui: the open documents with their past, the view on them, the
 //! selection, the compiled shaders, and the journals that keep unsaved work.
 
+pub(crate) mod comparison;
 pub(crate) mod compiling;
 pub(crate) mod crashes;
 pub(crate) mod display;
@@ -11,6 +12,7 @@ pub(crate) mod keying;
 pub(crate) mod orbit;
 pub(crate) mod painting;
 pub(crate) mod paths;
+pub(crate) mod picture_cost;
 pub(crate) mod problem_text;
 pub(crate) mod reading;
 pub(crate) mod revision;
@@ -19,11 +21,13 @@ pub(crate) mod scene;
 pub(crate) mod selection;
 pub(crate) mod session;
 pub mod settings;
+pub(crate) mod shelf;
 pub(crate) mod shot;
 pub(crate) mod sketch;
 pub(crate) mod snapshot;
 pub(crate) mod solo;
 pub(crate) mod stack;
+pub(crate) mod variations;
 pub(crate) mod view;
 pub(crate) mod wedge;
 pub(crate) mod wire;

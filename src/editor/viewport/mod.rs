@@ -23,8 +23,10 @@ mod objects;
 pub(crate) mod picture;
 mod place;
 mod preparing;
+mod readout;
 mod show;
 pub(crate) mod solo_bar;
+mod stopwatch;
 mod strip;
 mod surface;
 
@@ -250,7 +252,7 @@ impl Viewport {
         &mut self,
         ui: &mut Ui,
         session: &Session,
-        picture: Option<&mut ViewportPicture>,
+        mut picture: Option<&mut ViewportPicture>,
         tools: &mut PictureTools,
     ) -> Vec<Command> {
         let mut out = Vec::new();
@@ -268,7 +270,7 @@ impl Viewport {
         let (onion, playback) = tools.pair::<OnionSkin, Playback>();
         demands.frames.extend(onion.demands(session, playback));
         let frame = playback.update(ui, session, size, &demands);
-        match picture {
+        match picture.as_deref_mut() {
             Some(picture) if frame.is_some() => {
                 picture.is_covered = true;
                 frame.into_iter().for_each(|frame| show_frame(ui, rect, frame, self.exposure));
@@ -336,6 +338,9 @@ impl Viewport {
         }
         let through = self.through.as_ref().map(|through| through.name(session));
         bar::over_top(ui, rect, session, through.as_deref(), &mut out);
+        if let Some(picture) = picture {
+            readout::show(ui, rect, picture, &mut out);
+        }
         out
     }
 

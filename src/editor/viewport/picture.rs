@@ -9,6 +9,8 @@ use std::time::Duration;
 use eframe::egui::TextureId;
 use eframe::egui_wgpu::RenderState;
 
+use super::stopwatch::{Stopwatch, TimedWork};
+use crate::clock::Clock;
 use crate::compile::{CompiledShader, Live};
 use crate::diag::{Diagnostic, Severity, WithWarnings, has_errors};
 use crate::frame::{Effect, effects};
@@ -18,6 +20,7 @@ use crate::render::{Gpu, Renderer, set_times};
 use crate::state::crashes::{CrashLog, CrashMark, CrashStep, DocumentOrigin};
 use crate::state::display::PictureDisplay;
 use crate::state::orbit::Orbit;
+use crate::state::picture_cost::PictureCost;
 use crate::state::revision::{DocumentNumber, PictureRevision, RequestNumber};
 use crate::state::session::{DrawableLook, Session};
 use crate::state::snapshot::RenderSnapshot;
@@ -62,6 +65,8 @@ struct PictureRequest {
     size: [u32; 2],
     /// True if the picture's effects are to be reported.
     tells_effects: bool,
+    /// True if the operations of nodes are to be counted.
+    counts: bool,
     /// Name and file of the document, where it is drawn for the first time.
     first_of: Option<(String, Option<PathBuf>)>,
 }
@@ -75,6 +80,7 @@ struct PictureInputs {
     size: [u32; 2],
     folder: PathBuf,
     tells_effects: bool,
+    counts: bool,
 }
 
 /// Drawn picture; without a texture where it could not be drawn.
@@ -85,6 +91,8 @@ struct DrawnPicture {
     ready: Option<PreparedAssets>,
     problems: Vec<Diagnostic>,
     effects: Option<Vec<Effect>>,
+    /// Cost of the picture, with the work that is being timed.
+    cost: Option<(PictureCost, TimedWork)>,
     /// Lives until the GPU has done the picture's work, where that work was the first of its kind.
     unfinished: Option<Weak<CrashMark>>,
 }
@@ -175,6 +183,9 @@ pub(crate) struct ViewportPicture {
     state: RenderState,
     gpu: Gpu,
     worker: Worker<PictureRequest, DrawnPicture>,
+    stopwatch: Stopwatch,
+    /// Cost of the last picture, and its number.
+    cost: (RequestNumber, PictureCost),
     texture: Option<TextureId>,
     /// Subject of the picture that is shown.
     shown: Option<PictureSubject>,
@@ -202,6 +213,8 @@ pub(crate) struct ViewportPicture {
     pub(crate) tells_effects: bool,
     /// Effects of the last picture of a look at rest, where they were requested.
     pub(crate) effects: Arc<Vec<Effect>>,
+    /// True if the operations of nodes are to be counted.
+    pub(crate) counts: bool,
     /// True while a frame from the cache is shown in its place: no picture is requested.
     pub(crate) is_covered: bool,
 }
@@ -212,12 +225,13 @@ impl ViewportPicture {
     pub(crate) fn new(
         state: RenderState,
         crashes: CrashLog,
-        wake: impl Fn() + Send + 'static,
+        wake: impl Fn() + Clone + Send + 'static,
     ) -> Self {
         let gpu = Gpu::new(state.device.clone(), state.queue.clone(), state.adapter.get_info());
         let renderer = Renderer::new(gpu.clone());
         let planner = PicturePlanner::default();
         let mut picture_renderer = PictureRenderer { renderer, planner, crashes };
+        let stopwatch = Stopwatch::new(state.device.clone(), wake.clone());
         let worker = Worker::waiting("picture", wake, async move |request| {
             picture_renderer.draw(&request).await
         });
@@ -225,6 +239,8 @@ impl ViewportPicture {
             state,
             gpu,
             worker,
+            stopwatch,
+            cost: Default::default(),
             texture: None,
             shown: None,
             wanted: None,
@@ -238,6 +254,7 @@ impl ViewportPicture {
             requested: RequestNumber::default(),
             problems: Vec::new(),
             tells_effects: false,
+            counts: false,
             effects: Arc::default(),
             is_covered: false,
         }
@@ -292,6 +309,18 @@ impl ViewportPicture {
             if let Some(effects) = drawn.effects {
                 self.effects = Arc::new(effects);
             }
+            if let Some((cost, work)) = drawn.cost {
+                // The time of the picture before stands until the new one is known.
+                let milliseconds = self.cost.1.milliseconds;
+                let number = self.cost.0.advance();
+                self.cost.1 = PictureCost { milliseconds, ..cost };
+                self.stopwatch.time(number, work);
+            }
+        }
+        for (number, seconds) in self.stopwatch.times() {
+            if number == self.cost.0 {
+                self.cost.1.milliseconds = Some(1e3 * seconds);
+            }
         }
     }
 
@@ -309,6 +338,7 @@ impl ViewportPicture {
             size,
             folder: session.look.folder(),
             tells_effects: self.tells_effects,
+            counts: self.counts,
         });
         if self.wanted != wanted
             && size.iter().all(|&side| side > 0)
@@ -321,13 +351,15 @@ impl ViewportPicture {
             let is_ready = self.ready.as_ref().is_some_and(|ready| ready.is(&wanted));
             self.is_quick = is_ready && (self.is_quick || !self.worker.is_busy());
             let first_of = (!is_ready).then(|| session.shown_file());
-            let (subject, tells_effects) = (PictureSubject::of(session), self.tells_effects);
+            let (subject, counts) = (PictureSubject::of(session), self.counts);
+            let tells_effects = self.tells_effects;
             self.worker.request(|_| PictureRequest {
                 subject,
                 showing,
                 snapshot,
                 size,
                 tells_effects,
+                counts,
                 first_of,
             });
             return true;
@@ -379,9 +411,15 @@ impl ViewportPicture {
         is_broken.then_some(MissingPicture::Mended)
     }
 
+    /// Cost of the picture that was drawn last.
+    pub(crate) fn cost(&self) -> &PictureCost {
+        &self.cost.1
+    }
+
     /// Waits for the picture.
     pub(crate) fn wait(&self) {
         self.worker.wait();
+        self.stopwatch.wait();
         if self.unfinished.strong_count() > 0 {
             let _ = self.state.device.poll(wgpu::PollType::wait_indefinitely());
         }
@@ -407,6 +445,9 @@ impl ViewportPicture {
     }
 }
 
+/// Effects of a picture, where they were requested, and its cost with the work that is timed.
+type DrawnReport = (Option<Vec<Effect>>, (PictureCost, TimedWork));
+
 /// State of the thread that draws.
 struct PictureRenderer {
     renderer: Renderer,
@@ -424,7 +465,7 @@ impl PictureRenderer {
         let drawn = self.try_draw(request).await;
         let unfinished = going.map(|going| self.hand_to_gpu(going));
         match drawn {
-            Ok(WithWarnings { value: effects, warnings: problems }) => {
+            Ok(WithWarnings { value: (effects, cost), warnings: problems }) => {
                 let ready = Some(PreparedAssets::of(&request.showing, &request.snapshot));
                 DrawnPicture {
                     subject,
@@ -432,6 +473,7 @@ impl PictureRenderer {
                     ready,
                     problems,
                     effects,
+                    cost: Some(cost),
                     unfinished,
                 }
             }
@@ -441,6 +483,7 @@ impl PictureRenderer {
                 ready: None,
                 problems,
                 effects: None,
+                cost: None,
                 unfinished,
             },
         }
@@ -460,7 +503,7 @@ impl PictureRenderer {
     async fn try_draw(
         &mut self,
         request: &PictureRequest,
-    ) -> Result<WithWarnings<Option<Vec<Effect>>>, Vec<Diagnostic>> {
+    ) -> Result<WithWarnings<DrawnReport>, Vec<Diagnostic>> {
         let showing = &request.showing;
         let planned = self.planner.plan(showing, &request.snapshot, request.size)?;
         let (plan, mut warnings) = planned.into_parts();
@@ -469,8 +512,14 @@ impl PictureRenderer {
         let display = request.snapshot.display.as_ref();
         let shown_by = self.renderer.show_by(display.map(PictureDisplay::module)).await;
         warnings.extend(shown_by.err().map(|error| not_shown(error.into())));
-        let mut effects = is_told.then(|| effects(&plan, self.renderer.done()));
+        let done = self.renderer.done();
+        let mut cost = PictureCost::of(&plan, |id, hash| done.get(&id) == Some(&hash));
+        let counted = request.counts.then(|| effects(&plan, done));
+        cost.count(counted.as_deref().unwrap_or_default());
+        let mut effects = is_told.then(|| effects(&plan, done));
+        let clock = Clock::start();
         self.renderer.draw(&plan).await.map_err(|error| vec![error.into()])?;
+        let work = TimedWork::since(clock, self.renderer.gpu());
         if milestones::is_enabled() {
             self.renderer
                 .gpu()
@@ -483,7 +532,7 @@ impl PictureRenderer {
             let times = self.renderer.measure(&plan).await.map_err(|error| vec![error.into()])?;
             set_times(effects, &times);
         }
-        Ok(WithWarnings::new(effects, warnings))
+        Ok(WithWarnings::new((effects, (cost, work)), warnings))
     }
 }
 

@@ -6,10 +6,11 @@ use super::KeyScope::{self, Window};
 use super::{ALT, CTRL, CTRL_SHIFT, CommandRow, Menu, NONE, SHIFT, row};
 use crate::commands::{
     Command as C, FitCommand, GridPreset, PaintCommand as P, PanelId, ScaleCommand, SceneCommand,
-    ShotCommand, Switch, TourTopic,
+    ShotCommand, SnapshotCommand, Switch, TourTopic, ViewCommand,
 };
 use crate::document::Storage;
 use crate::hcbtf::exchange::ExchangeFormat;
+use crate::state::variations::VariedSubject;
 
 /// Rows about files and steps, which stand before those of the languages.
 pub(super) fn files() -> Vec<CommandRow> {
@@ -30,6 +31,15 @@ pub(super) fn files() -> Vec<CommandRow> {
             ),
         row(C::Redo, "Redo", &[(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)], Window),
         row(C::Undo, "Undo", &[(CTRL, Key::Z)], Window),
+        row(C::Snapshot(SnapshotCommand::Take), "Take a snapshot", &[(CTRL_SHIFT, Key::T)], Window)
+            .help("Keeps the look as it is, under a name: to come back to, and to compare with"),
+        row(C::ShowPanel(PanelId::SNAPSHOTS), "Snapshots of the look", &[], Window)
+            .help("States of the look that were kept: restored, renamed, compared"),
+        row(C::ShowPanel(PanelId::VARIATIONS), "Variations...", &[], Window).help(
+            "Small pictures of a value, a color or a light as it could be; a click takes one",
+        ),
+        row(C::View(ViewCommand::Vary(VariedSubject::Mesh)), "Variations of the mesh", &[], Window)
+            .help("The look on every built-in shape; a click shows it there"),
         row(C::OpenPath, "Open a file by its path", &[(CTRL_SHIFT, Key::O)], Window),
         row(C::ShowStart(true), "Start page", &[(ALT, Key::Home)], Window).in_menu(Menu::Help),
         row(C::StartTour(TourTopic::Look), "Take the tour", &[], Window).in_menu(Menu::Help),

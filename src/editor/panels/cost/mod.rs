@@ -1,6 +1,10 @@
-//! Measured time and error of the look and of each of its nodes, in each tier: measured in the
-//! background on request. A click on a tier adopts it. Counted operations are in `panels::effects`.
+//! Cost of the picture as it was just drawn, with the causes of its passes; and on request measured
+//! time and error of the look and of each of its nodes, in each tier, in the background: the whole
+//! look at once, in a few drawings, then all of it. A click on a tier adopts it. Counted operations
+//! are in `panels::effects`.
 
+mod causes;
+mod now;
 mod panel;
 mod plot;
 
@@ -20,20 +24,26 @@ use crate::state::revision::{DocumentNumber, LookRevision, PictureRevision};
 use crate::state::session::Session;
 use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::{BackgroundJobs, Worker};
+use causes::{CauseRequest, PassCause, causes};
 pub(super) use panel::PANEL;
 
 /// Number of times that each variant is drawn: enough for a confidence interval, without a long
 /// wait.
 const ROUNDS: usize = 15;
+/// Number of times that each tier of the look is drawn for the first answer.
+const QUICK_ROUNDS: usize = 3;
 
 struct MeasureRequest {
     snapshot: RenderSnapshot,
     size: [u32; 2],
     progress: Progress,
+    /// True for the first answer: the time of the whole look, and no more.
+    is_quick: bool,
 }
 
 struct Measurement {
     of: CostSubject,
+    is_quick: bool,
     result: Result<BenchReport, Vec<Diagnostic>>,
 }
 
@@ -67,7 +77,17 @@ pub struct Cost {
     subject: MeasurementSubject,
     /// True if the last measurement still holds, with the revision that this was found for.
     is_current: (Option<(DocumentNumber, LookRevision)>, bool),
+    /// Request for the whole measurement, once the first answer is there.
+    next: Option<MeasureRequest>,
+    /// Thread that finds the causes of passes, for revisions of the look.
+    causer: Worker<(CausesOf, CauseRequest), (CausesOf, Vec<PassCause>)>,
+    cause_search: Progress,
+    causes: Vec<PassCause>,
+    causes_of: Option<CausesOf>,
 }
+
+/// Revision of the look that causes are of.
+type CausesOf = (DocumentNumber, LookRevision);
 
 impl Cost {
     /// Starts no measurement by itself. `wake` is called from another thread when there is progress
@@ -80,6 +100,11 @@ impl Cost {
             })
         };
         Self {
+            causer: Worker::new("causes", wake.clone(), |(of, request)| (of, causes(&request))),
+            cause_search: Progress::new(),
+            causes: Vec::new(),
+            causes_of: None,
+            next: None,
             worker: gpu.map(start),
             progress: Progress::new(),
             wake: Arc::new(wake),
@@ -114,11 +139,23 @@ impl Cost {
     fn start(&mut self, session: &Session, size: [u32; 2]) {
         self.stop();
         let wake = self.wake.clone();
-        self.progress = Progress::observed(move |_| wake());
+        let woken = self.wake.clone();
+        self.progress = Progress::observed(move |_| woken());
         // In a scene only the figures of the open look are asked for, as only its tiers can be
         // chosen.
         let snapshot = session.snapshot_of(Arc::new(session.look().clone())).alone();
-        let job = MeasureRequest { snapshot, size, progress: self.progress.clone() };
+        let progress = Progress::observed(move |_| wake());
+        self.next =
+            Some(MeasureRequest { snapshot: snapshot.clone(), size, progress, is_quick: false });
+        let progress = self.progress.clone();
+        self.measure(MeasureRequest { snapshot, size, progress, is_quick: true });
+    }
+
+    fn is_measuring(&self) -> bool {
+        self.worker.as_ref().is_some_and(Worker::is_busy)
+    }
+
+    fn measure(&self, job: MeasureRequest) {
         if let Some(worker) = &self.worker {
             worker.request(|_| job);
         }
@@ -126,6 +163,7 @@ impl Cost {
 
     fn stop(&mut self) {
         self.progress.stop();
+        self.next = None;
     }
 
     /// Takes a finished measurement, and finds out whether the last one still holds.
@@ -134,7 +172,20 @@ impl Cost {
             // A measurement that was stopped leaves the one before in place.
             let is_stopped =
                 done.result.as_ref().is_err_and(|problems| Interruption::is_among(problems));
-            if !is_stopped {
+            if is_stopped {
+                continue;
+            }
+            // The whole measurement follows the first answer.
+            let next = self.next.take_if(|_| done.is_quick && done.result.is_ok());
+            if let Some(next) = next {
+                self.progress = next.progress.clone();
+                self.measure(next);
+            }
+            // Figures of all of it stay until they are measured again.
+            let stays = |known: &Measurement| {
+                done.is_quick && !known.is_quick && known.result.is_ok() && known.of == done.of
+            };
+            if !self.done.as_ref().is_some_and(stays) {
                 self.done = Some(done);
                 self.is_current.0 = None;
             }
@@ -150,19 +201,21 @@ impl Cost {
 
 impl BackgroundJobs for Cost {
     fn is_busy(&self) -> bool {
-        self.worker.as_ref().is_some_and(Worker::is_busy)
+        self.is_measuring() || self.causer.is_busy()
     }
 
     fn wait(&self) {
         if let Some(worker) = &self.worker {
             worker.wait();
         }
+        self.causer.wait();
     }
 }
 
 impl Drop for Cost {
     fn drop(&mut self) {
         self.stop();
+        self.cause_search.stop();
     }
 }
 
@@ -213,13 +266,23 @@ async fn measure(
     let mut run = async || {
         let setup = job.snapshot.setup(&mut Assets::of(&job.snapshot.assets))?.value;
         let plan = PlanOptions { size: job.size, samples: 1, time: job.snapshot.time };
-        let options =
-            BenchOptions { plan, rounds: ROUNDS, nodes: MeasuredNodes::Tiered, truth: true };
+        let options = match job.is_quick {
+            true => BenchOptions {
+                plan,
+                rounds: QUICK_ROUNDS,
+                nodes: MeasuredNodes::None,
+                truth: false,
+            },
+            false => {
+                BenchOptions { plan, rounds: ROUNDS, nodes: MeasuredNodes::Tiered, truth: true }
+            }
+        };
         bench(&setup, &job.snapshot.library, renderer, &options, &job.progress)
             .await
             .map_err(Vec::from)
     };
     let result = run().await;
     let scene = job.snapshot.scene.as_ref().map(|scene| scene.revision());
-    Measurement { of: CostSubject::of(&job.snapshot.look, &job.snapshot.orbit.mesh, scene), result }
+    let of = CostSubject::of(&job.snapshot.look, &job.snapshot.orbit.mesh, scene);
+    Measurement { of, is_quick: job.is_quick, result }
 }

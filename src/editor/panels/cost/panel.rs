@@ -3,28 +3,37 @@
 use eframe::egui;
 use eframe::egui::{FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
-use super::{Cost, adopt, plot};
+use super::{Cost, adopt, now, plot};
 use crate::accuracy::{BenchReport, MeasurementRow, MeasurementSubject};
 use crate::commands::{Command, PanelId};
-use crate::panels::table::{PanelPlace, PanelRow};
+use crate::panels::table::{PanelPlace, PanelRow, Presence};
+use crate::state::picture_cost::PictureCost;
 use crate::state::problem_text::sentence;
 use crate::state::session::Session;
-use crate::state::worker::BackgroundJobs;
 use crate::tools::probe::picture_size;
+use crate::viewport::picture::ViewportPicture;
 use crate::widgets::text::{cell, hint};
 use crate::widgets::theme;
 
 pub(in crate::panels) const PANEL: PanelRow = PanelRow::new(
     PanelId::COST,
     "Cost and accuracy",
-    "What each tier costs in time, and how far it is from the truth",
+    "What the picture costs, why it needs its passes, and what each tier costs and how far it is \
+     from the truth",
     PanelPlace::BELOW_PICTURE,
     |bench, ui, context| {
         let rect = bench.viewport.rect();
         let size = rect.map_or([0, 0], |rect| picture_size(rect, ui.pixels_per_point()));
-        bench.cost.show(ui, context.session, size)
+        let cost = bench.picture.as_ref().map(ViewportPicture::cost);
+        bench.cost.show(ui, context.session, size, cost)
     },
 )
+.with_each_frame(|bench, _, _, presence| {
+    if let Some(picture) = &mut bench.picture {
+        picture.counts = presence == Presence::Seen;
+    }
+    Vec::new()
+})
 .with_jobs(|bench| &bench.cost);
 
 const ROW: f32 = 20.0;
@@ -32,21 +41,53 @@ const ROW: f32 = 20.0;
 const COLUMNS: [f32; 5] = [0.0, 0.22, 0.56, 0.7, 0.84];
 
 impl Cost {
-    /// Shows the button, the plot and the table. `size` is the picture's, in pixels.
-    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session, size: [u32; 2]) -> Vec<Command> {
+    /// Shows the button, the cost of the picture, the plot and the table. `size` is the picture's,
+    /// in pixels.
+    pub(crate) fn show(
+        &mut self,
+        ui: &mut Ui,
+        session: &Session,
+        size: [u32; 2],
+        cost: Option<&PictureCost>,
+    ) -> Vec<Command> {
         self.update(session);
         if self.worker.is_none() {
             hint(ui, "This window has no GPU, so that there is nothing to measure");
             return Vec::new();
         }
-        self.head(ui, session, size);
+        let mut out = Vec::new();
+        self.head(ui, session, size, cost);
+        self.causes(ui, session, &mut out);
+        let mut picked = None;
+        let area = ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+            let row = self.measured(ui, session, &mut picked);
+            if let Some(cost) = cost {
+                now::show(ui, session, cost, &mut out);
+            }
+            row
+        });
+        if let Some(subject) = picked {
+            self.subject = subject;
+        }
+        out.extend(area.inner.and_then(|row| adopt(session.look(), &row)).map(Command::Edit));
+        out
+    }
+
+    /// Shows the plot and the table of the last measurement. Returns the row whose tier is to be
+    /// adopted.
+    fn measured(
+        &self,
+        ui: &mut Ui,
+        session: &Session,
+        picked: &mut Option<MeasurementSubject>,
+    ) -> Option<MeasurementRow> {
         let Some(done) = &self.done else {
             hint(
                 ui,
-                "Measures time and error of the look and of each node in each tier. It takes a \
-                 while.",
+                "Measure tells time and error of the look and of each node in each tier: the look \
+                 within seconds, all of it after a while.",
             );
-            return Vec::new();
+            return None;
         };
         let report = match &done.result {
             Ok(report) => report,
@@ -54,34 +95,26 @@ impl Cost {
                 for problem in found.iter().take(3) {
                     ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
                 }
-                return Vec::new();
+                return None;
             }
         };
-        let mut picked = None;
-        let area = ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-            let rows: Vec<&MeasurementRow> = report
-                .rows
-                .iter()
-                .filter(|row| row.subject == self.subject && row.error.is_some())
-                .collect();
-            let plotted = plot::show(ui, &rows, name(&self.subject), |row| in_use(session, row));
-            ui.add_space(6.0);
-            ui.spacing_mut().item_spacing.y = 0.0;
-            table(ui, session, report, &self.subject, &mut picked).or(plotted)
-        });
-        if let Some(subject) = picked {
-            self.subject = subject;
-        }
-        area.inner
-            .and_then(|row| adopt(session.look(), &row))
-            .map(Command::Edit)
-            .into_iter()
-            .collect()
+        let rows: Vec<&MeasurementRow> = report
+            .rows
+            .iter()
+            .filter(|row| row.subject == self.subject && row.error.is_some())
+            .collect();
+        let plotted = match rows.is_empty() {
+            true => None,
+            false => plot::show(ui, &rows, name(&self.subject), |row| in_use(session, row)),
+        };
+        ui.add_space(6.0);
+        ui.spacing_mut().item_spacing.y = 0.0;
+        table(ui, session, report, &self.subject, picked).or(plotted)
     }
 
-    fn head(&mut self, ui: &mut Ui, session: &Session, size: [u32; 2]) {
+    fn head(&mut self, ui: &mut Ui, session: &Session, size: [u32; 2], cost: Option<&PictureCost>) {
         ui.horizontal(|ui| {
-            if self.is_busy() {
+            if self.is_measuring() {
                 let [done, total] = self.progress.steps();
                 let share = self.progress.share() as f32;
                 let text =
@@ -96,6 +129,9 @@ impl Cost {
                         the truth in f64";
             if ui.button("Measure").on_hover_text(help).clicked() {
                 self.start(session, size);
+            }
+            if let Some(cost) = cost.filter(|cost| !cost.passes.is_empty()) {
+                ui.label(format!("This picture: {}", cost.short())).on_hover_text(now::TIMED);
             }
             let Some(report) = self.report() else { return };
             if !self.is_current.1 {

@@ -113,6 +113,8 @@ struct ThumbRequest {
 /// Subject of a thumbnail.
 enum ThumbSubject {
     Look(Box<RenderSnapshot>, Shot),
+    /// Snapshot as it is seen in its own view, at its time.
+    View(Box<RenderSnapshot>),
     /// Scene in a file, and the store of the window's pictures.
     Scene(PathBuf, AssetStore),
 }
@@ -264,6 +266,17 @@ impl Thumbs {
         });
     }
 
+    /// Requests a thumbnail of a snapshot in its own view.
+    pub(crate) fn ask_in_view(
+        &self,
+        key: u64,
+        origin: impl FnOnce() -> DocumentOrigin,
+        snapshot: impl FnOnce() -> RenderSnapshot,
+        side: f32,
+    ) {
+        self.request(key, origin, side, || ThumbSubject::View(Box::new(snapshot())));
+    }
+
     /// Requests a thumbnail of the scene in a file, as the scene's own camera sees it.
     pub(crate) fn ask_for_scene(&self, key: u64, path: &Path, session: &Session, side: f32) {
         self.request(
@@ -367,6 +380,12 @@ impl ThumbRenderer {
                 planner.assets.draft();
                 let mut setup = snapshot.setup(&mut planner.assets).ok()?.value;
                 setup.scene.backdrop = None;
+                planner.plan(&setup, &snapshot.library, &Live::Keyed, &options).ok()?.value
+            }
+            ThumbSubject::View(snapshot) => {
+                let planner = self.planner.of(&snapshot.look, &snapshot.library);
+                let setup = snapshot.setup(&mut planner.assets).ok()?.value;
+                let options = PlanOptions { time: snapshot.time, ..options };
                 planner.plan(&setup, &snapshot.library, &Live::Keyed, &options).ok()?.value
             }
             ThumbSubject::Scene(path, assets) => scene::plan(path, &options, assets)?,

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Session;
+use super::shelf::IN_JOURNAL;
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Look};
 use crate::files::journal::{DocumentInfo, JournalSlot, RecoveredWork};
@@ -95,6 +96,7 @@ impl Session {
                 "mesh": self.view.orbit.mesh,
                 "scene": scene.as_ref().and_then(|path| path.to_str()),
                 "staged": self.open_scene.is_some(),
+                IN_JOURNAL: self.shelf_for_journal(),
             }),
         };
         let source = self.look.path.is_some().then(|| self.look.file.source.text().clone());
@@ -117,7 +119,8 @@ impl Session {
         let by_scene = self.open_scene.as_ref().is_some_and(|open_scene| open_scene.is_dirty());
         // A painting that such a look shows needs the look, too.
         let by_painting = self.is_painting_dirty() && self.shows_painting(Path::new(UNSAVED_HCBTF));
-        let is_needed = self.look.path.is_none() && (by_scene || by_painting);
+        let by_shelf = !self.shelf().is_empty();
+        let is_needed = self.look.path.is_none() && (by_scene || by_painting || by_shelf);
         self.look.leave_journal(is_needed, in_peace);
     }
 
@@ -147,6 +150,7 @@ impl Session {
         }
         self.replace(found.history.document().clone(), source, path);
         self.look.history = found.history;
+        self.take_back_shelf(&found.about.window);
         self.recall_times();
         self.look.is_partial = found.about.is_partial;
         self.look.load_problems = found.damage;

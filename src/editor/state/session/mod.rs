@@ -11,6 +11,7 @@ mod project;
 mod scene;
 mod shading;
 mod sharing;
+mod shelf;
 pub(crate) mod shot;
 mod sketch;
 mod snapshots;
@@ -18,10 +19,11 @@ mod steps;
 mod wedge;
 
 use std::borrow::Cow;
+use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Severity};
 use crate::document::{Document, Edit, Graph, History, Look, SourceMap};
 use crate::files::{Disk, SharedFiles, write_atomic};
 use crate::frame::AssetStore;
@@ -39,6 +41,7 @@ use crate::state::reading::LookWithLibrary;
 use crate::state::revision::{GestureId, LookRevision, StepTime};
 use crate::state::scene::OpenScene;
 use crate::state::selection::{OpenGraph, Selection};
+use crate::state::shelf::SnapshotShelf;
 use crate::state::solo::Solo;
 use crate::state::view::ViewState;
 use crate::state::wire::ShownWire;
@@ -57,6 +60,12 @@ pub struct Session {
     /// True if the open look does not show the painting: undo takes back nothing that is not seen.
     pub(crate) hides_painting: bool,
     pub(crate) sketchbook: Sketchbook,
+    /// Snapshots of the look.
+    shelf: SnapshotShelf,
+    /// Notes about the open documents that were read.
+    read_notes: HashSet<String>,
+    /// Labels of steps of the look that their edits do not tell.
+    named_steps: BTreeMap<StepTime, String>,
     pub(crate) project: Project,
     pub(crate) selection: Selection,
     pub(crate) view: ViewState,
@@ -96,6 +105,9 @@ impl Session {
             painting: None,
             hides_painting: false,
             sketchbook: Sketchbook::default(),
+            shelf: SnapshotShelf::default(),
+            read_notes: HashSet::new(),
+            named_steps: BTreeMap::new(),
             project: Project::new(library, files.clone(), move || nodes_are_read()),
             selection: Selection::default(),
             view: ViewState::default(),
@@ -206,6 +218,8 @@ impl Session {
             // Another folder is another project, with nodes of its own.
             self.reload_library();
         }
+        // Under another name the look takes its snapshots along.
+        self.shelf.write_beside(path);
         self.saved();
         Ok(())
     }
@@ -220,6 +234,9 @@ impl Session {
         self.look_was_opened(&look);
         self.look.history = History::new(look);
         self.sketchbook.find(&self.look);
+        self.open_shelf();
+        self.named_steps.clear();
+        self.read_notes.clear();
         self.selection.nodes.clear();
         self.selection.light = None;
         // A scene has the camera, which stays.
@@ -478,8 +495,12 @@ impl Session {
     }
 
     fn redo_look(&mut self, now: StepTime) -> bool {
+        let before = self.look.times.next();
         let did = self.look.redo(now);
         if did {
+            if let Some(label) = before.and_then(|time| self.named_steps.remove(&time)) {
+                self.named_steps.insert(now, label);
+            }
             self.revisions.meaning.advance();
             self.changed(true);
         }
@@ -512,6 +533,25 @@ impl Session {
         let scene = self.open_scene.iter().flat_map(OpenScene::problems);
         let files = self.look.load_problems.iter().chain(scene).chain(&self.project.problems);
         files.chain(&self.compilation.problems).chain(&self.picture_problems)
+    }
+
+    /// Problems but for notes that were read.
+    pub(crate) fn unread_problems(&self) -> impl Iterator<Item = &Diagnostic> {
+        self.all_problems().filter(|problem| {
+            problem.severity != Severity::Note || !self.read_notes.contains(&problem.message)
+        })
+    }
+
+    /// True if there are notes that nobody has read.
+    pub(crate) fn has_unread_notes(&self) -> bool {
+        self.unread_problems().any(|problem| problem.severity == Severity::Note)
+    }
+
+    /// Takes all notes as read.
+    pub(crate) fn read_notes(&mut self) {
+        let notes = self.unread_problems().filter(|problem| problem.severity == Severity::Note);
+        let notes: Vec<String> = notes.map(|problem| problem.message.clone()).collect();
+        self.read_notes.extend(notes);
     }
 
     /// Number of times that a mesh, an image or an HCBTF was read, or a built-in shape made, for

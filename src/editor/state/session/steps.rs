@@ -4,6 +4,8 @@
 //! number of `Revisions::step` and hands it to the document, whose `Times` keep it. Undo stamps
 //! nothing. The steps themselves are in the documents' histories, and in the sketch.
 
+use std::collections::BTreeMap;
+
 use super::Session;
 use crate::document::Look;
 use crate::state::document::OpenDocument;
@@ -11,6 +13,7 @@ use crate::state::document::times::Times;
 use crate::state::painting::work::OpenPainting;
 use crate::state::revision::StepTime;
 use crate::state::scene::{OpenScene, real};
+use crate::state::shelf::SnapshotShelf;
 use crate::state::shot::OpenShot;
 use crate::state::sketch::Sketch;
 
@@ -22,6 +25,7 @@ pub(super) enum DocumentKind {
     Shot,
     Painting,
     Sketch,
+    Shelf,
 }
 
 /// Steps of the look, and of the other documents whose steps undo takes back.
@@ -35,6 +39,10 @@ pub struct Steps<'a> {
     pub(super) painting: Option<&'a OpenPainting>,
     /// The sketch, where it is shown.
     pub(super) sketch: Option<&'a Sketch>,
+    /// Snapshots of the look.
+    pub(super) shelf: &'a SnapshotShelf,
+    /// Labels of steps of the look that their edits do not tell.
+    pub(super) named: &'a BTreeMap<StepTime, String>,
 }
 
 impl<'a> Steps<'a> {
@@ -45,6 +53,11 @@ impl<'a> Steps<'a> {
         let of_painting = self.painting.and_then(|work| work.document.times.last());
         let of_sketch = self.sketch.and_then(|sketch| sketch.times.last());
         let of_shot = self.shot.and_then(|shot| shot.document.times.last());
+        let of_shelf = self.shelf.times.last();
+        let others = of_look.max(of_scene).max(of_painting).max(of_sketch).max(of_shot);
+        if of_shelf.is_some() && of_shelf > others {
+            return DocumentKind::Shelf;
+        }
         if of_shot.is_some() && of_shot >= of_sketch.max(of_painting) {
             return DocumentKind::Shot;
         }
@@ -72,6 +85,7 @@ impl<'a> Steps<'a> {
             (self.shot.and_then(|shot| shot.document.times.next()), DocumentKind::Shot),
             (of_painting, DocumentKind::Painting),
             (of_sketch, DocumentKind::Sketch),
+            (self.shelf.times.next(), DocumentKind::Shelf),
         ];
         let there = all.into_iter().filter_map(|(time, of)| Some((time?, of)));
         there.min_by_key(|(time, _)| *time).map_or(DocumentKind::Look, |(_, of)| of)
@@ -92,29 +106,40 @@ impl<'a> Steps<'a> {
     /// Label of the step that undo would take back.
     pub fn undo_label(self) -> Option<&'a str> {
         match self.last() {
-            DocumentKind::Look => self.look.history.undo_label(),
+            DocumentKind::Look => {
+                let named = self.look.times.last().and_then(|time| self.named.get(&time));
+                named.map(String::as_str).or_else(|| self.look.history.undo_label())
+            }
             DocumentKind::Scene => self.scene?.history().undo_label(),
             DocumentKind::Shot => self.shot?.document.history.undo_label(),
             DocumentKind::Painting => self.painting?.history().undo_label(),
             DocumentKind::Sketch => self.sketch?.undo_label(),
+            DocumentKind::Shelf => self.shelf.undo_label(),
         }
     }
 
     /// Label of the step that redo would repeat.
     pub fn redo_label(self) -> Option<&'a str> {
         match self.next() {
-            DocumentKind::Look => self.look.history.redo_label(),
+            DocumentKind::Look => {
+                let named = self.look.times.next().and_then(|time| self.named.get(&time));
+                named.map(String::as_str).or_else(|| self.look.history.redo_label())
+            }
             DocumentKind::Scene => self.scene?.history().redo_label(),
             DocumentKind::Shot => self.shot?.document.history.redo_label(),
             DocumentKind::Painting => self.painting?.history().redo_label(),
             DocumentKind::Sketch => self.sketch?.redo_label(),
+            DocumentKind::Shelf => self.shelf.redo_label(),
         }
     }
 
     /// Labels of all steps, the first one first.
     pub fn labels(self) -> impl Iterator<Item = &'a str> {
-        let mut steps: Vec<((bool, StepTime), &str)> =
-            self.look.times.all().zip(self.look.history.labels()).collect();
+        let named = |(time, label): ((bool, StepTime), &'a str)| {
+            (time, self.named.get(&time.1).map_or(label, String::as_str))
+        };
+        let of_look = self.look.times.all().zip(self.look.history.labels());
+        let mut steps: Vec<((bool, StepTime), &str)> = of_look.map(named).collect();
         if let Some(scene) = self.scene {
             // Steps of the same time are from journals: the scene's are older.
             let of_scene = scene.document.times.all().zip(scene.history().labels());
@@ -130,6 +155,7 @@ impl<'a> Steps<'a> {
             let labels = sketch.labels().map(|label| -> &str { label });
             steps.extend(sketch.times.all().zip(labels));
         }
+        steps.extend(self.shelf.times.all().zip(self.shelf.labels()));
         steps.sort_by_key(|(time, _)| *time);
         // What look and scene did at once is one step.
         steps.dedup_by(|(time, _), (before, _)| time == before && is_known(time.1));
@@ -143,7 +169,7 @@ impl<'a> Steps<'a> {
         let of_sketch = self.sketch.map_or(0, Sketch::place);
         let of_shot = self.shot.map_or(0, |shot| shot.document.history.place());
         let all = self.look.history.place() + of_scene + of_shot + of_painting + of_sketch;
-        all - self.joint()
+        all + self.shelf.place() - self.joint()
     }
 
     /// Number of done steps that are of look and scene alike.
@@ -174,7 +200,10 @@ fn other_of(of: DocumentKind) -> Option<DocumentKind> {
     match of {
         DocumentKind::Look => Some(DocumentKind::Scene),
         DocumentKind::Scene => Some(DocumentKind::Look),
-        DocumentKind::Shot | DocumentKind::Painting | DocumentKind::Sketch => None,
+        DocumentKind::Shot
+        | DocumentKind::Painting
+        | DocumentKind::Sketch
+        | DocumentKind::Shelf => None,
     }
 }
 
@@ -216,6 +245,8 @@ impl Session {
             shot: self.shot(),
             painting: self.painting.as_ref().filter(|_| !self.hides_painting),
             sketch: Some(&self.sketchbook.sketch).filter(|sketch| sketch.is_open),
+            shelf: &self.shelf,
+            named: &self.named_steps,
         }
     }
 
@@ -248,6 +279,11 @@ impl Session {
                 did
             }
             (DocumentKind::Sketch, ..) => self.sketchbook.sketch.undo(),
+            (DocumentKind::Shelf, ..) => {
+                let did = self.shelf.undo();
+                self.keep_shelf();
+                did
+            }
             _ => self.undo_look(),
         }
     }
@@ -282,6 +318,11 @@ impl Session {
                 did
             }
             (DocumentKind::Sketch, ..) => self.sketchbook.sketch.redo(now),
+            (DocumentKind::Shelf, ..) => {
+                let did = self.shelf.redo(now);
+                self.keep_shelf();
+                did
+            }
             _ => self.redo_look(now),
         }
     }

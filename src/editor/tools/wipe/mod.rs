@@ -1,12 +1,15 @@
-//! Comparison of the picture with another of the same moment: the look in another tier, or the
-//! truth in f64. A divider wipes between both; or their difference is shown, magnified.
+//! Comparison of two pictures of the same moment: the look as it is or a snapshot of it, beside the
+//! look in another tier, the truth in f64, a snapshot, the look in a file, or an image. A divider
+//! wipes between both; they flicker, stand side by side, lie over each other; or their difference
+//! is shown, magnified.
 //!
 //! Both pictures are made in the background with one sample a pixel, so that they can be compared,
-//! and are dropped once anything changes. A tier is then compared again by itself; the truth, which
-//! takes long, only on request.
+//! and are dropped once anything changes. They are then made again by themselves, but for the
+//! truth, which takes long, and is made only on request.
 
 mod compare;
 pub(crate) mod divider;
+mod image;
 mod show;
 
 use std::sync::Arc;
@@ -16,16 +19,17 @@ use eframe::egui::{TextureHandle, Ui};
 
 use crate::accuracy::ErrorFigures;
 use crate::diag::Diagnostic;
-use crate::document::Tier;
+use crate::files::FileMetadata;
 use crate::progress::{Interruption, Progress};
 use crate::render::Gpu;
+use crate::state::comparison::ComparedPicture;
 use crate::state::session::Session;
-use crate::state::snapshot::{RenderSnapshot, Stamp};
+use crate::state::snapshot::Stamp;
 use crate::state::worker::{BackgroundJobs, Worker};
 use crate::tools::fitting::FitTool;
 use crate::tools::probe::picture_size;
 use crate::tools::{PictureContext, SwitchPlace, ToolRow};
-use compare::Comparer;
+use compare::{Comparer, PictureSource};
 
 pub(super) const TOOL: ToolRow = ToolRow::new(
     SwitchPlace::Bar,
@@ -39,38 +43,32 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
     },
 )
 .with_bar(|tools, ui, session| tools.of_mut::<Wipe>().bar(ui, session))
-.with_overlay(|tools, ui, PictureContext { session, rect, .. }, _| {
+.with_overlay(|tools, ui, PictureContext { session, rect, response, .. }, _| {
     let wipe = tools.of_mut::<Wipe>();
     wipe.update(ui, session, picture_size(*rect, ui.pixels_per_point()));
-    wipe.over(ui, *rect);
+    wipe.over(ui, *rect, response.contains_pointer());
 })
 .with_jobs(|tools| tools.of::<Wipe>());
 
-/// Time of rest after which a tier is compared again, in seconds.
+/// Time of rest after which pictures are compared again, in seconds.
 const REST: f64 = 0.2;
 
 /// Factors by which a difference may be magnified.
 pub(crate) const GAINS: [u32; 3] = [16, 64, 256];
 
-/// Picture that the viewport's is compared with.
+/// Display of the two pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum ComparisonTarget {
-    Tier(Tier),
-    Truth,
-}
-
-impl ComparisonTarget {
-    pub(crate) const ALL: [Self; 4] =
-        [Self::Truth, Self::Tier(Tier::Exact), Self::Tier(Tier::Balanced), Self::Tier(Tier::Fast)];
-
-    pub(crate) fn label(self) -> &'static str {
-        match self {
-            Self::Truth => "Truth (f64)",
-            Self::Tier(Tier::Exact) => "Exact",
-            Self::Tier(Tier::Balanced) => "Balanced",
-            Self::Tier(Tier::Fast) => "Fast",
-        }
-    }
+pub(crate) enum ComparisonMode {
+    /// Both, on the sides of a divider.
+    Wipe,
+    /// One at a time.
+    Flicker,
+    /// Both, each whole.
+    Beside,
+    /// The right one over the left one, with an opacity.
+    Over,
+    /// Difference, magnified by a factor.
+    Difference(u32),
 }
 
 /// Inputs of a comparison: for the same inputs the known result is used.
@@ -78,12 +76,23 @@ impl ComparisonTarget {
 struct ComparisonInputs {
     stamp: Stamp,
     size: [u32; 2],
-    against: ComparisonTarget,
+    /// The left picture and the right one.
+    pair: [ComparedPicture; 2],
+    /// State of the files that they are of.
+    files: [Option<FileMetadata>; 2],
+}
+
+impl ComparisonInputs {
+    /// True if the comparison takes long, so that it is only made on request.
+    fn is_slow(&self) -> bool {
+        self.pair[1] == ComparedPicture::Truth
+    }
 }
 
 struct ComparisonRequest {
     moment: ComparisonInputs,
-    snapshot: RenderSnapshot,
+    /// The left picture and the right one.
+    sources: [PictureSource; 2],
     progress: Progress,
 }
 
@@ -94,7 +103,7 @@ struct ComparisonResult {
 
 /// Two pictures and their difference.
 struct PictureComparison {
-    /// The look's picture, and the one that it is compared with.
+    /// The left picture, and the one that it is compared with.
     pictures: [egui::ColorImage; 2],
     /// Difference of each channel, red, green and blue; 0 on edges, where coverage may differ.
     difference: Vec<[f32; 3]>,
@@ -108,16 +117,25 @@ struct ComparisonView {
     textures: [TextureHandle; 2],
     /// Texture of the difference, with the factor that it is magnified by.
     magnified: Option<(u32, TextureHandle)>,
+    /// Names of both pictures.
+    names: [String; 2],
 }
 
 /// Comparison of pictures, with the last result.
 pub struct Wipe {
     worker: Option<Worker<ComparisonRequest, ComparisonResult>>,
-    against: Option<ComparisonTarget>,
-    /// Factor that the difference is magnified by; `None` while the divider is shown.
-    gain: Option<u32>,
+    /// The left picture: the look as it is, or a snapshot.
+    left: ComparedPicture,
+    against: Option<ComparedPicture>,
+    mode: ComparisonMode,
     /// Position of the divider, as a part of the width.
     split: f32,
+    /// Opacity of the right picture over the left one, 0 to 1.
+    opacity: f32,
+    /// True if the flicker changes by itself.
+    flickers: bool,
+    /// True if the right picture is shown while nothing flickers by itself and no key is held.
+    shows_right: bool,
     seen: Option<ComparisonInputs>,
     seen_at: f64,
     asked: Option<ComparisonInputs>,
@@ -125,6 +143,11 @@ pub struct Wipe {
     /// Called from another thread when there is more progress to show.
     wake: Arc<dyn Fn() + Send + Sync>,
     shown: Option<ComparisonView>,
+    /// Name of the picture that is compared with, as it was told last.
+    name: String,
+    /// Snapshots that may be chosen, with their names.
+    snapshots: Vec<(ComparedPicture, String)>,
+    has_file: bool,
     problems: Vec<Diagnostic>,
 }
 
@@ -138,15 +161,22 @@ impl Wipe {
         };
         Self {
             worker: gpu.map(start),
+            left: ComparedPicture::Present,
             against: None,
-            gain: None,
+            mode: ComparisonMode::Wipe,
             split: 0.5,
+            opacity: 0.5,
+            flickers: true,
+            shows_right: false,
             seen: None,
             seen_at: 0.0,
             asked: None,
             progress: Progress::new(),
             wake: Arc::new(wake),
             shown: None,
+            name: String::new(),
+            snapshots: Vec::new(),
+            has_file: false,
             problems: Vec::new(),
         }
     }
@@ -161,20 +191,41 @@ impl Wipe {
         self.split
     }
 
+    /// Problems of the last comparison.
+    pub fn problems(&self) -> &[Diagnostic] {
+        &self.problems
+    }
+
     fn current(&self) -> Option<&ComparisonView> {
         self.shown.as_ref().filter(|shown| Some(&shown.moment) == self.seen.as_ref())
     }
 
-    fn choose(&mut self, against: Option<ComparisonTarget>) {
+    /// Compares the look as it is with another picture, or nothing.
+    pub(crate) fn choose(&mut self, against: Option<ComparedPicture>) {
         if self.against != against {
-            self.stop();
+            if against.is_none() {
+                self.left = ComparedPicture::Present;
+            }
             self.against = against;
-            self.shown = None;
-            self.problems.clear();
-            // On a choice by hand even the truth is computed at once.
-            self.asked = None;
-            self.seen = None;
+            self.begin();
         }
+    }
+
+    /// Compares another left picture.
+    fn choose_left(&mut self, left: ComparedPicture) {
+        if self.left != left {
+            self.left = left;
+            self.begin();
+        }
+    }
+
+    fn begin(&mut self) {
+        self.stop();
+        self.shown = None;
+        self.problems.clear();
+        // On a choice by hand even the truth is computed at once.
+        self.asked = None;
+        self.seen = None;
     }
 
     fn stop(&mut self) {
@@ -186,23 +237,34 @@ impl Wipe {
         let answers = self.worker.as_ref().map(Worker::answers).unwrap_or_default();
         for done in answers {
             if self.asked.as_ref() == Some(&done.moment) {
-                self.take(ui, done);
+                self.take(ui, session, done);
             }
         }
-        let Some(against) = self.against else { return };
-        let moment = ComparisonInputs { stamp: session.stamp(), size, against };
+        let all = session.shelf().all().rev();
+        let choices =
+            all.map(|snapshot| (ComparedPicture::Snapshot(snapshot.id), snapshot.name.clone()));
+        self.snapshots = choices.collect();
+        self.has_file = session.path().is_some();
+        let Some(against) = self.against.clone() else { return };
+        self.name = against.label(session.shelf());
+        let pair = [self.left.clone(), against];
+        let files = pair.each_ref().map(|picture| {
+            picture.file(session.path()).and_then(|path| session.assets.source().metadata(path))
+        });
+        let moment = ComparisonInputs { stamp: session.stamp(), size, pair, files };
         let now = ui.input(|input| input.time);
         let is_first = self.seen.is_none();
+        let is_slow = moment.is_slow();
         if self.seen.as_ref() != Some(&moment) {
             self.seen = Some(moment.clone());
             self.seen_at = now;
-            if against == ComparisonTarget::Truth && !is_first {
+            if is_slow && !is_first {
                 self.stop();
                 self.shown = None;
             }
         }
         let is_known = self.asked.as_ref() == Some(&moment);
-        if is_known || (against == ComparisonTarget::Truth && !is_first) {
+        if is_known || (is_slow && !is_first) {
             return;
         }
         let rested = now - self.seen_at;
@@ -218,17 +280,14 @@ impl Wipe {
         let wake = self.wake.clone();
         self.progress = Progress::observed_by_percent(move |_| wake());
         self.asked = Some(moment.clone());
-        let job = ComparisonRequest {
-            moment,
-            snapshot: session.snapshot(),
-            progress: self.progress.clone(),
-        };
+        let sources = moment.pair.each_ref().map(|picture| PictureSource::of(picture, session));
+        let job = ComparisonRequest { moment, sources, progress: self.progress.clone() };
         if let Some(worker) = &self.worker {
             worker.request(|_| job);
         }
     }
 
-    fn take(&mut self, ui: &Ui, done: ComparisonResult) {
+    fn take(&mut self, ui: &Ui, session: &Session, done: ComparisonResult) {
         self.problems.clear();
         match done.result {
             Ok(compared) => {
@@ -237,11 +296,14 @@ impl Wipe {
                 };
                 let [left, right] = &compared.pictures;
                 let textures = [load("as it is", left), load("against", right)];
+                let pair = done.moment.pair.each_ref();
+                let names = pair.map(|picture| picture.label(session.shelf()));
                 self.shown = Some(ComparisonView {
                     moment: done.moment,
                     compared,
                     textures,
                     magnified: None,
+                    names,
                 });
             }
             Err(problems) => {

@@ -1,116 +1,214 @@
 //! Controls of the comparison, and its display over the picture.
 
 use eframe::egui;
-use eframe::egui::{Color32, Rect, RichText, Ui};
+use eframe::egui::{Color32, Key, Rect, RichText, Role, Ui, WidgetInfo};
 
 use super::divider::{self, Corner};
-use super::{ComparisonTarget, ComparisonView, GAINS, Wipe};
-use crate::commands::{Command, PanelId};
+use super::{ComparisonMode, ComparisonView, GAINS, Wipe};
+use crate::commands::{Command, PanelId, ViewCommand, keyboard};
+use crate::state::comparison::ComparedPicture;
 use crate::state::problem_text::sentence;
 use crate::state::session::Session;
+use crate::state::shelf::SnapshotShelf;
 use crate::state::worker::BackgroundJobs;
 use crate::tools::PictureTools;
 use crate::tools::flip::FlipBook;
 use crate::tools::playback::Playback;
-use crate::widgets::rows::whole;
+use crate::widgets::rows::{fitted, whole};
 use crate::widgets::theme;
 
 /// Height of the list of what to compare with, in points: all of it.
 const LIST: f32 = 400.0;
+/// Duration of each picture of the flicker, in seconds: it changes twice a second, there and back.
+const HALF_FLICKER: f64 = 0.25;
 
-/// Shows the choice of what the picture is compared with: the same in another tier, or frames of
-/// another version.
+/// Shows the choice of what the picture is compared with: the same in another tier, a snapshot, a
+/// file, or frames of another version.
 pub(super) fn choice(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Command>) {
     let wipe = tools.of::<Wipe>();
     if wipe.worker.is_none() {
         return;
     }
-    let against = wipe.against;
     let version = tools.of::<FlipBook>().name().map(str::to_owned);
-    let is_none = against.is_none() && version.is_none();
-    let text = match (&version, against) {
+    let text = match (&version, &wipe.against) {
         (Some(version), _) => version.clone(),
-        (None, against) => against.map_or("Compare with", ComparisonTarget::label).to_owned(),
+        (None, Some(_)) => wipe.name.clone(),
+        (None, None) => "Compare with".to_owned(),
     };
     let combo = egui::ComboBox::from_id_salt("against").selected_text(text);
     let combo = combo.height(LIST).show_ui(ui, |ui| {
-        let (flip, playback) = tools.pair::<FlipBook, Playback>();
-        let mut chosen = None;
-        if ui.selectable_label(is_none, "Nothing").clicked() {
-            chosen = Some(None);
-            flip.close(playback);
-        }
-        for target in ComparisonTarget::ALL {
-            if ui.selectable_label(against == Some(target), target.label()).clicked() {
-                chosen = Some(Some(target));
-                flip.close(playback);
-            }
-        }
-        ui.separator();
-        let has_frames = playback.cache().frames().next().is_some();
-        let keep = ui.add_enabled(has_frames, egui::Button::selectable(false, "Frames kept now"));
-        let help = "A flip book against the frames that the timeline has now, such as those before \
-                    an edit";
-        let keep = keep.on_hover_text(help).on_disabled_hover_text(
-            "The timeline has no frames yet: play it, or press Cache range there",
-        );
-        if keep.clicked() {
-            chosen = Some(None);
-            flip.keep(playback);
-        }
-        let help = "A flip book against frames that were rendered, as by chiaro render: choose one \
-                    of them";
-        let files = ui.selectable_label(false, "Rendered frames...").on_hover_text(help);
-        let help = "A flip book against another look, scene or shot, which is drawn frame by frame \
-                    in the same size";
-        let document = ui.selectable_label(false, "Another document...").on_hover_text(help);
-        if files.clicked() || document.clicked() {
-            chosen = Some(None);
-            out.push(Command::CompareFrames(None));
-            out.push(Command::ShowPanel(PanelId::TIMELINE));
-        }
-        if let Some(chosen) = chosen {
+        let chosen = states(tools, ui, version.is_none(), out);
+        let frames = frames(tools, ui, out);
+        if let Some(chosen) = chosen.or(frames.then_some(None)) {
             tools.of_mut::<Wipe>().choose(chosen);
         }
     });
     combo.response.on_hover_text(
-        "Shows the picture beside the same in another tier, beside the truth in f64, or beside \
-         frames of another version",
+        "Shows the picture beside a snapshot, a file, a reference picture, the same in another \
+         tier, the truth in f64, or frames of another version",
     );
+}
+
+/// Shows the pictures that the present one may be compared with, and returns the choice.
+fn states(
+    tools: &mut PictureTools,
+    ui: &mut Ui,
+    has_no_version: bool,
+    out: &mut Vec<Command>,
+) -> Option<Option<ComparedPicture>> {
+    let wipe = tools.of::<Wipe>();
+    let (against, snapshots) = (wipe.against.clone(), wipe.snapshots.clone());
+    let has_file = wipe.has_file;
+    let mut chosen = None;
+    if ui.selectable_label(against.is_none() && has_no_version, "Nothing").clicked() {
+        chosen = Some(None);
+    }
+    let shelf = SnapshotShelf::default();
+    let own = ComparedPicture::OF_LOOK.map(|picture| (picture.label(&shelf), picture));
+    for (label, picture) in own {
+        if ui.selectable_label(against.as_ref() == Some(&picture), label).clicked() {
+            chosen = Some(Some(picture));
+        }
+    }
+    ui.separator();
+    let saved = ComparedPicture::Saved;
+    let is_it = against.as_ref() == Some(&saved);
+    let saved_label = ui.add_enabled(has_file, egui::Button::selectable(is_it, "As saved"));
+    let saved_label = saved_label.on_hover_text("The look as its file has it");
+    if saved_label.on_disabled_hover_text("The look is in no file yet").clicked() {
+        chosen = Some(Some(saved));
+    }
+    for (picture, name) in snapshots {
+        let is_it = against.as_ref() == Some(&picture);
+        let help = "A snapshot of the look";
+        if ui.selectable_label(is_it, name).on_hover_text(help).clicked() {
+            chosen = Some(Some(picture));
+        }
+    }
+    let help = "Another look (JSON) in this view, or a reference picture (PNG, JPEG, EXR, HDR) \
+                fitted into it";
+    if ui.selectable_label(false, "A look or picture in a file...").on_hover_text(help).clicked() {
+        out.push(Command::View(ViewCommand::Compare(None)));
+    }
+    if chosen.is_some() {
+        let (flip, playback) = tools.pair::<FlipBook, Playback>();
+        flip.close(playback);
+    }
+    chosen
+}
+
+/// Shows the frames of other versions; true if some are chosen.
+fn frames(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Command>) -> bool {
+    ui.separator();
+    let (flip, playback) = tools.pair::<FlipBook, Playback>();
+    let has_frames = playback.cache().frames().next().is_some();
+    let keep = ui.add_enabled(has_frames, egui::Button::selectable(false, "Frames kept now"));
+    let help = "A flip book against the frames that the timeline has now, such as those before an \
+                edit";
+    let keep = keep.on_hover_text(help).on_disabled_hover_text(
+        "The timeline has no frames yet: play it, or press Cache range there",
+    );
+    if keep.clicked() {
+        flip.keep(playback);
+        return true;
+    }
+    let help = "A flip book against frames that were rendered, as by chiaro render: choose one of \
+                them";
+    let files = ui.selectable_label(false, "Rendered frames...").on_hover_text(help);
+    let help = "A flip book against another look, scene or shot, which is drawn frame by frame in \
+                the same size";
+    let document = ui.selectable_label(false, "Another document...").on_hover_text(help);
+    if files.clicked() || document.clicked() {
+        out.push(Command::CompareFrames(None));
+        out.push(Command::ShowPanel(PanelId::TIMELINE));
+        return true;
+    }
+    false
 }
 
 impl Wipe {
     /// Shows a second row of controls while the picture is compared.
     pub(crate) fn bar(&mut self, ui: &mut Ui, session: &Session) {
-        let Some(against) = self.against else { return };
-        ui.horizontal(|ui| {
+        let Some(against) = self.against.clone() else { return };
+        ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 3.0;
-            if ui
-                .selectable_label(self.gain.is_none(), "Wipe")
-                .on_hover_text("Drag the divider")
-                .clicked()
-            {
-                self.gain = None;
-            }
-            for gain in GAINS {
-                let help = format!("Shows the difference, magnified {gain} times");
-                if ui
-                    .selectable_label(self.gain == Some(gain), format!("×{gain}"))
-                    .on_hover_text(help)
-                    .clicked()
-                {
-                    self.gain = Some(gain);
-                }
-            }
+            self.left_choice(ui);
+            self.modes(ui);
             ui.add_space(6.0);
-            self.state(ui, session, against);
+            self.state(ui, session, &against);
         });
         for problem in self.problems.iter().take(2) {
-            ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
+            let text = RichText::new(sentence(problem)).color(theme::of(ui).error);
+            ui.add(egui::Label::new(text).wrap());
         }
     }
 
-    fn state(&mut self, ui: &mut Ui, session: &Session, against: ComparisonTarget) {
+    /// Shows the choice of the left picture: the look as it is, or a snapshot.
+    fn left_choice(&mut self, ui: &mut Ui) {
+        if self.snapshots.is_empty() {
+            return;
+        }
+        let as_set = "As set".to_owned();
+        let is_it = |(picture, _): &&(ComparedPicture, String)| *picture == self.left;
+        let name = self.snapshots.iter().find(is_it).map_or(&as_set, |(_, name)| name);
+        let mut chosen = None;
+        let combo = egui::ComboBox::from_id_salt("left").width(60.0).selected_text(name);
+        let combo = combo.show_ui(ui, |ui| {
+            let present = (ComparedPicture::Present, as_set.clone());
+            for (picture, name) in std::iter::once(&present).chain(&self.snapshots) {
+                if ui.selectable_label(self.left == *picture, name).clicked() {
+                    chosen = Some(picture.clone());
+                }
+            }
+        });
+        combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Left picture"));
+        combo.response.on_hover_text("The left picture: the look as it is now, or a snapshot");
+        if let Some(left) = chosen {
+            self.choose_left(left);
+        }
+    }
+
+    /// Shows the ways to look at both pictures, with the controls of the present one.
+    fn modes(&mut self, ui: &mut Ui) {
+        use ComparisonMode as M;
+        for (mode, text, help) in [
+            (M::Wipe, "Wipe", "Both pictures: drag the divider"),
+            (M::Flicker, "Flicker", "One at a time: twice a second, or while V is held"),
+            (M::Beside, "Beside", "Both pictures, side by side"),
+            (M::Over, "Over", "The other picture over this one"),
+        ] {
+            if ui.selectable_label(self.mode == mode, text).on_hover_text(help).clicked() {
+                self.mode = mode;
+            }
+        }
+        for gain in GAINS {
+            let help = format!("Shows the difference, magnified {gain} times");
+            let mode = M::Difference(gain);
+            let label = ui.selectable_label(self.mode == mode, format!("×{gain}"));
+            if label.on_hover_text(help).clicked() {
+                self.mode = mode;
+            }
+        }
+        match self.mode {
+            M::Flicker => {
+                ui.checkbox(&mut self.flickers, "By itself").on_hover_text("Twice a second");
+                let help = "Shows the other picture (V, while it is held)";
+                ui.add_enabled_ui(!self.flickers, |ui| {
+                    ui.toggle_value(&mut self.shows_right, "Other").on_hover_text(help);
+                });
+            }
+            M::Over => {
+                let slider = egui::Slider::new(&mut self.opacity, 0.0..=1.0).show_value(false);
+                let slider = ui.add(slider).on_hover_text("Opacity of the other picture");
+                let opacity = f64::from(self.opacity);
+                let name = "Opacity of the other picture";
+                slider.widget_info(|| WidgetInfo::slider(true, opacity, name));
+            }
+            M::Wipe | M::Beside | M::Difference(_) => {}
+        }
+    }
+
+    fn state(&mut self, ui: &mut Ui, session: &Session, against: &ComparedPicture) {
         if let Some(shown) = self.current() {
             let figures = &shown.compared.figures;
             let text = match figures.max {
@@ -129,7 +227,7 @@ impl Wipe {
             return;
         }
         if self.is_busy() {
-            if against == ComparisonTarget::Truth {
+            if *against == ComparedPicture::Truth {
                 let share = self.progress.share() as f32;
                 let bar = egui::ProgressBar::new(share)
                     .desired_width(90.0)
@@ -143,7 +241,7 @@ impl Wipe {
             }
             return;
         }
-        if against == ComparisonTarget::Truth {
+        if *against == ComparedPicture::Truth {
             if ui
                 .button("Compute again")
                 .on_hover_text("Computes the truth of what is shown now")
@@ -156,14 +254,17 @@ impl Wipe {
         }
     }
 
-    /// Shows the divider, or the difference, over the picture.
-    pub(crate) fn over(&mut self, ui: &mut Ui, rect: Rect) {
+    /// Shows both pictures, one of them, or the difference over the picture.
+    pub(crate) fn over(&mut self, ui: &mut Ui, rect: Rect, is_pointed_at: bool) {
         if self.current().is_none() {
             return;
         }
-        match self.gain {
-            Some(gain) => self.difference(ui, rect, gain),
-            None => self.divider(ui, rect),
+        match self.mode {
+            ComparisonMode::Difference(gain) => self.difference(ui, rect, gain),
+            ComparisonMode::Wipe => self.divider(ui, rect),
+            ComparisonMode::Flicker => self.flicker(ui, rect, is_pointed_at),
+            ComparisonMode::Beside => self.beside(ui, rect),
+            ComparisonMode::Over => self.above(ui, rect),
         }
     }
 
@@ -190,8 +291,50 @@ impl Wipe {
             painter.image(texture.id(), rect, whole(), Color32::WHITE);
         }
         divider::paint(ui, rect, self.split, is_hot);
-        divider::tag(ui, rect, Corner::Left, "As set");
-        divider::tag(ui, rect, Corner::Right, shown.moment.against.label());
+        divider::tag(ui, rect, Corner::Left, &shown.names[0]);
+        divider::tag(ui, rect, Corner::Right, &shown.names[1]);
+    }
+
+    fn flicker(&mut self, ui: &Ui, rect: Rect, is_pointed_at: bool) {
+        let is_held = is_pointed_at
+            && !keyboard::is_keyboard_taken(ui.ctx())
+            && ui.input(|input| input.key_down(Key::V));
+        let is_right = if self.flickers && !is_held {
+            let time = ui.input(|input| input.time);
+            let left = HALF_FLICKER - time.rem_euclid(HALF_FLICKER);
+            ui.ctx().request_repaint_after_secs(left.max(0.01) as f32);
+            time.rem_euclid(2.0 * HALF_FLICKER) >= HALF_FLICKER
+        } else {
+            is_held || self.shows_right
+        };
+        let Some(shown) = &self.shown else { return };
+        let side = usize::from(is_right);
+        ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
+        ui.painter().image(shown.textures[side].id(), rect, whole(), Color32::WHITE);
+        let corner = if is_right { Corner::Right } else { Corner::Left };
+        divider::tag(ui, rect, corner, &shown.names[side]);
+    }
+
+    fn beside(&self, ui: &Ui, rect: Rect) {
+        let Some(shown) = &self.shown else { return };
+        ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
+        for (side, half) in divider::halves(rect, 0.5).into_iter().enumerate() {
+            let place = fitted(half, shown.moment.size);
+            ui.painter().image(shown.textures[side].id(), place, whole(), Color32::WHITE);
+            let corner = if side == 0 { Corner::Left } else { Corner::Right };
+            divider::tag(ui, half, corner, &shown.names[side]);
+        }
+    }
+
+    fn above(&self, ui: &Ui, rect: Rect) {
+        let Some(shown) = &self.shown else { return };
+        ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
+        let [left, right] = &shown.textures;
+        ui.painter().image(left.id(), rect, whole(), Color32::WHITE);
+        let tint = Color32::WHITE.gamma_multiply(self.opacity);
+        ui.painter().image(right.id(), rect, whole(), tint);
+        divider::tag(ui, rect, Corner::Left, &shown.names[0]);
+        divider::tag(ui, rect, Corner::Right, &shown.names[1]);
     }
 }
 

@@ -1,0 +1,314 @@
+//! Sheet of variations: small pictures of a value from one to another, of colors and directions
+//! around the present one, of all choices, or of all shapes. A click takes one.
+
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::sync::Arc;
+
+use eframe::egui::{
+    Button, Color32, ComboBox, DragValue, FontId, Rect, RichText, Role, ScrollArea, Sense, Slider,
+    Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+};
+
+use super::library::cards::columns;
+use super::thumbs::{Shot, Thumbs, key_of};
+use crate::commands::{Command, PanelId};
+use crate::document::{LightField, Look, Target};
+use crate::frame::SHAPE_PREFIX;
+use crate::panels::table::{PanelPlace, PanelRow};
+use crate::state::crashes::DocumentOrigin;
+use crate::state::orbit::Orbit;
+use crate::state::session::Session;
+use crate::state::snapshot::{RenderSnapshot, Stamp};
+use crate::state::variations::{STEPS, Variation, VariationKind, VariationSheet, VariedSubject};
+use crate::widgets::rows::{picture_frame, whole};
+use crate::widgets::text::{cell, hint};
+use crate::widgets::theme;
+
+pub(super) const PANEL: PanelRow = PanelRow::new(
+    PanelId::VARIATIONS,
+    "Variations",
+    "Small pictures of a value, a color, a light or the mesh as it could be; a click takes one",
+    PanelPlace::WITH_DOCUMENT.closed(),
+    |bench, ui, context| bench.memory.of::<Variations>().show(ui, context.session, &bench.thumbs),
+);
+
+/// Least width of a picture, in points.
+const CELL: f32 = 92.0;
+/// Height of the words below a picture, in points.
+const WORDS: f32 = 18.0;
+/// Side of a picture as drawn, in pixels.
+const SIDE: f32 = 200.0;
+
+/// Cell of the sheet, with the key of its picture.
+struct SheetCell {
+    variation: Variation,
+    label: String,
+    key: u64,
+}
+
+/// The panel, with the sheet that was asked for last.
+#[derive(Default)]
+pub(crate) struct Variations {
+    sheet: Option<VariationSheet>,
+    cells: Vec<SheetCell>,
+    /// State that the keys of the cells are of.
+    of: Option<(Stamp, VariationSheet)>,
+    /// Variation that was taken last.
+    taken: Option<Variation>,
+}
+
+impl Variations {
+    /// Shows variations of a subject from now on.
+    pub(crate) fn begin(&mut self, subject: VariedSubject, session: &Session) {
+        let now = match &subject {
+            VariedSubject::Value(target) => session.keys().value_at(target),
+            VariedSubject::Mesh => None,
+        };
+        self.sheet = VariationSheet::of(subject, session.look_with_library(), now);
+        (self.of, self.taken) = (None, None);
+        self.cells.clear();
+    }
+
+    fn show(&mut self, ui: &mut Ui, session: &Session, thumbs: &Thumbs) -> Vec<Command> {
+        let mut out = Vec::new();
+        self.choice(ui, session);
+        let Some(sheet) = &mut self.sheet else {
+            hint(
+                ui,
+                "Choose what to vary: a value of the selected node, a light, the mesh. A value's \
+                 own menu has Variations too.",
+            );
+            return out;
+        };
+        if let VariedSubject::Value(target) = &sheet.subject
+            && session.look_with_library().port_at(target).is_none()
+        {
+            hint(ui, "What was varied is not in the look any more.");
+            return out;
+        }
+        controls(ui, sheet, self.taken.as_ref());
+        self.know_cells(session, thumbs);
+        let mut clicked = None;
+        ScrollArea::vertical().auto_shrink([false, false]).id_salt("variations").show(ui, |ui| {
+            let gap = 4.0;
+            let (columns, side) = columns(ui.available_width() - 8.0, CELL, gap);
+            ui.spacing_mut().item_spacing = vec2(gap, gap);
+            for (row, cells) in self.cells.chunks(columns).enumerate() {
+                ui.horizontal(|ui| {
+                    for (column, cell) in cells.iter().enumerate() {
+                        if self.picture(ui, session, thumbs, cell, side) {
+                            clicked = Some(row * columns + column);
+                        }
+                    }
+                });
+            }
+        });
+        thumbs.look_again(ui);
+        if let Some(found) = clicked.and_then(|index| self.cells.get(index)) {
+            self.taken = Some(found.variation.clone());
+            out.extend(
+                self.sheet.as_ref().and_then(|sheet| take(session, sheet, &found.variation)),
+            );
+        }
+        out
+    }
+
+    /// Shows the choice of what is varied.
+    fn choice(&mut self, ui: &mut Ui, session: &Session) {
+        let look = session.look_with_library();
+        let title = |subject: &VariedSubject| match subject {
+            VariedSubject::Mesh => "Mesh".to_owned(),
+            VariedSubject::Value(target) => look.names_of(target).join(": "),
+        };
+        let now = self.sheet.as_ref().map(|sheet| sheet.subject.clone());
+        let text = now.as_ref().map_or_else(|| "Choose".to_owned(), title);
+        let mut chosen = None;
+        ui.horizontal(|ui| {
+            let label = ui.label("Vary");
+            let combo = ComboBox::from_id_salt("vary").width(150.0).selected_text(text);
+            let combo = combo.height(320.0).show_ui(ui, |ui| {
+                for subject in subjects(session) {
+                    let is_it = now.as_ref() == Some(&subject);
+                    if ui.selectable_label(is_it, title(&subject)).clicked() {
+                        chosen = Some(subject);
+                    }
+                }
+            });
+            combo.response.labelled_by(label.id);
+        });
+        if let Some(subject) = chosen {
+            self.begin(subject, session);
+        }
+    }
+
+    /// Finds the cells anew where anything changed that they depend on, once the window rests.
+    fn know_cells(&mut self, session: &Session, thumbs: &Thumbs) {
+        let Some(sheet) = &self.sheet else { return };
+        let stamp = session.stamp();
+        let is_same = |(of, made): &(Stamp, VariationSheet)| *of == stamp && made == sheet;
+        let is_other = !self.of.as_ref().is_some_and(|(_, made)| made == sheet);
+        if self.of.as_ref().is_some_and(is_same) || !thumbs.rests() && !is_other {
+            return;
+        }
+        let cell = |variation: Variation| {
+            let drawn = drawn(session, sheet, &variation);
+            let mut hasher = DefaultHasher::new();
+            let (look, orbit) = &drawn;
+            key_of(look, Shot::Whole, SIDE).hash(&mut hasher);
+            let keys = (&look.direction_keys, &look.time_keys, orbit, &variation);
+            format!("{keys:?}").hash(&mut hasher);
+            (session.view.time.to_bits(), session.revisions().files).hash(&mut hasher);
+            format!("{:?}", session.scene_revision()).hash(&mut hasher);
+            SheetCell { label: sheet.label(&variation), variation, key: hasher.finish() }
+        };
+        self.cells = sheet.cells().into_iter().map(cell).collect();
+        self.of = Some((stamp, sheet.clone()));
+    }
+
+    /// Shows a cell; true if it is clicked.
+    fn picture(
+        &self,
+        ui: &mut Ui,
+        session: &Session,
+        thumbs: &Thumbs,
+        of: &SheetCell,
+        side: f32,
+    ) -> bool {
+        let (rect, response) = ui.allocate_exact_size(vec2(side, side + WORDS), Sense::click());
+        if !ui.is_rect_visible(rect) {
+            return false;
+        }
+        let name = format!("Take {}", of.label);
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+        if !thumbs.is_done(of.key)
+            && let Some(sheet) = &self.sheet
+        {
+            let origin = || DocumentOrigin::new(&session.name(), session.path(), session.look());
+            let snapshot = || {
+                let (look, orbit) = drawn(session, sheet, &of.variation);
+                RenderSnapshot { orbit, ..session.snapshot_of(Arc::new(look)) }
+            };
+            thumbs.ask_in_view(of.key, origin, snapshot, SIDE);
+        }
+        let picture = Rect::from_min_size(rect.min, vec2(side, side));
+        ui.painter().rect_filled(picture, 3.0, theme::of(ui).canvas);
+        if let Some(texture) = thumbs.known(of.key) {
+            ui.painter().image(texture, picture.shrink(1.0), whole(), Color32::WHITE);
+        }
+        picture_frame(ui, picture);
+        let is_taken = self.taken.as_ref() == Some(&of.variation);
+        let is_hot = response.hovered() || response.has_focus();
+        if is_taken || is_hot {
+            let stroke = Stroke::new(if is_hot { 2.5 } else { 1.5 }, theme::of(ui).accent);
+            ui.painter().rect_stroke(picture, 3.0, stroke, StrokeKind::Inside);
+        }
+        let words = Rect::from_min_max(pos2(rect.left() + 2.0, picture.bottom()), rect.max);
+        let font = FontId::proportional(theme::SMALL_TEXT);
+        cell(ui, words, &of.label, font, theme::of(ui).text);
+        let help = format!("{}: a click takes it, as one step", of.label);
+        response.on_hover_text(help).clicked()
+    }
+}
+
+/// Subjects that can be varied: the mesh, the lights, and values of the selected node.
+fn subjects(session: &Session) -> Vec<VariedSubject> {
+    let look = session.look_with_library();
+    let fields = [LightField::Direction, LightField::Color, LightField::Intensity];
+    let of_light = |id: &crate::ids::LightId| {
+        fields.map(|field| Target::Light { light: id.clone(), field: field.name().to_owned() })
+    };
+    let lights = session.look().lights.keys().flat_map(of_light);
+    let selected = session.selection.nodes.iter().flat_map(|id| {
+        let kind = session.graph().nodes.get(id).and_then(|node| look.catalog.of(node));
+        let free = kind.into_iter().flat_map(|kind| &kind.inputs);
+        let free = free.filter(move |port| session.graph().wire_into(id, &port.name).is_none());
+        free.map(move |port| session.selection.target(id, &port.name))
+    });
+    let can_vary = |target: &Target| {
+        look.port_at(target).is_some_and(|port| VariationKind::of(target, &port).is_some())
+    };
+    let values = selected.chain(lights).filter(can_vary).map(VariedSubject::Value);
+    let mesh = session.open_scene().is_none().then_some(VariedSubject::Mesh);
+    values.chain(mesh).collect()
+}
+
+/// Shows the controls of a sheet.
+fn controls(ui: &mut Ui, sheet: &mut VariationSheet, taken: Option<&Variation>) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        match sheet.kind {
+            VariationKind::Number { .. } => {
+                let (factor, suffix) =
+                    if sheet.is_angle() { (1.0_f64.to_degrees(), "°") } else { (1.0, "") };
+                let [least, most] = sheet.bounds();
+                for (side, name) in [(0, "From"), (1, "To")] {
+                    let label = ui.label(name);
+                    let mut shown = sheet.range[side] * factor;
+                    let drag = DragValue::new(&mut shown).suffix(suffix).max_decimals(3);
+                    let speed =
+                        ((sheet.range[1] - sheet.range[0]).abs() * factor / 100.0).max(0.001);
+                    let drag = drag.range(least * factor..=most * factor).speed(speed);
+                    if ui.add(drag).labelled_by(label.id).changed() {
+                        sheet.range[side] = shown / factor;
+                    }
+                }
+                let label = ui.label("Steps");
+                let drag = DragValue::new(&mut sheet.steps).range(STEPS).speed(0.1);
+                ui.add(drag).labelled_by(label.id);
+            }
+            VariationKind::Color | VariationKind::Direction => {
+                let label = ui.label("How far");
+                let slider = Slider::new(&mut sheet.spread, 0.02..=1.0).show_value(false);
+                ui.add(slider).labelled_by(label.id);
+            }
+            VariationKind::Choice | VariationKind::Mesh => {}
+        }
+        let can = matches!(
+            sheet.kind,
+            VariationKind::Number { .. } | VariationKind::Color | VariationKind::Direction
+        );
+        if can {
+            let help = "A finer sheet around the one that was taken";
+            let button = ui.add_enabled(taken.is_some(), Button::new("Again around this one"));
+            let button = button.on_hover_text(help).on_disabled_hover_text("Take one first");
+            if let Some(taken) = taken.filter(|_| button.clicked()) {
+                sheet.again_around(taken);
+            }
+        }
+    });
+    let text = match sheet.kind {
+        VariationKind::Color => "Hues across, brighter above",
+        VariationKind::Direction => "From the left to the right, from above to below",
+        _ => return,
+    };
+    ui.label(RichText::new(text).small().color(theme::of(ui).dim));
+}
+
+/// Command that takes a variation.
+fn take(session: &Session, sheet: &VariationSheet, variation: &Variation) -> Option<Command> {
+    match (&sheet.subject, variation) {
+        (VariedSubject::Value(target), Variation::Value(value)) => {
+            Some(Command::Edit(session.keys().set_at(target, value.clone())))
+        }
+        (VariedSubject::Mesh, Variation::Shape(name)) => {
+            Some(Command::ShowOn(Some(format!("{SHAPE_PREFIX}{name}").into())))
+        }
+        _ => None,
+    }
+}
+
+/// The look and the view of a variation's picture.
+fn drawn(session: &Session, sheet: &VariationSheet, variation: &Variation) -> (Look, Orbit) {
+    let (mut look, mut orbit) = (session.look().clone(), session.view.orbit.clone());
+    match (&sheet.subject, variation) {
+        (VariedSubject::Value(target), Variation::Value(value)) => {
+            // A value that cannot be set leaves the look as it is.
+            let _ = look.apply(session.keys().set_at(target, value.clone()));
+        }
+        (VariedSubject::Mesh, Variation::Shape(name)) => {
+            (orbit.mesh, orbit.z_is_up) = (format!("{SHAPE_PREFIX}{name}"), false);
+        }
+        _ => {}
+    }
+    (look, orbit)
+}
