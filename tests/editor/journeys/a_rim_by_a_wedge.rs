@@ -31,6 +31,7 @@ fn a_rim_is_taken_from_a_sheet() {
     artist.press_a(Role::RadioButton, "Cells 160 pixels wide");
     artist.press("Draw 4 cells");
 
+    // The values make room for the sheet.
     let cell = artist.place_like("Cell 4: ");
     artist.hover(cell.center());
     artist.click(cell.center());
