@@ -77,8 +77,8 @@
 //! - Views of OpenColorIO: `film/view/mod.rs` (`DisplayView`); on the GPU `render/display.rs`; in
 //!   the window `editor/state/display.rs` and `editor/viewport/colors.rs`.
 //! - Frames, farms' jobs and wedges from the window: `editor/panels/frames/` and
-//!   `editor/panels/wedge/varied.rs`; the program's own command line makes them, in a process beside
-//!   the window: `editor/state/runs/run.rs` (`ProgramRun`).
+//!   `editor/panels/wedge/varied.rs`; the program's own command line makes them, in a process
+//!   beside the window: `editor/state/runs/run.rs` (`ProgramRun`).
 //!
 //! Window:
 //! - Panels: `editor/panels/mod.rs` (`PANELS`) lists their rows, which are in the panels' files.

@@ -123,6 +123,7 @@ impl Wedge {
     pub(crate) fn open(&mut self, sheet: WedgeSheet) {
         self.reader.request(|_| sheet.picture());
         (self.sheet, self.taken, self.shown, self.is_blind) = (Some(sheet), None, None, false);
+        self.drawn.makes_room = true;
     }
 
     fn take_picture(&mut self, ui: &Ui) {

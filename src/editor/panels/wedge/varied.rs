@@ -45,11 +45,14 @@ pub(super) struct DrawnWedge {
     width: u32,
     run: Option<WedgeRun>,
     problem: Option<String>,
+    /// True if the values make room for a sheet in the next frame.
+    pub(super) makes_room: bool,
 }
 
 impl DrawnWedge {
     pub(super) fn new(wake: Arc<dyn Fn() + Send + Sync>) -> Self {
-        Self { wake, varied: Vec::new(), width: WIDTHS[1], run: None, problem: None }
+        let (varied, width) = (Vec::new(), WIDTHS[1]);
+        Self { wake, varied, width, run: None, problem: None, makes_room: false }
     }
 
     pub(super) fn run(&self) -> Option<&ProgramRun> {
@@ -127,8 +130,9 @@ impl DrawnWedge {
             true => "Vary values".to_owned(),
             false => format!("Vary values: {count} cells"),
         };
-        let is_new = self.run.is_none();
-        CollapsingHeader::new(head).id_salt("varied").default_open(is_new).show(ui, |ui| {
+        let closes = std::mem::take(&mut self.makes_room).then_some(false);
+        let part = CollapsingHeader::new(head).id_salt("varied").default_open(true).open(closes);
+        part.show(ui, |ui| {
             let mut removed = None;
             for (index, varied) in self.varied.iter_mut().enumerate() {
                 if row(ui, index, varied) {
