@@ -56,6 +56,8 @@ fn bands_edges_and_a_highlight_are_shaped_on_the_object() {
     hand.drag(bar, bar + vec2(12.0, 0.0));
     hand.settle();
     assert!(ramp(&hand, "bands").stops[3].at > 0.5, "{:?}", ramp(&hand, "bands"));
+    let search = hand.place("Find a value");
+    hand.type_over(search, "Bands");
     let softness = hand.number_field("Softness");
     hand.type_over(softness, "6");
     let soft = ramp(&hand, "bands");
@@ -66,6 +68,8 @@ fn bands_edges_and_a_highlight_are_shaped_on_the_object() {
     hand.press("Add layer");
     hand.press("Add Cartoon");
     hand.settle();
+    let search = hand.place("Find a value");
+    hand.type_over(search, "edge");
     for (label, degrees) in [("Edge", "60"), ("Softness", "10")] {
         let field = hand.number_field(label);
         hand.type_over(field, degrees);
