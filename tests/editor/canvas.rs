@@ -28,11 +28,16 @@ fn open(json: &serde_json::Value) -> User {
 
 /// A window with two numbers, their sum, half of the sum, and an output.
 fn sums() -> User {
+    sums_with(&json!({"b": 0.5}))
+}
+
+/// The sum of two numbers, and what `values` make of it.
+fn sums_with(values: &serde_json::Value) -> User {
     open(&json!({"nodes": [
         {"id": "a", "kind": "invert", "at": [0, 0], "values": {"value": 0.25}},
         {"id": "b", "kind": "invert", "at": [0, 160], "values": {"value": 0.5}},
         {"id": "sum", "kind": "add", "at": [260, 60]},
-        {"id": "half", "kind": "multiply", "at": [520, 60], "values": {"b": 0.5}},
+        {"id": "half", "kind": "multiply", "at": [520, 60], "values": values},
         {"id": "output", "kind": "output", "at": [780, 60]}
     ], "wires": [
         {"from": "a", "to": "sum.a"}, {"from": "b", "to": "sum.b"},
@@ -98,7 +103,7 @@ fn drag_with(hand: &mut User, button: PointerButton, modifiers: Modifiers, path:
 
 #[test]
 fn a_group_is_made_opened_edited_and_dissolved() {
-    let mut hand = sums();
+    let mut hand = sums_with(&json!({}));
     let before = hand.look().to_text();
     select(&mut hand, &["sum", "half"]);
     hand.key_with(CTRL, Key::G);

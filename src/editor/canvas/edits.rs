@@ -7,15 +7,19 @@ use eframe::egui::{Pos2, Rect};
 use indexmap::IndexMap;
 
 use crate::catalog::{CODE_VALUE, CUSTOM_CODE, CUSTOM_KIND, NodeKind};
-use crate::document::{Edit, Endpoint, Frame, Light, Node, Note, Value, Wire, grouping};
+use crate::document::grouping::{self, OfferedValue};
+use crate::document::{Edit, Endpoint, Frame, Light, Node, Note, Value, Wire};
 use crate::ids::{
     FrameId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NoteId, PortName, make_slug,
 };
-use crate::library::Type;
+use crate::library::{Fallback, Type};
 use crate::state::session::Session;
 
 /// Offset of a copy from its original, across and downward, in points of the graph.
 const COPY_OFFSET: f64 = 32.0;
+
+/// Largest number of values that a new group has as its own.
+const MOST_OFFERED: usize = 32;
 
 /// Removes nodes.
 pub(crate) fn delete(session: &Session, nodes: impl Iterator<Item = NodeId>) -> Option<Edit> {
@@ -134,15 +138,58 @@ pub(crate) fn group(session: &Session, nodes: &[NodeId]) -> Option<(NodeId, Edit
     let first = |node: &Node| {
         session.project.catalog.of(node)?.outputs.first().map(|port| port.name.clone())
     };
-    let grouped = grouping::group(
+    let grouped = grouping::group_with_values(
         session.look(),
         session.selection.graph_id(),
         &nodes,
         "Group",
         taken,
         first,
+        &changed_values(session, &nodes),
     )?;
     Some((grouped.node, grouped.edit))
+}
+
+/// Values of nodes that differ from their defaults: a group of the nodes has them as its own. Only
+/// what a wire could bring is offered, as a choice or the name of a light decides what the nodes
+/// are. Where several have one label, each is named with its node.
+fn changed_values(session: &Session, nodes: &[NodeId]) -> Vec<OfferedValue> {
+    let of = session.graph();
+    let mut found: Vec<(OfferedValue, &str)> = Vec::new();
+    for id in of.nodes.keys().filter(|id| nodes.contains(id)) {
+        let Some((node, kind)) = of.nodes.get(id).and_then(|node| {
+            let kind: &NodeKind = session.project.catalog.of(node)?;
+            Some((node, kind))
+        }) else {
+            continue;
+        };
+        for port in &kind.inputs {
+            let is_changed = node.values.get(&port.name).is_some_and(
+                |value| !matches!(&port.fallback, Fallback::Value(default) if default == value),
+            );
+            let is_free = of.wire_into(id, &port.name).is_none();
+            if is_changed && is_free && port.is_wirable() {
+                let (node, port_name) = (id.clone(), port.name.clone());
+                found.push((OfferedValue { node, port: port_name, label: None }, &*port.label));
+            }
+        }
+    }
+    // A group of so many values is no part with knobs, but a piece of graph that was put away.
+    if found.len() > MOST_OFFERED {
+        return Vec::new();
+    }
+    let labels: Vec<&str> = found.iter().map(|(_, label)| *label).collect();
+    let is_twice = |label: &str| labels.iter().filter(|known| **known == label).count() > 1;
+    let named = found.iter().map(|(offer, label)| {
+        let title = || {
+            let node = of.nodes.get(&offer.node)?;
+            let kind = session.project.catalog.of(node)?;
+            Some(if node.name.is_empty() { kind.label.to_string() } else { node.name.clone() })
+        };
+        let label = is_twice(label).then(title).flatten().map(|title| format!("{title}: {label}"));
+        OfferedValue { label, ..offer.clone() }
+    });
+    named.collect()
 }
 
 fn is_output(session: &Session, id: &NodeId) -> bool {
@@ -474,4 +521,58 @@ pub(crate) fn stream(session: &Session, nodes: &[NodeId], is_up: bool) -> Vec<No
 /// Bounds of all rectangles.
 pub(crate) fn around(rects: impl Iterator<Item = Rect>) -> Rect {
     rects.fold(Rect::NOTHING, |all, rect| all.union(rect))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::document::{ExposedValue, GraphId, Target};
+    use crate::library::Library;
+
+    #[test]
+    fn a_group_has_the_values_that_were_changed_in_its_nodes() {
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        let set = |port: &str, number: f64| Edit::SetValue {
+            graph: GraphId::Look,
+            id: "diffuse".into(),
+            port: port.into(),
+            value: Value::Number(number),
+            index: None,
+        };
+        let target = Target::parse("diffuse.cutoff").expect("a target");
+        let exposed =
+            ExposedValue { name: "edge".into(), target: target.clone(), label: String::new() };
+        let expose = Edit::AddExposed { exposed, index: None };
+        // The offset has its default, which is no change.
+        let edits = vec![set("cutoff", 1.2), set("offset", 0.0), expose];
+        session.apply(Edit::Group { edits }, None).expect("it has these");
+        let before = session.look().to_text();
+        let (node, edit) = group(&session, &["diffuse".into()]).expect("a group");
+        session.apply(edit, None).expect("one step");
+        let look = session.look();
+        let definition = &look.definitions["group"];
+        let offered: Vec<&str> = definition
+            .inputs
+            .iter()
+            .filter(|port| port.default.is_some())
+            .map(|port| port.name.as_str())
+            .collect();
+        assert_eq!(
+            offered,
+            ["convex", "concave", "cutoff"],
+            "not the light, nor what was not changed"
+        );
+        assert!(!definition.graph.nodes["diffuse"].values.contains_key("cutoff"));
+        let moved = Target::Input { node: crate::ids::NodePath::root(node), port: "cutoff".into() };
+        assert_eq!(look.exposed[0].target, moved, "what was exposed follows");
+        assert_eq!(session.keys().value_now(&moved), Some(Value::Number(1.2)));
+        let (_, back) = ungroup(&session, &["group".into()]).expect("it can").expect("a group");
+        session.apply(back, None).expect("the values go back");
+        assert_eq!(session.keys().value_now(&target), Some(Value::Number(1.2)));
+        session.undo();
+        session.undo();
+        assert_eq!(session.look().to_text(), before);
+    }
 }

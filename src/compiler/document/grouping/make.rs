@@ -22,6 +22,17 @@ pub struct NewGroup {
     pub definition: DefinitionId,
 }
 
+/// Value of a node that a new group has as its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OfferedValue {
+    /// Node that has the value.
+    pub node: NodeId,
+    /// Input that has the value.
+    pub port: PortName,
+    /// Text beside the group's input; `None` for that of the node's.
+    pub label: Option<String>,
+}
+
 /// Makes a group of nodes of a graph. Every outer output that feeds them becomes an input of the
 /// group, every output of theirs that is used outside becomes an output; values, positions, frames,
 /// keys and exposed parameters follow.
@@ -35,6 +46,20 @@ pub fn group(
     label: &str,
     taken: impl Fn(&str) -> bool,
     first_output: impl Fn(&Node) -> Option<PortName>,
+) -> Option<NewGroup> {
+    group_with_values(look, graph, nodes, label, taken, first_output, &[])
+}
+
+/// [`group`] with values of its own: each of `offered` becomes an input of the group, whose default
+/// it is, and its keys and exposed parameters follow it there.
+pub fn group_with_values(
+    look: &Look,
+    graph: &GraphId,
+    nodes: &[NodeId],
+    label: &str,
+    taken: impl Fn(&str) -> bool,
+    first_output: impl Fn(&Node) -> Option<PortName>,
+    offered: &[OfferedValue],
 ) -> Option<NewGroup> {
     let of = look.graph_of(graph)?;
     let moved: HashSet<&NodeId> = nodes.iter().filter(|&id| of.nodes.contains_key(id)).collect();
@@ -75,6 +100,7 @@ pub fn group(
     }
     let inside = of.nodes.iter().filter(|(id, _)| moved.contains(id));
     parts.graph.nodes = inside.map(|(id, node)| (id.clone(), node.clone())).collect();
+    let given = parts.take(offered, &moved);
     let position = middle(&parts.graph);
     let frames = frames(of, &moved, &node_id, graph, &mut parts.graph);
 
@@ -98,7 +124,16 @@ pub fn group(
     };
     edits.extend(follow(
         look,
-        |path, port| Some(vec![Target::Input { node: inside(path)?, port: port.clone() }]),
+        |path, port| {
+            let inner = inside(path)?;
+            // The value of a node that moved itself, not of one in a group that moved.
+            let (last, around) = inner.ids().split_last()?;
+            let outer = given.get(&(last, port)).filter(|_| around.last() == Some(&node_id));
+            Some(vec![match outer {
+                Some(name) => Target::Input { node: path_of(around)?, port: name.clone() },
+                None => Target::Input { node: inner.clone(), port: port.clone() },
+            }])
+        },
         |output| Some(OutputPort { node: inside(&output.node)?, port: output.port.clone() }),
     ));
     edits.extend(frames);
@@ -151,6 +186,36 @@ impl Parts {
         self.inputs.push(InterfacePort { name: name.clone(), ..InterfacePort::default() });
         self.ports.insert(key, name.clone());
         name
+    }
+
+    /// Takes offered values out of the nodes that moved. Returns the interface input of each.
+    fn take<'a>(
+        &mut self,
+        offered: &'a [OfferedValue],
+        moved: &HashSet<&NodeId>,
+    ) -> HashMap<(&'a NodeId, &'a PortName), PortName> {
+        let mut given = HashMap::new();
+        for offer in offered.iter().filter(|offer| moved.contains(&offer.node)) {
+            if self.graph.wire_into(&offer.node, &offer.port).is_some() {
+                continue;
+            }
+            let node = self.graph.nodes.get_mut(&offer.node);
+            let Some(value) = node.and_then(|node| node.values.shift_remove(&offer.port)) else {
+                continue;
+            };
+            let name = free_name(&self.inputs, &offer.port, &offer.node);
+            self.inputs.push(InterfacePort {
+                name: name.clone(),
+                label: offer.label.clone(),
+                default: Some(value),
+                ..InterfacePort::default()
+            });
+            let from = Endpoint::new(GROUP_INPUTS, name.clone());
+            let to = Endpoint { node: offer.node.clone(), port: offer.port.clone() };
+            self.graph.wires.push(Wire { from, to });
+            given.insert((&offer.node, &offer.port), name);
+        }
+        given
     }
 
     /// Interface output that this inner output becomes.

@@ -11,4 +11,4 @@ mod targets;
 
 pub use dissolve::{DissolvedGroup, dissolve};
 pub use fragment::{PastedFragment, copy_text, paste_text};
-pub use make::{NewGroup, group};
+pub use make::{NewGroup, OfferedValue, group, group_with_values};
