@@ -5,12 +5,15 @@ use crate::catalog::{CODE_VALUE, CUSTOM_CODE, NodeKind, Port};
 use crate::diag::{Diagnostic, Severity, nearest};
 use crate::document::{Edit, Endpoint, Graph, GraphId, Light, Node, Value, Wire};
 use crate::ids::{LightId, NodeId, PortName, is_slug, make_slug};
-use crate::library::Type;
+use crate::library::{Fallback, Type};
 use crate::state::session::Session;
 use crate::values;
 
 /// Largest number of lights offered in place of an unknown one.
 const MOST_LIGHTS: usize = 4;
+
+/// Inputs along which a direction is bent, and outputs of *Axes around a direction*.
+const AXES: [&str; 2] = ["x_axis", "y_axis"];
 
 /// A remedy of a problem.
 #[derive(Clone)]
@@ -59,6 +62,7 @@ pub(crate) fn of(session: &Session, problem: &Diagnostic) -> Vec<Fix> {
         )),
         "many-outputs" => Some(spot.remove("Removes this Output and keeps the first")),
         "recursive-group" => Some(spot.remove("Removes the group from within itself")),
+        "level-tangents" | "no-uvs" => spot.axes_around().or_else(|| spot.use_default()),
         _ if problem.severity == Severity::Error => spot.unwire().or_else(|| spot.use_default()),
         _ => spot.use_default(),
     };
@@ -250,6 +254,73 @@ impl<'a> ProblemSpot<'a> {
         loose_end(self.session, self.graph, &self.node_id)
     }
 
+    /// A remedy for axes that follow a mesh's UVs, on a mesh without: *Axes around a direction* for
+    /// every node of the graph that bends a direction along such axes. They stand around the
+    /// half-vector that is there, or around a new one of the first light.
+    fn axes_around(&self) -> Option<Fix> {
+        let bends = |id: &NodeId, node: &Node| {
+            let kind = self.session.project.catalog.of(node)?;
+            let is_loose = AXES.iter().all(|port| {
+                let is_of_mesh = kind
+                    .input(port)
+                    .is_some_and(|at| matches!(&kind.inputs[at].fallback, Fallback::Context(_)));
+                let is_set = node.values.contains_key(*port);
+                is_of_mesh && !is_set && self.graph.wire_into(id, &(*port).into()).is_none()
+            });
+            is_loose.then(|| id.clone())
+        };
+        let bent: Vec<NodeId> =
+            self.graph.nodes.iter().filter_map(|(id, node)| bends(id, node)).collect();
+        if !bent.contains(&self.node_id) {
+            return None;
+        }
+        let mut made = Vec::new();
+        let free =
+            |kind: &str| NodeId::new(make_slug(kind, |slug| self.graph.nodes.contains_key(slug)));
+        let [x, y] = self.node.position;
+        let mut add = |kind: &str, place: [f64; 2], id: &NodeId| {
+            let mut node = Node { kind: kind.to_owned(), position: place, ..Node::default() };
+            if let ("light", Some(light)) = (kind, self.session.look().lights.keys().next()) {
+                node.values.insert("light".into(), Value::Text(light.to_string()));
+            }
+            let (graph, id) = (self.id.clone(), id.clone());
+            made.push(Edit::AddNode { graph, id, node, index: None });
+        };
+        let mut wires = Vec::new();
+        let known = |kind: &str| {
+            self.graph.nodes.iter().find(|(_, node)| node.kind == kind).map(|(id, _)| id.clone())
+        };
+        let half = known("half_vector").unwrap_or_else(|| {
+            let half = free("half_vector");
+            add("half_vector", [x - 520.0, y + 160.0], &half);
+            let light = known("light").unwrap_or_else(|| {
+                let light = free("light");
+                add("light", [x - 780.0, y + 160.0], &light);
+                light
+            });
+            wires.push((Endpoint::new(light, ""), Endpoint::new(half.clone(), "light")));
+            half
+        });
+        let axes = free("axes");
+        add("axes", [x - 260.0, y + 160.0], &axes);
+        wires.push((Endpoint::new(half, ""), Endpoint::new(axes.clone(), "direction")));
+        for id in bent {
+            for port in AXES {
+                let from = Endpoint::new(axes.clone(), port);
+                wires.push((from, Endpoint::new(id.clone(), port)));
+            }
+        }
+        made.extend(wires.into_iter().map(|(from, to)| {
+            let wire = Wire { from, to };
+            Edit::AddWire { graph: self.id.clone(), wire, index: None }
+        }));
+        Some(Fix::new(
+            "Use Axes around a direction",
+            "Puts the node in, so that highlights keep their shape on a mesh without UVs",
+            Edit::Group { edits: made },
+        ))
+    }
+
     fn clamp(&self) -> Option<Fix> {
         let port = self.input()?;
         let (min, max) = (port.min.unwrap_or(f64::NEG_INFINITY), port.max.unwrap_or(f64::INFINITY));
@@ -385,4 +456,45 @@ fn add_output(session: &Session) -> Fix {
         "Adds an Output node, wired to what feeds nothing yet",
         Edit::Group { edits },
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::diag::Diagnostic;
+    use crate::ids::NodePath;
+    use crate::library::Library;
+
+    #[test]
+    fn axes_of_the_mesh_become_axes_around_the_half_vector() {
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        let add = |kind: &str| Edit::AddNode {
+            graph: GraphId::Look,
+            id: NodeId::new(kind),
+            node: Node { kind: kind.to_owned(), ..Node::default() },
+            index: None,
+        };
+        let edits = ["split_direction", "square_direction"].map(add).to_vec();
+        session.apply(Edit::Group { edits }, None).unwrap();
+        let problem = Diagnostic::note("level-tangents", "they lie level")
+            .node(NodePath::root(NodeId::new("split_direction")));
+        let fixes = of(&session, &problem);
+        let [fix] = &fixes[..] else { panic!("one remedy, not {}", fixes.len()) };
+        assert_eq!(fix.label, "Use Axes around a direction");
+        session.apply(fix.edit.clone(), None).unwrap();
+        let graph = &session.look().graph;
+        for node in ["split_direction", "square_direction"] {
+            for port in AXES {
+                let wire = graph.wire_into(&NodeId::new(node), &port.into()).expect("wired");
+                assert_eq!((wire.from.node.as_str(), wire.from.port.as_str()), ("axes", port));
+            }
+        }
+        let around = graph.wire_into(&NodeId::new("axes"), &"direction".into()).expect("wired");
+        assert_eq!(around.from.node.as_str(), "half_vector");
+        assert!(of(&session, &problem).is_empty(), "nothing is left to do");
+        session.undo();
+        assert!(!session.look().graph.nodes.contains_key("axes"), "one step");
+    }
 }

@@ -99,8 +99,8 @@ pub(super) fn without_uvs(
                  level"
             );
             Diagnostic::note("level-tangents", message).hint(
-                "for strokes or highlights that follow the form, unwrap the mesh in a \
-                       modeling program",
+                "for highlights, wire Axes around a direction into the node's X axis and Y axis; \
+                 for strokes that follow the form, unwrap the mesh in a modeling program",
             )
         }
     };
