@@ -3,6 +3,7 @@
 
 use chiaro_test_drawing as support;
 
+mod bands;
 mod canvas;
 mod dock;
 mod editor_support;

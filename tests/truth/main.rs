@@ -24,6 +24,7 @@ mod shadow_maps;
 mod shadow_places;
 mod shadows;
 mod shape_passes;
+mod shaped_layers;
 mod single;
 mod tiers;
 mod wire_keys;

@@ -1294,6 +1294,9 @@ const ELSEWHERE: &[&str] = &[
     "outline",
     // hidden_lines.rs
     "hidden_lines",
+    // shaped_layers.rs
+    "band_layer",
+    "highlight_layer",
     // shape_passes.rs
     "litsphere_pair",
     "outer_contour",

@@ -1,7 +1,9 @@
 //! Rows that each change one value of a document, with their marks: keys, drivers, exposed
 //! parameters.
 
+pub(crate) mod bands;
 pub(crate) mod constant_wires;
+pub(crate) mod edge;
 pub(crate) mod filter;
 pub(crate) mod keyed;
 pub(crate) mod layer;

@@ -4,6 +4,7 @@ use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Slider, TextEdit, Ui, vec2};
 
 use super::InspectedNode;
+use super::bands;
 use super::keyed;
 use super::marks::{self, FieldTarget};
 use super::path;
@@ -114,6 +115,14 @@ pub(crate) fn show(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port, out: &
         match port.ty {
             Type::Text if port.name.as_str() == CUSTOM_CODE => code(ui, subject, port, shown, out),
             Type::Curve => wide(ui, subject, port, shown, out, curve::show),
+            Type::Ramp if port.name.as_str() == bands::PORT => {
+                let label = ui.label(&*port.label).on_hover_text(help_of(port)).id;
+                let space = subject.session.look().color_space;
+                let value = values::current(port, shown);
+                if let Some((id, value)) = bands::show(ui, label, value, space) {
+                    out.push(held(subject, port, id, value));
+                }
+            }
             Type::Ramp => wide(ui, subject, port, shown, out, ramp::show),
             _ => {
                 let reset_edit = reset_edit(subject, port);

@@ -22,13 +22,22 @@ pub(super) struct Field {
 }
 
 /// Direction or position of a light.
-enum LightPlace {
+pub(super) enum LightPlace {
     Far(Vec3),
     Near(Vec3),
 }
 
 impl LightPlace {
-    fn at(&self, position: Vec3) -> Vec3 {
+    /// Place of a light whose values these are.
+    pub(super) fn of(light: &LightValues) -> Self {
+        match light.kind {
+            LightKind::Directional => Self::Far(light.direction().as_vec3()),
+            LightKind::Point | LightKind::Spot => Self::Near(light.position().as_vec3()),
+        }
+    }
+
+    /// Unit direction from a position toward the light.
+    pub(super) fn at(&self, position: Vec3) -> Vec3 {
         match self {
             Self::Far(direction) => *direction,
             Self::Near(light) => (*light - position).normalize_or(Vec3::Z),
@@ -50,10 +59,7 @@ impl Field {
         layer: &SelectedLayer,
         light: &LightValues,
     ) -> (Self, Option<(usize, f32)>) {
-        let toward = match light.kind {
-            LightKind::Directional => LightPlace::Far(light.direction().as_vec3()),
-            LightKind::Point | LightKind::Spot => LightPlace::Near(light.position().as_vec3()),
-        };
+        let toward = LightPlace::of(light);
         let rotation = surface.camera_from_world().as_mat3();
         let own = light.own_from_world.as_mat3();
         let angle = |pixel: usize| {

@@ -15,7 +15,7 @@ use super::field::{Field, Line, light_values};
 use super::surface::Surface;
 use crate::commands::Command;
 use crate::compile::LightValues;
-use crate::document::Value;
+use crate::fields::edge::EdgeField;
 use crate::fields::layer::{Curve, SelectedLayer};
 use crate::state::session::Session;
 use crate::values;
@@ -61,6 +61,8 @@ pub(super) struct HeldCurve {
     splits: bool,
     /// Angle of the curves when the drag began, in radians.
     level: f64,
+    /// True if the fall-off takes the whole soft edge along.
+    moves_edge: bool,
 }
 
 /// The widget and its state between frames.
@@ -108,10 +110,7 @@ impl Isocurves {
         }
         self.surface = Some(surface.clone());
         let mut old = std::mem::take(&mut self.tracks);
-        for (curve, level) in Curve::ALL.into_iter().zip(layer.angles()) {
-            if layer.shape[curve as usize].is_wired {
-                continue;
-            }
+        for (curve, level) in layer.curves() {
             if let Some(last) =
                 self.tracks.last_mut().filter(|last| (last.level - level).abs() < TOGETHER)
             {
@@ -154,17 +153,20 @@ impl Isocurves {
         };
         let nearest = self.tracks.iter().map(|track| (distance(track), track));
         let (distance, track) = nearest.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let is_edge = || self.made.as_ref().is_some_and(|made| made.layer.edge().is_some());
+        let moves_edge = !splits && track.curves == [Curve::Falloff] && is_edge();
         let splits = splits && track.curves.len() > 1;
         (distance <= REACH).then(|| HeldCurve {
             curves: track.curves.clone(),
             splits,
             level: track.level,
+            moves_edge,
         })
     }
 
     /// True if a ring stands for an offset whose line is too short.
     fn has_ring(&self, track: &Track, rect: Rect) -> bool {
-        track.curves[0] == Curve::Offset
+        matches!(track.curves[0], Curve::Offset | Curve::Edge(0))
             && track.level < RING_WITHIN
             && track.lines.iter().map(|line| length(line, rect)).sum::<f32>() < RING_BELOW
     }
@@ -189,14 +191,16 @@ impl Isocurves {
             held.curves = one.copied().into_iter().collect();
             held.splits = false;
         }
-        let (first, last) = (*held.curves.first()? as usize, *held.curves.last()? as usize);
-        let angles = layer.angles();
-        let least = if first > 0 { angles[first - 1] } else { 0.0 };
-        let most = angles.get(last + 1).copied().unwrap_or(std::f64::consts::PI);
         // A hundredth of a degree is finer than a pixel, and keeps files readable.
-        let angle = ((angle * 1e4).round() / 1e4).clamp(least, most);
-        let targets = held.curves.iter().map(|curve| layer.shape[*curve as usize].target.clone());
-        let edit = session.keys().set_all_at(targets.map(|target| (target, Value::Number(angle))));
+        let angle = (angle * 1e4).round() / 1e4;
+        let keys = session.keys();
+        let edit = match layer.edge().filter(|_| held.moves_edge) {
+            Some(edge) => {
+                let field = EdgeField::of_layer(session, layer)?;
+                keys.set_together(&field.values_of(edge.moved_to(angle)))
+            }
+            None => keys.set_all_at(layer.moved(&held.curves, angle)),
+        };
         Some(Command::EditHeld(Id::unique("isocurve"), edit))
     }
 
@@ -204,6 +208,8 @@ impl Isocurves {
     pub(super) fn hint(&self, held: &HeldCurve) -> String {
         let names = names(&held.curves);
         let what = match held.curves[..] {
+            _ if held.moves_edge => "the whole edge, as soft as it is",
+            [Curve::Edge(_), ..] => "where one band ends and the next begins",
             [Curve::Offset] => "up to here the tone is full",
             [Curve::Falloff] => "here the tone falls fastest",
             [Curve::Cutoff] => "here the tone ends",
@@ -211,7 +217,9 @@ impl Isocurves {
             [Curve::Offset, ..] => "where the tone begins to fall",
             _ => "where the tone ends",
         };
-        let more = if held.curves.len() > 1 && !held.splits {
+        let more = if held.moves_edge {
+            " · Ctrl-drag takes the fall-off alone"
+        } else if held.curves.len() > 1 && !held.splits {
             " · Ctrl-drag takes one alone: inward the first, outward the last"
         } else {
             ""
@@ -239,7 +247,7 @@ impl Isocurves {
             if self.has_ring(track, rect)
                 && let Some(middle) = self.middle(rect)
             {
-                let color = theme::curve(track.curves[0] as usize).gamma_multiply(strength);
+                let color = ink(track.curves[0]).gamma_multiply(strength);
                 painter.circle_stroke(
                     middle,
                     RING,
@@ -281,8 +289,7 @@ impl Isocurves {
                 values::number_text(track.level.to_degrees(), 1)
             );
             let is_marked = marked.is_some_and(|held| held.curves == track.curves);
-            let color =
-                if is_marked { Color32::WHITE } else { theme::curve(track.curves[0] as usize) };
+            let color = if is_marked { Color32::WHITE } else { ink(track.curves[0]) };
             let galley =
                 painter.layout_no_wrap(text, FontId::proportional(theme::SMALL_TEXT), color);
             let mut place =
@@ -317,9 +324,14 @@ fn names(curves: &[Curve]) -> String {
             _ => ", ",
         };
         text.push_str(joint);
-        text.push_str(&if index == 0 { label.to_owned() } else { label.to_lowercase() });
+        text.push_str(&if index == 0 { label } else { label.to_lowercase() });
     }
     text
+}
+
+/// Color of a curve; those of bands take turns.
+fn ink(curve: Curve) -> Color32 {
+    theme::curve(curve.index() % Curve::ALL.len())
 }
 
 fn paint_line(
@@ -338,7 +350,7 @@ fn paint_line(
         points.to_vec(),
         Stroke::new(width + 2.2, theme::HALO.gamma_multiply(strength)),
     ));
-    let color = |curve: Curve| theme::curve(curve as usize).gamma_multiply(strength);
+    let color = |curve: Curve| ink(curve).gamma_multiply(strength);
     painter.add(shape(points.to_vec(), Stroke::new(width, color(curves[0]))));
     // Curves that coincide are shown between the dashes of one another.
     let (dash, count) = (9.0, curves.len() as f32);

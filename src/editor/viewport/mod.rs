@@ -12,6 +12,7 @@ mod colors;
 mod export;
 mod field;
 mod filters;
+mod highlight;
 mod hints;
 mod isocurves;
 mod keyboard_handles;
@@ -57,6 +58,7 @@ use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
 use backdrop::{show_frame, show_picture, stand_in};
 use export::{Destination, Exports, PictureExportResult};
+use highlight::HighlightGizmo;
 use isocurves::Isocurves;
 use look_through::LookThrough;
 
@@ -75,6 +77,7 @@ enum Drag {
     Pan,
     Curve(isocurves::HeldCurve),
     Light(lights::HeldLight),
+    Highlight(highlight::HeldHighlight),
 }
 
 /// State that a canceled drag goes back to.
@@ -97,6 +100,7 @@ pub struct Viewport {
     hovered: Option<ObjectId>,
     surfaces: Surfaces,
     isocurves: Isocurves,
+    highlight: HighlightGizmo,
     /// True if arrows toward the eye and the lights are shown; then the arrows of the last frame.
     has_arrows: bool,
     arrows: Vec<arrows::Arrow>,
@@ -154,6 +158,7 @@ impl Viewport {
             hovered: None,
             surfaces: Surfaces::new(wake.clone()),
             isocurves: Isocurves::default(),
+            highlight: HighlightGizmo::default(),
             has_arrows: false,
             arrows: Vec::new(),
             turns: false,
@@ -319,10 +324,12 @@ impl Viewport {
         } else if handles.is_on && !tools.of::<FitTool>().is_on() {
             self.paint(ui, rect, session, &handles, hovered.as_ref(), response.hovered());
             out.extend(keyboard_handles::show(ui, rect, session));
+            out.extend(self.highlight.keyboard(ui, rect, session));
             if owner.is_none() && filters::show(ui, rect, session, &mut out) {
                 self.hint.clear();
             }
-            let is_held = matches!(self.drag, Some(Drag::Curve(_) | Drag::Light(_)));
+            let is_held =
+                matches!(self.drag, Some(Drag::Curve(_) | Drag::Light(_) | Drag::Highlight(_)));
             if is_held || hovered.is_some() {
                 ui.ctx().set_cursor_icon(if is_held {
                     CursorIcon::Grabbing
@@ -347,6 +354,7 @@ impl Viewport {
         if !(wants_lines || self.has_arrows || session.open_scene().is_some()) || rect.area() < 16.0
         {
             self.isocurves.clear();
+            self.highlight.update(session, None, None);
             return Handles { surface: None, layer, is_on, places: None };
         }
         let key = SurfaceKey::new(session, rect.size());
@@ -365,6 +373,8 @@ impl Viewport {
             (Some(surface), Some(layer)) => self.isocurves.update(session, surface, layer),
             _ => self.isocurves.clear(),
         }
+        let highlight = layer::selected_highlight(session).filter(|_| is_on && is_free);
+        self.highlight.update(session, surface.as_ref(), highlight);
         Handles { surface, layer, is_on, places }
     }
 
@@ -378,6 +388,9 @@ impl Viewport {
         handles: &Handles,
     ) -> Option<Drag> {
         let modifiers = ui.input(|input| input.modifiers);
+        if let Some(held) = self.highlight.hit(rect, at).filter(|_| !modifiers.shift) {
+            return Some(Drag::Highlight(held));
+        }
         if let Some(light) = layer::light_at_hand(session) {
             let of_layer = handles.layer.as_ref().filter(|layer| layer.light == light);
             let shading = of_layer.map_or(Parametrization::Diffuse, |layer| layer.shading);
@@ -429,6 +442,11 @@ impl Viewport {
                 lights::paint_middle(ui, rect, middle, held.is_some());
             }
         }
+        let highlight = match in_hand {
+            Some(Drag::Highlight(held)) => Some(held),
+            _ => None,
+        };
+        self.highlight.paint(ui, rect, highlight, is_near);
         if is_near {
             let is_turning = self.drag == Some(Drag::Lights);
             if matches!(&self.drag, Some(Drag::Light(held)) if held.is_by_needle()) {
@@ -489,6 +507,10 @@ impl Viewport {
                 Drag::Lights => view.turn_lights(dx, dy),
                 Drag::Pan => view.pan(dx, dy),
                 Drag::Curve(held) => out.extend(self.isocurves.drag(held, session, rect, at)),
+                Drag::Highlight(held) => {
+                    let in_steps = ui.input(|input| input.modifiers.shift);
+                    out.extend(self.highlight.drag(held, session, rect, at, in_steps));
+                }
                 Drag::Light(held) => {
                     out.extend(lights::drag(held, session, handles.surface.as_deref(), rect, at));
                 }
@@ -596,9 +618,10 @@ impl Viewport {
     }
 
     /// Points on the screen of a line of the selected layer, by its input's name (`offset`,
-    /// `falloff`, `cutoff`); for tests.
+    /// `falloff`, `cutoff`), or of the edge of a band by its number from 0; for tests.
     pub fn curve(&self, port: &str) -> Vec<Pos2> {
         let curve = Curve::ALL.into_iter().find(|curve| curve.port() == port);
+        let curve = curve.or_else(|| port.parse().ok().map(Curve::Edge));
         curve
             .zip(self.rect)
             .map(|(curve, rect)| self.isocurves.points(curve, rect))
@@ -614,6 +637,11 @@ impl Viewport {
     /// tests.
     pub fn middle(&self) -> Option<Pos2> {
         self.isocurves.middle(self.rect?)
+    }
+
+    /// Place on the screen of a handle of the selected highlight layer, by its label; for tests.
+    pub fn highlight_handle(&self, label: &str) -> Option<Pos2> {
+        self.highlight.place_of(label, self.rect?)
     }
 
     /// Writes the present picture to a file.

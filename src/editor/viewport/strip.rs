@@ -9,6 +9,8 @@ use eframe::egui::{
 
 use crate::commands::Command;
 use crate::document::Value;
+use crate::fields::bands::{self, Bands};
+use crate::fields::edge::{self, EdgeField};
 use crate::fields::layer::{Curve, SelectedLayer, Setting};
 use crate::state::session::Session;
 use crate::widgets::color;
@@ -149,10 +151,23 @@ fn angles(
     out: &mut Vec<Command>,
 ) {
     ui.label(RichText::new(&layer.name).strong());
+    if let Some(setting) = layer.bands() {
+        return bands_bar(ui, session, layer, setting, out);
+    }
+    let Some(shape) = layer.profile() else { return };
+    if let Some(field) = EdgeField::of_layer(session, layer) {
+        let names = ["Edge on the object", "Softness on the object"];
+        widgets.extend(field.in_line(ui, names, out));
+        let toggle = edge::angles_toggle(ui, &layer.path, field.edge().is_some());
+        widgets.extend(toggle.widget);
+        if !toggle.is_open {
+            return;
+        }
+    }
     for curve in Curve::ALL {
-        let setting = &layer.shape[curve as usize];
+        let setting = &shape[curve.index()];
         let shown = layer.angles_at_key();
-        let index = curve as usize;
+        let index = curve.index();
         let least = if index > 0 { shown[index - 1] } else { 0.0 };
         let most = shown.get(index + 1).copied().unwrap_or(std::f64::consts::PI);
         let (dot, _) = ui.allocate_exact_size(vec2(9.0, 9.0), egui::Sense::hover());
@@ -169,7 +184,7 @@ fn angles(
         let help = match curve {
             Curve::Offset => "Up to this angle from the light the tone is full",
             Curve::Falloff => "Where the tone falls fastest",
-            Curve::Cutoff => "Where the tone ends",
+            Curve::Cutoff | Curve::Edge(_) => "Where the tone ends",
         };
         let response =
             number(ui, widget, setting, &format!("{} on the object", curve.label()), help);
@@ -183,6 +198,30 @@ fn angles(
         }
     }
 }
+
+/// Shows the bands of a layer as a bar whose edges are dragged.
+fn bands_bar(
+    ui: &mut Ui,
+    session: &Session,
+    layer: &SelectedLayer,
+    setting: &Setting<Bands>,
+    out: &mut Vec<Command>,
+) {
+    let size = vec2(BAND_BAR.min(ui.available_width()), ui.spacing().interact_size.y);
+    let (rect, _) = ui.allocate_exact_size(size, egui::Sense::hover());
+    let (mut bands, mut changed) = (setting.at_key.clone(), None);
+    let space = session.look().color_space;
+    bands::bar(ui, rect, &mut bands, space, "the strip", &mut changed);
+    if let Some(widget) = changed.filter(|_| !setting.is_wired) {
+        let edit = session.keys().set_at(&setting.target, Value::Ramp(bands.ramp()));
+        out.push(Command::EditHeld(widget, edit));
+    }
+    let words = format!("{} bands", layer.bands().map_or(0, |it| it.at_key.colors.len()));
+    ui.label(RichText::new(words).color(theme::of(ui).dim));
+}
+
+/// Width of the bar of bands, in points.
+const BAND_BAR: f32 = 220.0;
 
 fn surface(
     ui: &mut Ui,

@@ -1,18 +1,22 @@
 //! The selected layer, as far as it can be edited on the object: its light, profile, warp and
 //! colors; and all layers that draw a light, those in groups that run for each light among them.
 
+mod highlight;
 mod place;
 mod regions;
 
 use std::f64::consts::PI;
 
 use crate::document::{Target, Value};
+use crate::fields::bands::{self, Bands};
+use crate::fields::edge::{self, ProfileEdge};
 use crate::fields::lighting::light_in_view;
 use crate::ids::{LightId, NodeId, NodePath};
 use crate::placing::Parametrization;
 use crate::state::session::Session;
 use place::NodeInGraph;
 
+pub(crate) use highlight::{SelectedHighlight, selected_highlight};
 pub(crate) use regions::RegionLayers;
 
 /// Name of the place where a parametrization's angle is 0.
@@ -39,26 +43,50 @@ pub(crate) enum Curve {
     Offset,
     Falloff,
     Cutoff,
+    /// Edge after a band, counted from 0.
+    Edge(usize),
 }
 
 impl Curve {
+    /// Curves of a profile.
     pub(crate) const ALL: [Self; 3] = [Self::Offset, Self::Falloff, Self::Cutoff];
+
+    /// Number of the curve in its layer, from the light on.
+    pub(crate) fn index(self) -> usize {
+        match self {
+            Self::Offset => 0,
+            Self::Falloff => 1,
+            Self::Cutoff => 2,
+            Self::Edge(index) => index,
+        }
+    }
 
     pub(crate) fn port(self) -> &'static str {
         match self {
             Self::Offset => "offset",
             Self::Falloff => "falloff",
             Self::Cutoff => "cutoff",
+            Self::Edge(_) => bands::PORT,
         }
     }
 
-    pub(crate) fn label(self) -> &'static str {
+    pub(crate) fn label(self) -> String {
         match self {
-            Self::Offset => "Offset",
-            Self::Falloff => "Fall-off",
-            Self::Cutoff => "Cut-off",
+            Self::Offset => "Offset".to_owned(),
+            Self::Falloff => "Fall-off".to_owned(),
+            Self::Cutoff => "Cut-off".to_owned(),
+            Self::Edge(index) => format!("Edge {}", index + 1),
         }
     }
+}
+
+/// Values that say how a layer changes over the angle from its light.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum LayerShape {
+    /// Offset, fall-off and cut-off in radians, as in the document.
+    Profile([Setting<f64>; 3]),
+    /// Flat colors with edges between them.
+    Bands(Setting<Bands>),
 }
 
 /// Selected layer: a group with the inputs of a layer, or a profile with the nodes that feed it.
@@ -70,8 +98,7 @@ pub(crate) struct SelectedLayer {
     pub(crate) name: String,
     pub(crate) light: LightId,
     pub(crate) shading: Parametrization,
-    /// Offset, fall-off and cut-off in radians, as in the document.
-    pub(crate) shape: [Setting<f64>; 3],
+    pub(crate) shape: LayerShape,
     pub(crate) slope: Option<Setting<f64>>,
     pub(crate) amount: Option<Setting<f64>>,
     /// Colors of the convex and the concave side, with their names.
@@ -84,23 +111,98 @@ pub(crate) struct SelectedLayer {
 
 impl SelectedLayer {
     /// Offset, fall-off and cut-off as the profile uses them: in order, 0 to pi (docs/math.md D2).
+    /// Bands have the edge of their last one, beyond which all is dark.
     pub(crate) fn angles(&self) -> [f64; 3] {
-        self.in_order(|setting| setting.value)
+        self.in_order(|setting| setting.value, |bands| &bands.value)
     }
 
     /// Angles that an edit would change: those of the current key.
     pub(crate) fn angles_at_key(&self) -> [f64; 3] {
-        self.in_order(|setting| setting.at_key)
+        self.in_order(|setting| setting.at_key, |bands| &bands.at_key)
     }
 
-    fn in_order(&self, of: impl Fn(&Setting<f64>) -> f64) -> [f64; 3] {
-        let [offset, falloff, cutoff] = [0, 1, 2].map(|index| {
-            let value = of(&self.shape[index]);
-            if value.is_finite() { value } else { 0.0 }
-        });
-        let offset = offset.clamp(0.0, PI);
-        let cutoff = cutoff.clamp(offset, PI);
-        [offset, falloff.clamp(offset, cutoff), cutoff]
+    fn in_order(
+        &self,
+        of: impl Fn(&Setting<f64>) -> f64,
+        of_bands: impl Fn(&Setting<Bands>) -> &Bands,
+    ) -> [f64; 3] {
+        match &self.shape {
+            LayerShape::Profile(shape) => edge::in_order(shape.each_ref().map(of)),
+            LayerShape::Bands(bands) => [of_bands(bands).edges.last().copied().unwrap_or(PI); 3],
+        }
+    }
+
+    /// Settings of the profile; `None` for a layer of bands.
+    pub(crate) fn profile(&self) -> Option<&[Setting<f64>; 3]> {
+        match &self.shape {
+            LayerShape::Profile(shape) => Some(shape),
+            LayerShape::Bands(_) => None,
+        }
+    }
+
+    /// Bands of the layer, with the input that holds them.
+    pub(crate) fn bands(&self) -> Option<&Setting<Bands>> {
+        match &self.shape {
+            LayerShape::Profile(_) => None,
+            LayerShape::Bands(bands) => Some(bands),
+        }
+    }
+
+    /// True if one of the values that shape the layer comes by a wire.
+    pub(crate) fn is_shape_wired(&self) -> bool {
+        match &self.shape {
+            LayerShape::Profile(shape) => shape.iter().any(|setting| setting.is_wired),
+            LayerShape::Bands(bands) => bands.is_wired,
+        }
+    }
+
+    /// Edge that the profile is, as an edit would change it; `None` where it is none.
+    pub(crate) fn edge(&self) -> Option<ProfileEdge> {
+        self.profile().filter(|_| !self.is_shape_wired())?;
+        ProfileEdge::of(self.angles_at_key())
+    }
+
+    /// Curves that can be set, with their present angles in radians, from the light on.
+    pub(crate) fn curves(&self) -> Vec<(Curve, f64)> {
+        match &self.shape {
+            LayerShape::Profile(shape) => {
+                let all = Curve::ALL.into_iter().zip(self.angles());
+                all.filter(|(curve, _)| !shape[curve.index()].is_wired).collect()
+            }
+            LayerShape::Bands(bands) if bands.is_wired => Vec::new(),
+            LayerShape::Bands(bands) => {
+                let edges = bands.value.edges.iter().copied().enumerate();
+                edges.map(|(index, edge)| (Curve::Edge(index), edge)).collect()
+            }
+        }
+    }
+
+    /// Values that move curves, which lie next to one another, to an angle between their
+    /// neighbors; in radians.
+    pub(crate) fn moved(&self, curves: &[Curve], angle: f64) -> Vec<(Target, Value)> {
+        let (Some(first), Some(last)) = (curves.first(), curves.last()) else { return Vec::new() };
+        let between = |angles: &[f64]| {
+            let low = first.index().checked_sub(1).and_then(|at| angles.get(at)).copied();
+            let high = angles.get(last.index() + 1).copied().unwrap_or(PI);
+            angle.clamp(low.unwrap_or(0.0).min(high), high)
+        };
+        match &self.shape {
+            LayerShape::Profile(shape) => {
+                let angle = between(&self.angles());
+                let targets = curves.iter().filter_map(|curve| shape.get(curve.index()));
+                targets.map(|it| (it.target.clone(), Value::Number(angle))).collect()
+            }
+            LayerShape::Bands(setting) => {
+                let mut bands = setting.at_key.clone();
+                let angle = between(&bands.edges);
+                for curve in curves {
+                    if let Some(edge) = bands.edges.get_mut(curve.index()) {
+                        *edge = angle;
+                    }
+                }
+                vec![(setting.target.clone(), Value::Ramp(bands.ramp()))]
+            }
+        }
     }
 }
 
@@ -168,7 +270,7 @@ pub(crate) fn fed_by(session: &Session, light: &LightId) -> Vec<SelectedLayer> {
 
 fn group(place: &NodeInGraph<'_>) -> Option<SelectedLayer> {
     let shading = Parametrization::of(place.word("type")?)?;
-    let shape = place.shape()?;
+    let shape = place.layer_shape()?;
     let (slope, amount) = (place.number("slope"), place.number("amount"));
     let known = |setting: &Option<Setting<f64>>| {
         setting.as_ref().filter(|it| !it.is_wired).map(|it| it.value)
@@ -232,7 +334,7 @@ fn profile(place: &NodeInGraph<'_>) -> Option<SelectedLayer> {
         name: place.name(),
         light: light.light()?,
         shading: Parametrization::of(angle.word("type")?)?,
-        shape: place.shape()?,
+        shape: LayerShape::Profile(place.shape()?),
         slope,
         amount,
         colors: Vec::new(),

@@ -5,12 +5,13 @@ use std::rc::Rc;
 
 use crate::catalog::NodeKind;
 use crate::document::{Graph, Node, Target, Value, Wire};
+use crate::fields::bands::{self, Bands};
 use crate::ids::{GROUP_INPUTS, LightId, NodeId, NodePath, PortName};
 use crate::library::Type;
 use crate::state::session::Session;
 use crate::values;
 
-use super::Setting;
+use super::{LayerShape, Setting};
 
 /// Largest number of reroutes that a wire is followed through.
 const MOST_REROUTES: usize = 64;
@@ -170,6 +171,19 @@ impl<'a> NodeInGraph<'a> {
 
     pub(super) fn shape(&self) -> Option<[Setting<f64>; 3]> {
         Some([self.number("offset")?, self.number("falloff")?, self.number("cutoff")?])
+    }
+
+    /// The profile of a layer, or its bands.
+    pub(super) fn layer_shape(&self) -> Option<LayerShape> {
+        if let Some(shape) = self.shape() {
+            return Some(LayerShape::Profile(shape));
+        }
+        let setting = self.setting(bands::PORT, |value| match value {
+            Some(Value::Ramp(ramp)) => Bands::of(ramp),
+            _ => None,
+        })?;
+        let Setting { target, value, at_key, is_wired } = setting;
+        Some(LayerShape::Bands(Setting { target, value: value?, at_key: at_key?, is_wired }))
     }
 
     /// True if an input has the surface's own curvature, or normal.

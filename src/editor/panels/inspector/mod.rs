@@ -5,9 +5,10 @@ mod interface;
 use eframe::egui;
 use eframe::egui::{DragValue, RichText, ScrollArea, TextEdit, Ui};
 
-use crate::catalog::NodeKind;
+use crate::catalog::{NodeKind, Port};
 use crate::commands::{Command, PanelId};
 use crate::document::{ColorSpace, Edit, LightSet, Look, NodeLinks, Target, Tier, Value};
+use crate::fields::edge::{self, EdgeField, PROFILE};
 use crate::fields::lighting::{OwnedLight, Owner};
 use crate::fields::node_links::{is_filter, is_lit};
 use crate::fields::{InspectedNode, marks, row};
@@ -93,14 +94,28 @@ fn show_node(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
     presets(ui, subject, out);
     ui.separator();
     let wanted = search(ui, kind);
+    let field = EdgeField::of_node(session, id, kind);
+    let field = field.filter(|_| wanted.is_empty() || "edge softness".contains(&wanted));
+    // Three angles lie behind the edge that they make, unless a search is for them.
+    let is_behind =
+        |port: &Port| wanted.is_empty() && field.is_some() && PROFILE.contains(&port.name.as_str());
+    let is_first = |port: &Port| port.name.as_str() == PROFILE[0];
+    if let Some(field) = field.as_ref().filter(|_| !wanted.is_empty()) {
+        field.rows(ui, out);
+    }
     for port in kind.inputs.iter().filter(|port| fits(port, &wanted)) {
         let top = ui.cursor().top();
-        row::show(ui, subject, port, out);
+        match &field {
+            Some(_) if is_behind(port) && !is_first(port) => continue,
+            Some(field) if is_behind(port) => edge_rows(ui, subject, field, out),
+            _ => row::show(ui, subject, port, out),
+        }
         let rect = egui::Rect::from_x_y_ranges(
             ui.max_rect().x_range(),
             top..=ui.cursor().top() - ui.spacing().item_spacing.y,
         );
-        spots::note(ui, Spot::Input(port.name.clone()), rect);
+        let ports = if is_behind(port) { &PROFILE[..] } else { &[port.name.as_str()] };
+        ports.iter().for_each(|port| spots::note(ui, Spot::Input((*port).into()), rect));
     }
     let hidden = kind.inputs.iter().filter(|port| !fits(port, &wanted)).count();
     if hidden > 0 {
@@ -125,6 +140,31 @@ fn show_node(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
     lights_of(ui, subject, out);
     // Below the light itself: few looks need them.
     link_rows(ui, subject, out);
+}
+
+/// Shows the edge of a profile, and the three angles behind it.
+fn edge_rows(
+    ui: &mut Ui,
+    subject: &InspectedNode<'_>,
+    field: &EdgeField<'_>,
+    out: &mut Vec<Command>,
+) {
+    field.rows(ui, out);
+    let path = subject.session.selection.path_of(subject.id);
+    let is_edge = field.edge().is_some();
+    let slot = |_: &mut Ui, _| {};
+    let mut is_open = true;
+    if is_edge {
+        row::with_slot(ui, RichText::new(""), "", slot, |ui, _| {
+            is_open = edge::angles_toggle(ui, &path, is_edge).is_open;
+        });
+    } else {
+        edge::angles_toggle(ui, &path, is_edge);
+    }
+    let ports = PROFILE.iter().filter_map(|port| subject.kind.input(port));
+    for port in ports.filter(|_| is_open) {
+        row::show(ui, subject, &subject.kind.inputs[port], out);
+    }
 }
 
 /// Number of inputs from which on there is a search field.

@@ -1,6 +1,7 @@
 //! The look as a stack of layers, as in a painting program: another view of the graph. Changes here
 //! are edits of the nodes and wires, one undo step each; changes of the graph show here.
 
+mod band_bar;
 mod masks;
 mod picture;
 mod presets;

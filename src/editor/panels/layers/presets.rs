@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use crate::catalog::Catalog;
-use crate::document::{Edit, Light, Look, Node, Value};
+use crate::document::{Edit, Interpolation, Light, Look, Node, Ramp, RampStop, Value};
 use crate::ids::{LightId, NodeId, make_slug};
 use crate::state::session::Session;
 
@@ -29,6 +29,8 @@ const LIGHT_LAYER: &str = "light_layer";
 enum PresetValue {
     Number(f64),
     Word(&'static str),
+    /// Colors from the light to the dark, each with the part of half a turn where it begins.
+    Bands(&'static [(f64, [f64; 3])]),
 }
 
 /// Layer to begin with.
@@ -45,10 +47,10 @@ pub(super) struct LayerPreset {
     light: LightChoice,
 }
 
-use PresetValue::{Number, Word};
+use PresetValue::{Bands, Number, Word};
 
 /// Presets in the order in which a look is built up: from what lies below to what lies on top.
-pub(super) static PRESETS: [LayerPreset; 7] = [
+pub(super) static PRESETS: [LayerPreset; 9] = [
     LayerPreset {
         name: "Fill",
         help: "Ambient light: a tint everywhere, so that nothing is black",
@@ -82,6 +84,22 @@ pub(super) static PRESETS: [LayerPreset; 7] = [
         light: LightChoice::Front,
     },
     LayerPreset {
+        name: "Bands",
+        help: "Flat colors from the light to the dark, as many as you like, with one softness; \
+               edges are dragged on the object",
+        kind: "band_layer",
+        profile: None,
+        values: &[(
+            "bands",
+            Bands(&[
+                (0.0, [0.95, 0.78, 0.6]),
+                (0.3, [0.76, 0.5, 0.39]),
+                (0.475, [0.38, 0.26, 0.43]),
+            ]),
+        )],
+        light: LightChoice::Front,
+    },
+    LayerPreset {
         name: "Shadow",
         help: "Multiplied: darkens what the light does not reach, whatever the colors below",
         kind: LIGHT_LAYER,
@@ -112,6 +130,23 @@ pub(super) static PRESETS: [LayerPreset; 7] = [
             ("type", Word("specular")),
             ("convex", Word("#e8d9b8")),
             ("concave", Word("#8a5c40")),
+        ],
+        light: LightChoice::Front,
+    },
+    LayerPreset {
+        name: "Cut highlight",
+        help: "A highlight with a shape: move, turn, stretch and split it on the object; square \
+               it, or make it a star. It stands upright on any mesh",
+        kind: "highlight_layer",
+        profile: None,
+        values: &[
+            ("turn", Number(-0.3)),
+            ("split", Number(0.16)),
+            ("square", Number(0.3)),
+            ("offset", Number(0.14)),
+            ("falloff", Number(0.14)),
+            ("cutoff", Number(0.14)),
+            ("color", Word("#fff6e2")),
         ],
         light: LightChoice::Front,
     },
@@ -161,12 +196,19 @@ impl LayerPreset {
             let value = match value {
                 Number(number) => Value::Number(*number),
                 Word(word) => Value::Text((*word).to_owned()),
+                Bands(stops) => Value::Ramp(stepped(stops)),
             };
             node.values.insert((*port).into(), value);
         }
         let id = NodeId::new(make_slug(&node.name, |slug| look.graph.nodes.contains_key(slug)));
         (edits, id, node)
     }
+}
+
+/// Ramp of flat colors.
+fn stepped(stops: &[(f64, [f64; 3])]) -> Ramp {
+    let stops = stops.iter().map(|(at, color)| RampStop { at: *at, color: color.to_vec() });
+    Ramp { stops: stops.collect(), interpolation: Interpolation::Stepped }
 }
 
 /// Values of one of the Profile node's presets.

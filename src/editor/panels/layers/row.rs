@@ -7,7 +7,7 @@ use eframe::egui::{
 };
 
 use super::super::thumbs::ThumbObject;
-use super::MODES;
+use super::{MODES, band_bar};
 use crate::catalog::{NodeKind, Port};
 use crate::commands::Command;
 use crate::document::{Edit, GraphId, Node, Target, Value};
@@ -57,7 +57,7 @@ impl Row<'_> {
         }
     }
 
-    fn target(&self, port: &Port) -> Target {
+    pub(super) fn target(&self, port: &Port) -> Target {
         Target::Input { node: NodePath::root(self.id.clone()), port: port.name.clone() }
     }
 
@@ -65,7 +65,7 @@ impl Row<'_> {
         MODES.iter().find_map(|name| self.port(name)).filter(|port| port.ty == Type::Choice)
     }
 
-    fn port(&self, name: &str) -> Option<&Port> {
+    pub(super) fn port(&self, name: &str) -> Option<&Port> {
         self.kind.input(name).map(|index| &self.kind.inputs[index])
     }
 
@@ -74,7 +74,7 @@ impl Row<'_> {
         ChangedRow::of_node(self.session, &NodePath::root(self.id.clone()))
     }
 
-    fn title(&self) -> String {
+    pub(super) fn title(&self) -> String {
         if self.node.name.is_empty() { self.kind.label.to_string() } else { self.node.name.clone() }
     }
 
@@ -120,6 +120,7 @@ impl Row<'_> {
         );
         let half = middle.height() / 2.0;
         let upper = Rect::from_min_size(middle.min, vec2(middle.width() - right - 4.0, half));
+        let upper = band_bar::show(ui, upper, self, out);
         let lower = Rect::from_min_max(pos2(middle.left(), middle.top() + half), middle.max);
         let buttons = Rect::from_min_max(
             pos2(middle.right() - right, middle.top()),

@@ -203,7 +203,7 @@ impl KeyedLook<'_> {
 }
 
 /// Inserts a key at a time, or changes the one that is there.
-fn put(keys: &mut TimeKeys, time: f64, value: Value) {
+pub(super) fn put(keys: &mut TimeKeys, time: f64, value: Value) {
     let is_there = |key: &TimeKey| (key.time - time).abs() < 1e-6;
     if let Some(key) = keys.keys.iter_mut().find(|key| is_there(key)) {
         key.value = value;

@@ -9,6 +9,7 @@ mod edits;
 mod follow;
 pub(crate) mod retime;
 mod scene;
+mod together;
 
 pub(crate) use drivers::said;
 pub(crate) use scene::scene_edit;

@@ -428,7 +428,7 @@ fn edge_layer(session: &Session, light: &LightId) -> Result<SelectedLayer, Strin
 
 /// Goal of a terminator.
 fn terminator(layer: &SelectedLayer) -> Result<(WantedMark, Option<&'static str>), String> {
-    if layer.shape.iter().any(|setting| setting.is_wired) {
+    if layer.is_shape_wired() {
         return Err(format!(
             "The angles of {} come by wires, so that its terminator is not known",
             layer.name

@@ -15,6 +15,7 @@ use eframe::egui::{Button, ComboBox, DragValue, RichText, ScrollArea, Ui, vec2};
 use crate::catalog::NodeKind;
 use crate::commands::{Command, PanelId};
 use crate::document::{Node, Target, Tier, Value};
+use crate::fields::edge::{self, EdgeField, has_profile};
 use crate::fields::mark;
 use crate::ids::{NodeId, PortName};
 use crate::library::Library;
@@ -141,6 +142,11 @@ impl<'a> ProfileNode<'a> {
         if bends { self.number("amount").unwrap_or(0.0).clamp(-PI, PI) } else { 0.0 }
     }
 
+    /// The profile as one edge.
+    fn edge_field(&self) -> Option<EdgeField<'_>> {
+        EdgeField::of_node(self.session, self.id, self.kind)
+    }
+
     fn name(&self) -> &str {
         name_of(self.node, self.kind)
     }
@@ -174,12 +180,6 @@ impl<'a> ProfileNode<'a> {
         };
         keys.keys.iter().map(shape_at).enumerate().collect()
     }
-}
-
-fn has_profile(kind: &NodeKind) -> bool {
-    ANGLES
-        .iter()
-        .all(|part| kind.input(part.port).is_some_and(|index| kind.inputs[index].unit == "rad"))
 }
 
 fn name_of<'a>(node: &'a Node, kind: &'a NodeKind) -> &'a str {
@@ -334,10 +334,17 @@ fn head(ui: &mut Ui, layer: &ProfileNode<'_>, out: &mut Vec<Command>) {
     });
 }
 
-/// Shows offset, fall-off and cut-off in degrees, typed or dragged.
+/// Shows the edge, or offset, fall-off and cut-off in degrees, typed or dragged.
 fn numbers(ui: &mut Ui, layer: &ProfileNode<'_>, out: &mut Vec<Command>) {
     let Shape { offset, falloff, cutoff } = layer.shape;
     ui.horizontal_wrapped(|ui| {
+        if let Some(field) = layer.edge_field() {
+            field.in_line(ui, ["Edge of the profile's tone", "Softness of the profile"], out);
+            let path = layer.session.selection.path_of(layer.id);
+            if !edge::angles_toggle(ui, &path, field.edge().is_some()).is_open {
+                return;
+            }
+        }
         for (index, (part, radians)) in ANGLES.iter().zip([offset, falloff, cutoff]).enumerate() {
             let color = plot::color_of(ui, index);
             let help = part.explained();

@@ -14,6 +14,7 @@ use super::sample::Bend;
 use super::{ANGLES, Curve, ProfileNode};
 use crate::commands::Command;
 use crate::document::Value;
+use crate::fields::edge::{EdgeField, ProfileEdge};
 use crate::values;
 use crate::widgets::handle::{self, HandleResponse, handle};
 use crate::widgets::theme;
@@ -251,10 +252,28 @@ fn moved(
             .keys()
             .set_all_at([0, 1, 2].map(|index| (target(index), Value::Number(own[index] + shift))))
     } else {
+        if let Some((field, edge)) = whole_edge(ui, layer, part) {
+            return Some(field.set(handled.response.id, edge.moved_to(to_grid(wished))));
+        }
         let [low, high] = limits(layer, part);
         layer.session.keys().set_at(&target(part), Value::Number(to_grid(wished).clamp(low, high)))
     };
     Some(Command::EditHeld(handled.response.id, edit))
+}
+
+/// Edge that the handle of the fall-off takes along: unless Ctrl is held it stands for the edge,
+/// where the profile is one.
+fn whole_edge<'a>(
+    ui: &Ui,
+    layer: &'a ProfileNode<'_>,
+    part: usize,
+) -> Option<(EdgeField<'a>, ProfileEdge)> {
+    if part != 1 || ui.input(|input| input.modifiers.command) {
+        return None;
+    }
+    let field = layer.edge_field()?;
+    let edge = field.edge()?;
+    Some((field, edge))
 }
 
 fn paint_handle(
@@ -284,10 +303,12 @@ fn paint_handle(
     let fill = if is_held { color } else { colors.canvas };
     painter.circle(at, radius, fill, Stroke::new(2.0, color));
     handle::focus_ring(ui, &handled.response, at, radius);
-    let help = format!(
-        "{}. Drag, or arrow keys (Shift: a tenth); Shift-drag moves all three.",
-        ANGLES[part].explained()
-    );
+    let more = match whole_edge(ui, layer, part) {
+        Some(_) => "It moves the whole edge; Ctrl-drag moves it alone.",
+        None => "Shift-drag moves all three.",
+    };
+    let help =
+        format!("{}. Drag, or arrow keys (Shift: a tenth). {more}", ANGLES[part].explained());
     if !is_held {
         handled.response.clone().on_hover_text(help);
     }
@@ -375,7 +396,7 @@ fn reach(ui: &Ui, layer: &ProfileNode<'_>, axes: Axes, part: usize, handled: &Ha
     let painter = ui.painter();
     let [low, high] = limits(layer, part);
     let is_all = ui.input(|input| input.modifiers.shift);
-    if is_all {
+    if is_all || whole_edge(ui, layer, part).is_some() {
         return;
     }
     let band = Rect::from_x_y_ranges(axes.x(low)..=axes.x(high), axes.0.y_range());
