@@ -43,7 +43,7 @@ impl App {
                     Err(why_not) => self.message = Some(why_not),
                 }
             }
-            LibraryCommand::Place(part, spot) => self.place_part(&part, spot),
+            LibraryCommand::Place(part, spot) => self.place_part(&part, &spot),
             LibraryCommand::AddFolder(folder) => self.safety.change_settings(|settings| {
                 if !settings.library_folders.contains(&folder) {
                     settings.library_folders.push(folder);
@@ -55,7 +55,7 @@ impl App {
         }
     }
 
-    fn place_part(&mut self, part: &Part, spot: PartSpot) {
+    fn place_part(&mut self, part: &Part, spot: &PartSpot) {
         let PartContent { kind, look, .. } = match &part.content {
             Ok(content) => content,
             Err(why) => {
@@ -63,7 +63,7 @@ impl App {
                 return;
             }
         };
-        match (kind, &spot) {
+        match (kind, spot) {
             (PartKind::Look, PartSpot::Object(object)) => return self.dress(object, part),
             (PartKind::Look, _) if !part.is_shipped() => {
                 return self.do_or_ask(PendingAction::Open(part.path.clone()));
@@ -85,8 +85,8 @@ impl App {
         let folder = self.session.path().and_then(Path::parent).map(absolute);
         let linked = rebase(&mut own, &self.session.project.catalog, &from, folder.as_deref());
         let placed = match kind {
-            PartKind::Profile | PartKind::Ramp => self.place_values(part, &own, &spot),
-            _ => self.placement(*kind, (&part.name, &own), &spot),
+            PartKind::Profile | PartKind::Ramp => self.place_values(part, &own, spot),
+            _ => self.placement(*kind, (&part.name, &own), spot),
         };
         match placed {
             Ok(Placement { edit, nodes, mut told }) => {

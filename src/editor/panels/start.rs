@@ -90,10 +90,7 @@ impl ExampleSection {
 
     /// Cards that a query finds, the best first.
     fn found(&self, query: &str) -> Vec<&Card> {
-        let with_rank = |card| Some((Card::rank(card, query, self.title)?, card));
-        let mut found: Vec<(usize, &Card)> = self.cards.iter().filter_map(with_rank).collect();
-        found.sort_by_key(|(rank, _)| *rank);
-        found.into_iter().map(|(_, card)| card).collect()
+        cards::found(&self.cards, query, self.title)
     }
 }
 

@@ -177,7 +177,7 @@ impl Card {
 
     /// Rank of the card in a search, 0 best; `None` where a word of the query begins no word of the
     /// card, nor of `more`.
-    pub(crate) fn rank(&self, query: &str, more: &str) -> Option<usize> {
+    fn rank(&self, query: &str, more: &str) -> Option<usize> {
         words::rank(query, &[&self.name, &self.tags, more, &self.about])
     }
 
@@ -346,6 +346,14 @@ impl Card {
             (CardContent::Painting(_) | CardContent::Unreadable | CardContent::HeldBack, _) => {}
         }
     }
+}
+
+/// Cards that a query finds by their own words, or by `more`; the best first.
+pub(crate) fn found<'c>(cards: &'c [Card], query: &str, more: &str) -> Vec<&'c Card> {
+    let with_rank = |card: &'c Card| Some((card.rank(query, more)?, card));
+    let mut found: Vec<(usize, &Card)> = cards.iter().filter_map(with_rank).collect();
+    found.sort_by_key(|(rank, _)| *rank);
+    found.into_iter().map(|(_, card)| card).collect()
 }
 
 /// Shows a card for a file that was open once and no longer exists.

@@ -138,10 +138,8 @@ impl LibraryPanel {
             self.looks = Card::examples(SIDE, session);
         }
         let words = self.query.trim().to_owned();
-        let is_found = |card: &&Card| card.rank(&words, "").is_some();
         let groups = [("Recent", &self.recent), ("Examples", &self.looks)];
-        let groups = groups
-            .map(|(title, cards)| (title, cards.iter().filter(is_found).collect::<Vec<&Card>>()));
+        let groups = groups.map(|(title, cards)| (title, cards::found(cards, &words, "")));
         let mut out = Vec::new();
         if groups.iter().all(|(_, found)| found.is_empty()) {
             hint(ui, "No look of that name");
