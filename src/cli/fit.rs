@@ -53,8 +53,7 @@ pub(super) struct Arguments {
     /// Begins from nothing: up to so many light layers over a base, from 1 to 7
     #[arg(long, value_parser = clap::value_parser!(u8).range(1..=7))]
     layers: Option<u8>,
-    /// Lays layers over the look, with lights of their own, where it was painted: nothing else of it
-    /// changes
+    /// Lays layers over the look, with lights of their own, where it was painted: all else stays
     #[arg(long, conflicts_with_all = ["layers", "keep", "keep_rest", "starts"], requires = "look")]
     local: bool,
     /// Parts of the look that stay as they are, separated by commas

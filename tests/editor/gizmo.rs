@@ -63,7 +63,7 @@ fn an_object_is_moved_turned_and_scaled_in_the_picture() {
     hand.undo();
 
     hand.hover(over);
-    hand.key(Key::E);
+    hand.key(Key::Q);
     assert!(!hand.has("Move ball along x"), "one part at a time");
     let at = hand.place("Turn ball around its z axis").center();
     hand.drag(at, at + vec2(-30.0, -30.0));

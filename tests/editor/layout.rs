@@ -302,7 +302,7 @@ fn buttons_that_lie_over_each_other_are_found() {
             ui.put(rect, Button::new(name));
         }
     });
-    harness.run();
+    harness.run_steps(3);
     let mut found = BTreeSet::new();
     overlapping(&harness.ctx, &mut found, "planted");
     let [told] = Vec::from_iter(found).try_into().expect("one pair");

@@ -201,7 +201,7 @@ fn compare_with(hand: &mut User, before: &str, what: &str) {
 #[test]
 fn the_picture_is_wiped_against_truth_and_tiers() {
     let mut hand = User::drawing_with(|app, _| app);
-    compare_with(&mut hand, "Compare with", "Truth (f64)");
+    compare_with(&mut hand, "Compare", "Truth (f64)");
     let figures =
         hand.app().wipe().figures().expect("chosen by hand, it is computed at once").clone();
     assert!(figures.pixels > 10_000 && figures.broken == 0);

@@ -294,7 +294,7 @@ fn another_document_is_drawn_to_be_compared() {
     std::fs::write(&path, other.to_text()).unwrap();
     scrub_to(&mut hand, 6.0);
     hand.app_mut().answer_dialog(&same);
-    compare(&mut hand, "Compare with");
+    compare(&mut hand, "Compare");
     assert!(hand.says("9 of 9 kept") && hand.says("0 differ"), "the same look is the same");
     hand.app_mut().answer_dialog(&path);
     compare(&mut hand, "same.json");

@@ -431,9 +431,7 @@ fn values_of_looks_that_are_not_open_and_of_none_are_there_too() {
     let mut hand = home.window();
     hand.press("Object ring");
     assert!(hand.has("Parameters of paint.json") && hand.has("Parameters of decal.json"));
-    let below = hand.place("Parameters of paint.json");
-    hand.wheel(below.center(), -400.0);
-    hand.settle();
+    hand.bring(Role::TextInput, "Picture");
     let path = hand.text_field("Picture");
     hand.type_over(path, "other.png");
     assert_eq!(scene(&hand).objects["ring"].values["picture"], Value::Text("other.png".into()));

@@ -137,7 +137,7 @@ fn shots_of_truth() {
     let combos = hand.harness.get_all_by_role(Role::ComboBox);
     let list = combos
         .into_iter()
-        .find(|node| node.value().as_deref() == Some("Compare with"))
+        .find(|node| node.value().as_deref() == Some("Compare"))
         .unwrap()
         .rect()
         .center();

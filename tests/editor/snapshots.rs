@@ -81,6 +81,8 @@ fn the_picture_is_held_against_snapshots_and_files() {
     hand.settle();
     let most = |hand: &User| hand.app().wipe().figures().expect("it is drawn").max;
     hand.press("Compare with Snapshot 1");
+    hand.harness.run_steps(4);
+    hand.settle();
     assert_eq!(most(&hand), 0.0, "nothing was done since");
     let edit = chiaro::document::Edit::SetValue {
         graph: chiaro::document::GraphId::Look,
@@ -130,11 +132,11 @@ fn the_title_begins_with_what_a_save_writes() {
     hand.undo();
     // A painting beside the look is written by the next save, the look is not.
     hand.key_with(Modifiers::COMMAND, Key::P);
-    hand.type_text("New HCBTF, small");
+    hand.type_text("New painted surface, small");
     hand.key(Key::Enter);
     hand.settle();
     let title = hand.app().title();
-    assert!(title.starts_with("New HCBTF"), "{title}");
+    assert!(title.starts_with("New painted surface"), "{title}");
 }
 
 #[test]
@@ -146,12 +148,12 @@ fn a_variation_is_taken_by_a_click_and_another_sheet_lies_around_it() {
     hand.settle();
     hand.choose("Vary", "key: Intensity");
     let before = hand.look().clone();
-    hand.press("Take 2");
+    hand.press("Take 1.25");
     let taken = hand.look().clone();
     assert_eq!(hand.steps(), 1);
-    assert!(taken != before && taken.lights["key"].intensity == 2.0);
+    assert!(taken != before && taken.lights["key"].intensity == 1.25);
     hand.press("Again around this one");
-    assert!(hand.has("Take 1.75") && hand.has("Take 2.25") && !hand.has("Take 0"));
+    assert!(hand.has("Take 1.25") && !hand.has("Take 0"), "a finer sheet around it");
     hand.undo();
     assert_eq!(*hand.look(), before);
     hand.choose("Vary", "Mesh");

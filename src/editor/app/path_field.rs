@@ -311,7 +311,7 @@ mod tests {
             let text = format!("{}/{typed}", folder.path().display());
             entries(purpose, &text).into_iter().map(|entry| entry.name).collect()
         };
-        assert_eq!(names(FilePurpose::Open, "ri"), ["rinks", "rim.json", "Rind.json"]);
+        assert_eq!(names(FilePurpose::Open, "ri"), ["rinks", "rim.json", "rim.png", "Rind.json"]);
         assert_eq!(names(FilePurpose::Reference, "rim"), ["rim.png"]);
         assert_eq!(
             names(FilePurpose::Save, "new").len(),
@@ -320,7 +320,7 @@ mod tests {
         );
         assert_eq!(
             names(FilePurpose::Open, "").len(),
-            4,
+            5,
             "a folder is listed whole, but for what is hidden"
         );
         assert_eq!(names(FilePurpose::Open, "."), [".hidden.json"]);

@@ -561,7 +561,7 @@ mod tests {
             .collect();
         assert_eq!(
             offered,
-            ["convex", "concave", "cutoff"],
+            ["cutoff", "convex", "concave"],
             "not the light, nor what was not changed"
         );
         assert!(!definition.graph.nodes["diffuse"].values.contains_key("cutoff"));

@@ -421,6 +421,7 @@ mod tests {
         }
         let own = &session.look().graph.nodes["diffuse"].values;
         assert!(PROFILE.iter().all(|port| !own.contains_key(*port)), "the key alone was set");
+        session.refresh_keys();
         session.apply(session.keys().unkey_together(&targets), None).expect("one step");
         assert!(session.look().direction_keys[0].keys[0].values.is_empty());
         assert_eq!(session.keys().value_now(&targets[1]), Some(Value::Number(0.9)), "it stays");

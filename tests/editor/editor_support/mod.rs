@@ -49,9 +49,15 @@ impl User {
     }
 
     /// A hand at a window that draws, made into `App` as `prepare` leaves it; four frames a second
-    /// by the window's own clock. A pixel is two points wide, so that software has a fourth of the
-    /// picture to draw.
+    /// by the window's own clock.
     pub(crate) fn drawing_with(prepare: impl Fn(App, &egui::Context) -> App + 'static) -> Self {
+        Self::drawing_in(Harness::builder(), prepare)
+    }
+
+    /// A hand at a window as of [`drawing_with`](Self::drawing_with), where a pixel is two points
+    /// wide, so that software has a fourth of the picture to draw: for tests that read no pixels at
+    /// points.
+    pub(crate) fn drawing_coarsely(prepare: impl Fn(App, &egui::Context) -> App + 'static) -> Self {
         Self::drawing_in(Harness::builder().with_pixels_per_point(0.5), prepare)
     }
 

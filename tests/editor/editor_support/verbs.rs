@@ -82,9 +82,19 @@ impl User {
         self.settle();
     }
 
+    /// Scrolls to what has this name, and presses it.
+    #[track_caller]
+    pub(crate) fn press_far(&mut self, label: &str) {
+        let found = self.harness.query_all_by_label(label).next();
+        found.unwrap_or_else(|| panic!("there is no \"{label}\"")).scroll_to_me();
+        self.settle();
+        self.press(label);
+    }
+
     /// Chooses an entry from a list by the list's name.
     #[track_caller]
     pub(crate) fn choose(&mut self, list: &str, what: &str) {
+        self.bring(Role::ComboBox, list);
         self.press_a(Role::ComboBox, list);
         let at = self.harness.query_all_by_label(what).last();
         let at = at.unwrap_or_else(|| panic!("\"{list}\" has no \"{what}\"")).rect().center();

@@ -124,7 +124,8 @@ fn a_look_is_made_with_the_hand_on_the_object() {
     artist.press("Options");
     artist.press("Save picture 1×");
     assert!(artist.says("Saved"), "{:?}", artist.app().message());
-    let size = format!("{}x{}", size.x.round(), size.y.round());
+    let size = (size * artist.harness.ctx.pixels_per_point()).round();
+    let size = format!("{}x{}", size.x, size.y);
     let mesh = artist.app().session().view().orbit().mesh.clone();
     studio.chiaro(&["render", "hand.json", "-o", "alone.png", "--mesh", &mesh, "--size", &size]);
     Picture::read(&path).equals(&Picture::read(&studio.path("alone.png")));

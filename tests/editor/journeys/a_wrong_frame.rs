@@ -52,7 +52,7 @@ fn the_frame_that_is_wrong_is_found_by_a_flip_book() {
     let frame = |at: u32| studio.path(&format!("out/{at:04}.exr"));
     std::fs::copy(frame(0), frame(WRONG)).unwrap();
 
-    compare(&studio, &mut artist, "Compare with");
+    compare(&studio, &mut artist, "Compare");
     assert!(artist.says(&format!("{COUNT} of {COUNT} kept")), "they are drawn to be compared");
     assert!(artist.says("1 differ"), "and all but one are equal");
     artist.press("Greatest difference");

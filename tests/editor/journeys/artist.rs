@@ -42,7 +42,7 @@ impl Studio {
     pub(super) fn window(&self) -> JourneyUser {
         let program = Path::new(env!("CARGO_BIN_EXE_chiaro"));
         let prepare = move |app: App, _: &Context| app.without_dialogs().rendering_by(program);
-        JourneyUser::at(User::drawing_with(prepare))
+        JourneyUser::at(User::drawing_coarsely(prepare))
     }
 
     /// A new window in which a look is opened.

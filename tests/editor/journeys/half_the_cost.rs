@@ -79,7 +79,7 @@ fn a_look_is_made_half_as_dear_within_1_of_255() {
     // The comparison is asked of the panel: the picture in the adopted tier against the truth in
     // f64.
     let lists = artist.harness.get_all_by_role(Role::ComboBox);
-    let list = lists.into_iter().find(|node| node.value().as_deref() == Some("Compare with"));
+    let list = lists.into_iter().find(|node| node.value().as_deref() == Some("Compare"));
     let at = list.expect("the list of what to compare with").rect().center();
     artist.click(at);
     artist.press("Truth (f64)");

@@ -58,7 +58,7 @@ pub(super) fn rows() -> Vec<CommandRow> {
         view(
             V::ToggleTransform(TransformPart::Turn),
             "Turn the object in the picture",
-            &[(NONE, Key::E)],
+            &[(NONE, Key::Q)],
         )
         .help("Shows rings on the selected object of a scene, or hides them; Ctrl drags by 15°"),
         view(

@@ -25,6 +25,9 @@ use crate::widgets::theme;
 
 /// Number of steps of a screen between the least and the greatest number of a color.
 const STEPS: f64 = 255.0;
+/// Width of a list where there is room, and least width of a field with its unit, in points.
+const LIST: f32 = 150.0;
+const UNIT: f32 = 90.0;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::INSPECTOR,
@@ -360,6 +363,8 @@ fn tier_row(
                 (None, _) => "As the look".to_owned(),
             };
             let combo = egui::ComboBox::from_id_salt("tier")
+                .width(ui.available_width().min(LIST))
+                .truncate()
                 .selected_text(name(node.tier))
                 .show_ui(ui, |ui| {
                     for tier in std::iter::once(None).chain(tiers.iter().copied().map(Some)) {
@@ -509,7 +514,11 @@ fn difference_row(ui: &mut Ui, look: &Look, out: &mut Vec<Command>) {
     row::labelled(ui, "Difference", help, |ui, label| {
         // A whole number of steps is shown as one, in spite of rounding.
         let mut steps = (look.max_error * STEPS * 1e6).round() / 1e6;
-        let unit = if (steps - 1.0).abs() < 0.005 { " step" } else { " steps" };
+        let unit = match (steps - 1.0).abs() < 0.005 {
+            _ if ui.available_width() < UNIT => "",
+            true => " step",
+            false => " steps",
+        };
         let field =
             DragValue::new(&mut steps).range(0.0..=STEPS).speed(0.05).max_decimals(2).suffix(unit);
         let response = ui.add(field).labelled_by(label).on_hover_text(help);
@@ -600,6 +609,8 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         |ui, label| {
             let name = |tier: Option<Tier>| tier.map_or("Automatic", tier_name);
             let combo = egui::ComboBox::from_id_salt("tier")
+                .width(ui.available_width().min(LIST))
+                .truncate()
                 .selected_text(name(look.tier))
                 .show_ui(ui, |ui| {
                     let tiers = [None, Some(Tier::Exact), Some(Tier::Balanced), Some(Tier::Fast)];

@@ -50,7 +50,7 @@ pub(super) struct Row<'a> {
     pub(super) rows: &'a [TreeRow],
     /// Layers that what is done in the row is for.
     pub(super) acting: &'a [NodeId],
-    /// What the row of a folder has besides; `None` for other layers.
+    /// Further parts of a folder's row; `None` for other layers.
     pub(super) folder: Option<FolderRow>,
 }
 

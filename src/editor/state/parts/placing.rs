@@ -6,7 +6,7 @@ use std::path::Path;
 use indexmap::IndexMap;
 
 use super::{PROFILE, PartKind, ends};
-use crate::catalog::Catalog;
+use crate::catalog::{Catalog, Port};
 use crate::document::{Edit, Endpoint, GraphId, Look, Node, Value, Wire, grouping};
 use crate::ids::{DefinitionId, LightId, NodeId, PortName, make_slug};
 use crate::library::{Library, Type};
@@ -283,6 +283,11 @@ fn through(
     };
     let kinds =
         || nodes.iter().filter_map(|id| Some((id, catalog.of(trial.graph.nodes.get(id)?)?)));
+    // What a stack converts to is not what an artist means by putting a part into one.
+    let takes = |port: &Port, ty: &Type| match [&port.ty, ty].contains(&&Type::Composite) {
+        true => port.ty == *ty,
+        false => port.takes(ty),
+    };
     let is_wired = |end: &Endpoint| trial.graph.wire_into(&end.node, &end.port).is_some();
     let inlet = from.and_then(|from| {
         let ty = port_of(from, true)?.ty;
@@ -290,7 +295,7 @@ fn through(
             let input = |exact: bool| {
                 kind.inputs.iter().find(|port| {
                     port.is_wirable()
-                        && (if exact { port.ty == ty } else { port.takes(&ty) })
+                        && (if exact { port.ty == ty } else { takes(port, &ty) })
                         && !is_wired(&Endpoint::new(id.clone(), port.name.clone()))
                 })
             };
@@ -301,7 +306,7 @@ fn through(
     let outlet = port_of(into, false).and_then(|target| {
         kinds().collect::<Vec<_>>().into_iter().rev().find_map(|(id, kind)| {
             let is_used = trial.graph.wires.iter().any(|wire| wire.from.node == *id);
-            let port = kind.outputs.iter().find(|port| !is_used && target.takes(&port.ty))?;
+            let port = kind.outputs.iter().find(|port| !is_used && takes(&target, &port.ty))?;
             Some(Endpoint::new(id.clone(), port.name.clone()))
         })
     });

@@ -22,6 +22,9 @@ const LIST: f32 = 400.0;
 /// Duration of each picture of the flicker, in seconds: it changes twice a second, there and back.
 const HALF_FLICKER: f64 = 0.25;
 
+/// Width of the choice, in points: narrow, since it stands in a bar with others.
+const WIDTH: f32 = 84.0;
+
 /// Shows the choice of what the picture is compared with: the same in another tier, a snapshot, a
 /// file, or frames of another version.
 pub(super) fn choice(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Command>) {
@@ -33,9 +36,9 @@ pub(super) fn choice(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Comman
     let text = match (&version, &wipe.against) {
         (Some(version), _) => version.clone(),
         (None, Some(_)) => wipe.name.clone(),
-        (None, None) => "Compare with".to_owned(),
+        (None, None) => "Compare".to_owned(),
     };
-    let combo = egui::ComboBox::from_id_salt("against").selected_text(text);
+    let combo = egui::ComboBox::from_id_salt("against").selected_text(text).width(WIDTH).truncate();
     let combo = combo.height(LIST).show_ui(ui, |ui| {
         let chosen = states(tools, ui, version.is_none(), out);
         let frames = frames(tools, ui, out);
@@ -134,7 +137,11 @@ impl Wipe {
             ui.spacing_mut().item_spacing.x = 3.0;
             self.left_choice(ui);
             self.modes(ui);
-            ui.add_space(6.0);
+        });
+        // A row of its own that is always as high: the picture's size must not depend on what is
+        // told of it, or it would be compared for ever.
+        ui.horizontal(|ui| {
+            ui.set_height(ui.spacing().interact_size.y);
             self.state(ui, session, &against);
         });
         for problem in self.problems.iter().take(2) {

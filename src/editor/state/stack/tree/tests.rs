@@ -267,8 +267,8 @@ fn stack_value(look: &Look) -> [f64; 4] {
     crate::reference::evaluate(&batches[0], crate::interp::Precision::F64).unwrap()[0]
 }
 
-/// What adds and covers looks the same in an isolated folder in *Alpha* at full opacity, over what
-/// is opaque, half transparent, and nothing; a pass-through folder mixes by its opacity.
+/// Layers that add and cover look the same in an isolated folder in *Alpha* at full opacity, over
+/// what is opaque, half transparent, and nothing; a pass-through folder mixes by its opacity.
 #[test]
 fn a_folder_is_seen_as_its_layers_are() {
     for alpha in [1.0, 0.4, 0.0] {
