@@ -3,6 +3,7 @@
 use crate::editor_support::User;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, vec2};
+use egui_kittest::kittest::Queryable as _;
 
 fn file(folder: &tempfile::TempDir, name: &str) -> std::path::PathBuf {
     folder.path().join(name)
@@ -70,12 +71,20 @@ fn a_look_comes_back_from_its_snapshot_in_a_small_window() {
     assert_eq!(other.look().graph, before.graph);
 }
 
+/// Opens the list of what the picture is compared with, which tells the present choice.
+#[track_caller]
+fn list_of(hand: &mut User, present: &str) {
+    let lists = hand.harness.get_all_by_role(Role::ComboBox);
+    let list = lists.into_iter().find(|node| node.value().as_deref() == Some(present));
+    let at = list.expect("the list of what to compare with").rect().center();
+    hand.click(at);
+}
+
 #[test]
 fn the_picture_is_held_against_snapshots_and_files() {
     let folder = tempfile::tempdir().unwrap();
     let path = file(&folder, "toon.json");
-    let mut hand = User::drawing_with(|app, _| app);
-    hand.harness.set_size(vec2(800.0, 600.0));
+    let mut hand = User::drawing_coarsely(|app, _| app);
     hand.app_mut().save_as(&path);
     hand.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::T);
     hand.settle();
@@ -99,14 +108,17 @@ fn the_picture_is_held_against_snapshots_and_files() {
     hand.press("Beside");
     assert!(hand.harness.render().is_ok());
     // The look as its file has it is the snapshot.
-    hand.choose("Left picture", "Snapshot 1");
-    hand.press_a(Role::ComboBox, "Snapshot 1");
+    hand.press_a(Role::ComboBox, "Left picture");
+    hand.press_a(Role::Button, "Snapshot 1");
+    list_of(&mut hand, "Snapshot 1");
     hand.press("As saved");
+    hand.harness.run_steps(4);
+    hand.settle();
     assert_eq!(most(&hand), 0.0);
     // Files that vanish or are damaged say so.
     let image = file(&folder, "reference.png");
     hand.app_mut().answer_dialog(&image);
-    hand.press_a(Role::ComboBox, "As saved");
+    list_of(&mut hand, "As saved");
     hand.press("A look or picture in a file...");
     assert!(hand.says("reference.png") && hand.app().wipe().figures().is_none());
     hand.app_mut().save_picture([64, 32], &image);

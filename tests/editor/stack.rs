@@ -530,7 +530,7 @@ fn small_pictures_are_drawn_at_rest_and_kept_by_what_they_show() {
 /// pictures do not wait for that picture.
 #[test]
 fn a_window_that_begins_with_the_start_page_draws_its_pictures() {
-    let mut hand = User::drawing_with(|mut app, _| {
+    let mut hand = User::drawing_at(vec2(800.0, 600.0), |mut app, _| {
         app.show_start_page();
         app
     });

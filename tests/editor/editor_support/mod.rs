@@ -22,6 +22,9 @@ use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 use egui_kittest::{Harness, HarnessBuilder};
 
+/// Size of a window, in points.
+pub(crate) const WINDOW: Vec2 = Vec2::new(1500.0, 900.0);
+
 /// A simulated user and the window that the user drives, without display; without GPU unless made
 /// by one of the `drawing` functions.
 pub(crate) struct User {
@@ -45,20 +48,30 @@ impl User {
     /// A hand at a window that draws, on software Vulkan where there is no GPU; 60 frames a second
     /// by the window's own clock.
     pub(crate) fn drawing() -> Self {
-        Self::drawing_in(Harness::builder().with_step_dt(1.0 / 60.0), |app, _| app)
+        Self::drawing_in(Harness::builder().with_size(WINDOW).with_step_dt(1.0 / 60.0), |app, _| {
+            app
+        })
     }
 
     /// A hand at a window that draws, made into `App` as `prepare` leaves it; four frames a second
     /// by the window's own clock.
     pub(crate) fn drawing_with(prepare: impl Fn(App, &egui::Context) -> App + 'static) -> Self {
-        Self::drawing_in(Harness::builder(), prepare)
+        Self::drawing_in(Harness::builder().with_size(WINDOW), prepare)
     }
 
     /// A hand at a window as of [`drawing_with`](Self::drawing_with), where a pixel is two points
     /// wide, so that software has a fourth of the picture to draw: for tests that read no pixels at
     /// points.
     pub(crate) fn drawing_coarsely(prepare: impl Fn(App, &egui::Context) -> App + 'static) -> Self {
-        Self::drawing_in(Harness::builder().with_pixels_per_point(0.5), prepare)
+        Self::drawing_in(Harness::builder().with_size(WINDOW).with_pixels_per_point(0.5), prepare)
+    }
+
+    /// A hand at a window that draws, of this size in points.
+    pub(crate) fn drawing_at(
+        size: Vec2,
+        prepare: impl Fn(App, &egui::Context) -> App + 'static,
+    ) -> Self {
+        Self::drawing_in(Harness::builder().with_size(size), prepare)
     }
 
     fn drawing_in(
@@ -74,11 +87,18 @@ impl User {
             eframe::egui_wgpu::RendererOptions::PREDICTABLE,
         );
         let builder = builder.renderer(WgpuTestRenderer::from_render_state(state.clone()));
-        Self::with_builder(builder, move |ctx| prepare(App::new(ctx, Some(state.clone())), ctx))
+        Self::built(builder, move |ctx| prepare(App::new(ctx, Some(state.clone())), ctx))
     }
 
     /// A hand at a window built by `builder`, which may bring a renderer.
     pub(crate) fn with_builder(
+        builder: HarnessBuilder<Option<App>>,
+        make: impl Fn(&egui::Context) -> App + 'static,
+    ) -> Self {
+        Self::built(builder.with_size(WINDOW), make)
+    }
+
+    fn built(
         builder: HarnessBuilder<Option<App>>,
         make: impl Fn(&egui::Context) -> App + 'static,
     ) -> Self {
@@ -94,7 +114,7 @@ impl User {
                 }
             });
         };
-        let builder = builder.with_size(vec2(1500.0, 900.0)).with_max_steps(20);
+        let builder = builder.with_max_steps(20);
         let mut hand = Self { harness: builder.build_ui_state(show, None), clipboard };
         hand.settle();
         hand

@@ -4,9 +4,10 @@
 use std::sync::Arc;
 
 use chiaro::document::{Address, Hcbtf, Rule};
-use eframe::egui::{Key, Modifiers, Pos2, Role};
+use eframe::egui::{Key, Modifiers, Pos2, Role, vec2};
 
 use super::artist::{JourneyUser, Studio};
+use crate::editor_support::WINDOW;
 
 /// Fills the tile at work with a color of the palette.
 fn flood(artist: &mut JourneyUser, color: &str) {
@@ -30,9 +31,13 @@ fn painted(artist: &JourneyUser) -> &Hcbtf {
 fn a_surface_is_painted_from_nothing() {
     let studio = Studio::new();
     let mut artist = studio.window();
+    // Few of the start page's pictures are seen in a small window, and so drawn.
+    artist.harness.set_size(vec2(800.0, 420.0));
     artist.app_mut().show_start_page();
     artist.settle();
     artist.press("Paint a surface");
+    artist.harness.set_size(WINDOW);
+    artist.settle();
     artist.press("Small: 16 x 16 texels, 13 lights x 13 views");
 
     // Straight above: a green with a stripe of yellow, drawn as a line by its key.

@@ -14,7 +14,7 @@ use crate::support::files;
 use crate::support::validators::{ShaderStage, glslang, tint};
 
 /// Width and height of the compared pictures, in pixels.
-const SIZE: [u32; 2] = [160, 120];
+const SIZE: [u32; 2] = [96, 72];
 
 /// A folder for one journey, which windows are opened in.
 pub(super) struct Studio(tempfile::TempDir);
