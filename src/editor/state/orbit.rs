@@ -301,7 +301,7 @@ impl Orbit {
         }
     }
 
-    /// True if a sphere reaches out of the picture, of width `aspect` in heights, or is too small to
+    /// True if a sphere reaches out of a picture of width `aspect`, in heights, or is too small to
     /// be made out. Pictures that are higher than wide count as square ones.
     pub(crate) fn crops(&self, center: DVec3, radius: f64, aspect: f64) -> bool {
         let (right, _) = self.right_and_up();

@@ -155,7 +155,7 @@ impl OpenPainting {
         }
     }
 
-    /// A new painted surface without painted samples. Its rules blend painted samples over all directions,
+    /// A new HCBTF without painted samples. Its rules blend painted samples over all directions,
     /// until they are changed.
     pub(crate) fn new(grid: Grid) -> Self {
         let rules = vec![Rule::Blend { sharpness: FIRST_SHARPNESS }];

@@ -83,7 +83,7 @@ impl Session {
     /// Applies a change of the painting. Consecutive changes of the same `gesture` are one step.
     ///
     /// # Errors
-    /// A diagnostic where the change is impossible, or no painted surface is open; nothing is changed then.
+    /// A diagnostic where the change is impossible, or no HCBTF is open; nothing is changed then.
     pub(crate) fn apply_to_painting(
         &mut self,
         change: HcbtfEdit,
