@@ -22,5 +22,6 @@ fn pass_through(below: Composite, inside: Composite, opacity: f32) -> Composite 
     if opacity <= 0.0 {
         return below;
     }
-    return below + opacity * (inside - below);
+    // A difference would lose a faint part of one beside a bright part of the other.
+    return below * (1.0 - opacity) + inside * opacity;
 }
