@@ -1219,6 +1219,10 @@ const ELSEWHERE: &[&str] = &[
     "profile",
     "transition",
     "warp",
+    // src/editor/state/stack/tree/tests.rs, against the layers without the folder, in f64
+    "folder",
+    "pass_through",
+    "stack_color",
     // joined_lights.rs
     "fill_layer",
     "first_of_lights",
