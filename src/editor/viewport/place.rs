@@ -1,5 +1,5 @@
-//! Places on the screen, of points of the picture and of the world, and places in the world where the
-//! pointer is.
+//! Places on the screen, of points of the picture and of the world, and places in the world where
+//! the pointer is.
 
 use eframe::egui::{Pos2, Rect, vec2};
 use glam::DVec3;

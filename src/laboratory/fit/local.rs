@@ -2,7 +2,7 @@
 //! own, and nothing else of the look changes.
 //!
 //! The picture of the look is the ground, which stays: its pixels count four times as much as the
-//! painted ones, but for those close to a stroke. Over it one layer after the other is searched for,
+//! painted ones, but for those close to a stroke. Over it one layer after another is searched for,
 //! whose color is known at once for any light and profile, as the picture is linear in it. Lights
 //! are tried from where strokes lie (their normals, or what a mirror shows there), and the best few
 //! descend. A layer that hardly helps is not laid.
