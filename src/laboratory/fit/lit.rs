@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use super::state::ProfileShape;
+use super::state::{KnobSetting, ProfileShape};
 
 /// Number of angles, and of initial offsets, at which the complement of a profile is searched for.
 const TURNED: u32 = 48;
@@ -46,6 +46,29 @@ impl LayerLight {
     /// (BADF eq. 5).
     pub(super) fn tone(&self, direction: DVec3) -> f64 {
         self.shape.tone(self.direction.dot(direction).clamp(-1.0, 1.0).acos())
+    }
+
+    /// Room along each coordinate, down and up: two of the direction, then three of the profile.
+    pub(super) fn room(&self) -> Vec<[f64; 2]> {
+        [KnobSetting::Direction(self.direction), KnobSetting::Profile(self.shape)]
+            .iter()
+            .flat_map(KnobSetting::room)
+            .collect()
+    }
+
+    /// The light moved by `by` along each coordinate.
+    pub(super) fn moved(&self, by: &[f64]) -> Self {
+        let mut new = *self;
+        let (toward, shape) = by.split_at(2);
+        if let KnobSetting::Direction(direction) =
+            KnobSetting::Direction(self.direction).moved(toward)
+        {
+            new.direction = direction;
+        }
+        if let KnobSetting::Profile(shape) = KnobSetting::Profile(self.shape).moved(shape) {
+            new.shape = shape;
+        }
+        new
     }
 
     /// The complement of this light, from the other side, as nearly as a profile can show it.

@@ -21,7 +21,7 @@ use super::model::FitShot;
 use super::report::{FitReport, compared_as_is, painted};
 use super::rest::UnpaintedPixels;
 use super::solve::{LeastSquares, Minimum, StopRule, descend};
-use super::state::{KnobSetting, ProfileShape};
+use super::state::ProfileShape;
 use super::target::{FitTarget, PixelGoal};
 use super::{FitOptions, FittedLook};
 use crate::diag::Diagnostic;
@@ -89,14 +89,12 @@ pub fn fit_local(
     let own = |color: [f64; 3]| if is_linear { color.map(srgb_to_linear) } else { color };
     let directions: HashMap<[u32; 2], [DVec3; 2]> =
         surface.pixels.iter().copied().zip(surface.directions).collect();
-    let goals: HashMap<[u32; 2], PixelGoal> =
-        given.iter().map(|goal| (goal.pixel, *goal)).collect();
     let mut samples: Vec<PaintedSample> = before
         .iter()
         .filter_map(|one| {
-            let pixel = one.missed.pixel;
-            let (directions, goal) = (*directions.get(&pixel)?, goals.get(&pixel)?);
-            let goal = PixelGoal { color: own(goal.color), ..*goal };
+            let goal = one.goal();
+            let directions = *directions.get(&goal.pixel)?;
+            let goal = PixelGoal { color: own(goal.color), ..goal };
             Some(PaintedSample { directions, below: own(one.missed.shown), goal })
         })
         .collect();
@@ -303,23 +301,11 @@ impl LeastSquares for LocalProblem<'_> {
     type Point = LayerLight;
 
     fn room(&self, lit: &LayerLight) -> Vec<[f64; 2]> {
-        [KnobSetting::Direction(lit.direction), KnobSetting::Profile(lit.shape)]
-            .iter()
-            .flat_map(KnobSetting::room)
-            .collect()
+        lit.room()
     }
 
     fn moved(&self, lit: &LayerLight, by: &[f64]) -> Result<LayerLight, Diagnostic> {
-        let mut new = *lit;
-        if let KnobSetting::Direction(direction) =
-            KnobSetting::Direction(lit.direction).moved(&by[..2])
-        {
-            new.direction = direction;
-        }
-        if let KnobSetting::Profile(shape) = KnobSetting::Profile(lit.shape).moved(&by[2..]) {
-            new.shape = shape;
-        }
-        Ok(new)
+        Ok(lit.moved(by))
     }
 
     fn patience(&self) -> usize {

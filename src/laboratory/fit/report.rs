@@ -157,6 +157,12 @@ pub(super) struct ComparedPixel {
 }
 
 impl ComparedPixel {
+    /// Goal of the pixel.
+    pub(super) fn goal(&self) -> PixelGoal {
+        let MissedPixel { pixel, wished, .. } = self.missed;
+        PixelGoal { pixel, color: wished, weight: self.weight, is_rest: self.is_rest }
+    }
+
     /// Weighted distance of the pixel from its goal: the root of its sum of squared residuals.
     pub(super) fn miss(&self) -> f64 {
         (3.0 * self.weight).sqrt() * self.missed.error

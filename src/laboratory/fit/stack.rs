@@ -11,7 +11,6 @@ use glam::DVec3;
 use super::choose::evenly;
 use super::lit::{LayerLight, LightingModel};
 use super::solve::{LeastSquares, solve_in_place};
-use super::state::KnobSetting;
 use super::target::PixelGoal;
 use crate::diag::Diagnostic;
 
@@ -226,11 +225,7 @@ impl LeastSquares for Search {
     type Point = Vec<FitLayer>;
 
     fn room(&self, layers: &Vec<FitLayer>) -> Vec<[f64; 2]> {
-        let of_layer = |layer: &FitLayer| {
-            [KnobSetting::Direction(layer.lit.direction), KnobSetting::Profile(layer.lit.shape)]
-                .map(|setting| setting.room())
-        };
-        layers.iter().flat_map(of_layer).flatten().collect()
+        layers.iter().flat_map(|layer| layer.lit.room()).collect()
     }
 
     fn moved(&self, layers: &Vec<FitLayer>, by: &[f64]) -> Result<Vec<FitLayer>, Diagnostic> {
@@ -238,15 +233,7 @@ impl LeastSquares for Search {
             if by.iter().all(|x| *x == 0.0) {
                 return layer.clone();
             }
-            let mut lit = layer.lit;
-            if let KnobSetting::Direction(direction) =
-                KnobSetting::Direction(lit.direction).moved(&by[..2])
-            {
-                lit.direction = direction;
-            }
-            if let KnobSetting::Profile(shape) = KnobSetting::Profile(lit.shape).moved(&by[2..]) {
-                lit.shape = shape;
-            }
+            let lit = layer.lit.moved(by);
             FitLayer { lit, mode: layer.mode, tone: self.tone(&lit) }
         };
         Ok(layers.iter().zip(by.chunks(5)).map(step).collect())
