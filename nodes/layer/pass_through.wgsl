@@ -3,7 +3,7 @@ import chiaro::types;
 /// Pass-through folder
 ///
 /// A folder of layers that lie on the stack below as if they were not in a folder; its opacity and
-/// its mask count for all of them together. A *Folder* has a blend mode and is blended in itself
+/// its mask count for all of them together. A Folder has a blend mode and is blended in itself
 /// first.
 ///
 /// @param below "Below" wire : The stack of layers below.

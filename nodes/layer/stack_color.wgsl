@@ -3,10 +3,10 @@ import chiaro::types;
 /// Stack color
 ///
 /// The straight color of a whole stack of layers, for a layer that lays the stack over another one:
-/// a *Folder*. Light that lies over nothing, as a layer in the mode *Add* leaves, is kept: it
+/// a Folder. Light that lies over nothing, as a layer in the mode Add leaves, is kept: it
 /// covers a millionth, where a plain wire into a color would hide it.
 ///
-/// @param stack "Stack" wire : The finished stack, over a transparent *Base*.
+/// @param stack "Stack" wire : The finished stack, over a transparent Base.
 /// @return color "Color" : Its color and how much of it there is.
 fn stack_color(stack: Composite) -> Color {
     let light = max(max(abs(stack.x), abs(stack.y)), abs(stack.z));

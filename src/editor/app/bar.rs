@@ -1,5 +1,6 @@
 //! Bar at the top of the window, and line of status at the bottom.
 
+use chiaro_locale::tr;
 use eframe::egui::{self, RichText, Role, Ui, ViewportCommand, WidgetInfo};
 
 use super::App;
@@ -56,9 +57,9 @@ impl App {
             button(ui, "Redo", &help, redo.is_some(), Command::Redo);
             ui.separator();
             commands.extend(recent.map(|path| Command::Open(Some(path))));
-            ui.menu_button("View", |ui| menu::scrolling(ui, |ui| self.view_menu(ui)))
+            ui.menu_button(tr!("View"), |ui| menu::scrolling(ui, |ui| self.view_menu(ui)))
                 .response
-                .on_hover_text("Panels, theme and scale");
+                .on_hover_text(tr!("Panels, theme and scale"));
             let is_open = self.session.painting().is_some();
             let why =
                 |row: &CommandRow| (!is_open && row.needs_painting).then_some(NOTHING_PAINTED);
@@ -103,8 +104,8 @@ impl App {
             }
         });
         if ui
-            .button("Reset panels")
-            .on_hover_text("Puts all panels of this layout where a new window has them")
+            .button(tr!("Reset panels"))
+            .on_hover_text(tr!("Puts all panels of this layout where a new window has them"))
             .clicked()
         {
             self.dock.reset();
@@ -133,7 +134,7 @@ impl App {
                 let is_it = (zoom * 100.0 - f32::from(percent)).abs() < 1.0;
                 let response = ui
                     .selectable_label(is_it, format!("{percent}%"))
-                    .on_hover_text("Scale of the window (Ctrl and +, -, 0)");
+                    .on_hover_text(tr!("Scale of the window (Ctrl and +, -, 0)"));
                 let name =
                     || WidgetInfo::selected(Role::Button, true, is_it, format!("Scale {percent}%"));
                 response.widget_info(name);
@@ -160,7 +161,7 @@ impl App {
                 if let Some(path) = &self.refused {
                     let name = path.file_name().unwrap_or_default().to_string_lossy();
                     let help = "Opens the file that has it, in place of the shot";
-                    if ui.button(format!("Open {name}")).on_hover_text(help).clicked() {
+                    if ui.button(tr!("Open {name}")).on_hover_text(help).clicked() {
                         command = Some(Command::Open(Some(path.clone())));
                     }
                 }

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::{self, RichText, Ui, ViewportCommand};
 
 use super::App;
@@ -348,14 +349,14 @@ impl App {
                 }
                 _ => self.session.name(),
             };
-            ui.label(RichText::new(format!("{name} has changes")).heading());
-            ui.label("They are lost unless you save them.");
+            ui.label(RichText::new(tr!("{name} has changes")).heading());
+            ui.label(tr!("They are lost unless you save them."));
             ui.add_space(8.0);
             ui.horizontal(|ui| {
-                if ui.button("Save").clicked() || enters {
+                if ui.button(tr!("Save")).clicked() || enters {
                     commands.push(Command::Save);
                 }
-                if ui.button("Do not save").clicked() {
+                if ui.button(tr!("Do not save")).clicked() {
                     let (look, scene) = self.at_risk();
                     self.session.give_up_changes(look, scene);
                     if let Some(work) =
@@ -365,7 +366,7 @@ impl App {
                     }
                     self.go_on();
                 }
-                if ui.button("Cancel").clicked() {
+                if ui.button(tr!("Cancel")).clicked() {
                     self.pending = None;
                 }
             });
@@ -386,7 +387,7 @@ impl App {
         let modal = egui::Modal::new(egui::Id::unique("under shot")).show(ui.ctx(), |ui| {
             ui.set_width(340.0);
             let enters = confirm::enters(ui);
-            ui.label(RichText::new("A shot lies over files").heading());
+            ui.label(RichText::new(tr!("A shot lies over files")).heading());
             ui.label(match has_files {
                 true => format!(
                     "Save {name} first: the shot shows it as its file has it, and changes values \
@@ -398,13 +399,13 @@ impl App {
             });
             ui.add_space(8.0);
             ui.horizontal(|ui| {
-                if ui.button("Save").clicked() || enters {
+                if ui.button(tr!("Save")).clicked() || enters {
                     commands.push(match has_files {
                         true => Command::Save,
                         false => Command::Scene(SceneCommand::Save),
                     });
                 }
-                if ui.button("Cancel").clicked() {
+                if ui.button(tr!("Cancel")).clicked() {
                     self.pending = None;
                 }
             });

@@ -4,6 +4,7 @@
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Button, Context, Frame, Id, Key, Margin, Modal, RichText, Role, ScrollArea, TextEdit, Ui,
     WidgetInfo, text::CCursor, text::CCursorRange,
@@ -66,7 +67,7 @@ impl PathField {
             ui.heading(title(self.purpose));
             if self.stands_in {
                 ui.label(
-                    RichText::new("This system shows no file dialog, so type the path here.")
+                    RichText::new(tr!("This system shows no file dialog, so type the path here."))
                         .color(theme::of(ui).dim),
                 );
             }
@@ -93,7 +94,7 @@ impl PathField {
                 if ui.add_enabled(is_file, Button::new(label)).clicked() || enters && is_file {
                     answer = Some(Some(path));
                 }
-                if ui.button("Cancel").clicked() {
+                if ui.button(tr!("Cancel")).clicked() {
                     answer = Some(None);
                 }
             });

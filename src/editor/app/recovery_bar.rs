@@ -3,6 +3,7 @@
 
 use std::path::PathBuf;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Panel, RichText, Ui};
 
@@ -149,7 +150,7 @@ impl Safety {
     /// Shows the menu of recent files. Returns the chosen one.
     pub(crate) fn recent_menu(&self, ui: &mut Ui) -> Option<PathBuf> {
         let mut wanted = None;
-        let menu = ui.menu_button("Recent", |ui| {
+        let menu = ui.menu_button(tr!("Recent"), |ui| {
             let mut is_empty = true;
             for (path, is_there) in self.recent() {
                 is_empty = false;
@@ -161,18 +162,19 @@ impl Safety {
                 let button = ui.add_enabled(is_there, egui::Button::new(name));
                 let button = button
                     .on_hover_text(&help)
-                    .on_disabled_hover_text(format!("{help} is not there any more"));
+                    .on_disabled_hover_text(tr!("{help} is not there any more"));
                 if button.clicked() {
                     wanted = Some(path.clone());
                     ui.close();
                 }
             }
             if is_empty {
-                ui.label(RichText::new("Files that you open are listed here").weak());
+                ui.label(RichText::new(tr!("Files that you open are listed here")).weak());
             }
         });
-        menu.response
-            .on_hover_text("Looks, scenes, shots and paintings that were open, the newest first");
+        menu.response.on_hover_text(tr!(
+            "Looks, scenes, shots and paintings that were open, the newest first"
+        ));
         wanted
     }
 }
@@ -275,7 +277,7 @@ fn several(ui: &mut Ui, offers: &[(usize, &Offer)], out: &mut Vec<RecoveryComman
         let is_kept = offers.iter().any(|(_, offer)| !offer.is_thrown);
         let help = "They go when this window closes; until then each can still be kept";
         if ui
-            .add_enabled(is_kept, egui::Button::new("Throw all away"))
+            .add_enabled(is_kept, egui::Button::new(tr!("Throw all away")))
             .on_hover_text(help)
             .clicked()
         {
@@ -284,13 +286,13 @@ fn several(ui: &mut Ui, offers: &[(usize, &Offer)], out: &mut Vec<RecoveryComman
         let list = egui::containers::menu::MenuConfig::new()
             .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside);
         let (button, _) =
-            egui::containers::menu::MenuButton::new("Choose...").config(list).ui(ui, |ui| {
+            egui::containers::menu::MenuButton::new(tr!("Choose...")).config(list).ui(ui, |ui| {
                 ui.set_min_width(LIST);
                 for (number, offer) in offers {
                     offered(ui, *number, offer, out);
                 }
             });
-        button.on_hover_text("Lists them: each is restored or thrown away by itself");
+        button.on_hover_text(tr!("Lists them: each is restored or thrown away by itself"));
     });
 }
 

@@ -1,6 +1,7 @@
 //! Sheet of all shortcuts, and command palette: both list rows of the table of commands. The
 //! palette finds nodes of the open graph too, however many there are.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
@@ -99,7 +100,7 @@ impl OpenSheet {
 
 fn show_shortcuts(ui: &mut Ui, height: f32) {
     ui.set_width(SHEET);
-    ui.heading("Shortcuts");
+    ui.heading(tr!("Shortcuts"));
     ui.spacing_mut().item_spacing.y = 1.0;
     ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
         ui.columns(3, |columns| {
@@ -179,7 +180,7 @@ fn show_commands(
     }
     let enter = key(ui, Key::Enter);
     let edit = TextEdit::singleline(query)
-        .hint_text("Find a command or a node")
+        .hint_text(tr!("Find a command or a node"))
         .desired_width(f32::INFINITY);
     let response = ui.add(edit.id(egui::Id::unique("command query")));
     response.widget_info(|| {
@@ -207,7 +208,7 @@ fn show_commands(
             }
             if entries.is_empty() {
                 ui.label(
-                    RichText::new("Neither a command nor a node of that name")
+                    RichText::new(tr!("Neither a command nor a node of that name"))
                         .color(theme::of(ui).dim),
                 );
             }

@@ -1,5 +1,6 @@
 //! Overlays of the canvas: the path into groups, the map of the whole graph, and the context menu.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::epaint::Mesh;
 use eframe::egui::{
@@ -68,7 +69,7 @@ impl Canvas {
                     if session.graph_view().is_read_only() {
                         let help = "Puts this group into the look's file, for all its nodes in the \
                                     look. Then it can be changed";
-                        if ui.button("Make it the look's own").on_hover_text(help).clicked() {
+                        if ui.button(tr!("Make it the look's own")).on_hover_text(help).clicked() {
                             out.extend(session.graph_view().own_group().map(Command::Edit));
                         }
                         let (from, help) = origin(session);
@@ -77,7 +78,7 @@ impl Canvas {
                     } else if let GraphId::Definition(id) = session.selection.graph_id() {
                         let help = "Puts this group into the nodes folder beside the look, where \
                                     every look of the folder has it";
-                        if ui.button("Share with the project").on_hover_text(help).clicked() {
+                        if ui.button(tr!("Share with the project")).on_hover_text(help).clicked() {
                             out.push(Command::ShareGroup(id.clone()));
                         }
                     }
@@ -238,7 +239,7 @@ impl Canvas {
         if session.selection.nodes.len() < 2 {
             return chosen;
         }
-        let arranged = ui.menu_button("Arrange", |ui| {
+        let arranged = ui.menu_button(tr!("Arrange"), |ui| {
             rows(
                 ui,
                 &[
@@ -257,13 +258,13 @@ impl Canvas {
         else {
             return;
         };
-        if ui.button("Remove the wire").clicked() {
+        if ui.button(tr!("Remove the wire")).clicked() {
             out.push(Command::Edit(edits::disconnect(session, wire.clone())));
         }
-        if ui.button("Show where it comes from").clicked() {
+        if ui.button(tr!("Show where it comes from")).clicked() {
             out.push(Command::Reveal(wire.from.node.clone()));
         }
-        if ui.button("Show where it leads").clicked() {
+        if ui.button(tr!("Show where it leads")).clicked() {
             out.push(Command::Reveal(wire.to.node.clone()));
         }
     }
@@ -274,11 +275,11 @@ impl Canvas {
             ui.label(origin(session).0);
             return;
         }
-        if ui.button("Edit the text").clicked() {
+        if ui.button(tr!("Edit the text")).clicked() {
             self.edit_when_there = Some(item.clone());
         }
         if let Item::Frame(id) = &item
-            && ui.button("Select its nodes").clicked()
+            && ui.button(tr!("Select its nodes")).clicked()
         {
             let nodes = session.graph().frames.get(id).map(|frame| frame.nodes.clone());
             out.extend(nodes.map(Command::Select));
@@ -298,7 +299,7 @@ impl Canvas {
                 }
             }
         });
-        if ui.button("No color").clicked() {
+        if ui.button(tr!("No color")).clicked() {
             tint = Some(Vec::new());
         }
         if let Some(tint) = tint {
@@ -314,7 +315,7 @@ impl Canvas {
             if matches!(item, Item::Frame(_)) { "frame" } else { "note" },
             session.selection.graph_id().clone(),
         );
-        if ui.button(format!("Remove the {what}")).clicked() {
+        if ui.button(tr!("Remove the {what}")).clicked() {
             out.push(Command::Edit(match item {
                 Item::Frame(id) => crate::document::Edit::RemoveFrame { graph, id },
                 Item::Note(id) => crate::document::Edit::RemoveNote { graph, id },

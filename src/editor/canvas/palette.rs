@@ -1,5 +1,6 @@
 //! Search for a node to add.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use std::sync::Arc;
 
@@ -164,7 +165,7 @@ impl Palette {
     fn show_list(&self, ui: &mut Ui, found: &[Arc<NodeKind>]) -> Option<Arc<NodeKind>> {
         if found.is_empty() {
             ui.add_space(6.0);
-            ui.label(RichText::new("Nothing of that name").color(theme::of(ui).dim));
+            ui.label(RichText::new(tr!("Nothing of that name")).color(theme::of(ui).dim));
             return None;
         }
         let mut chosen = None;

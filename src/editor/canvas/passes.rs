@@ -1,6 +1,7 @@
 //! Outputs that the look names as passes (AOVs), on the canvas: a tag beside the output, and the
 //! entries of the menu.
 
+use chiaro_locale::tr;
 use eframe::egui::Ui;
 
 use super::Canvas;
@@ -68,7 +69,7 @@ impl Canvas {
             [] => {}
             [(index, _)] => self.pass_entries(ui, (node, *index), session, out),
             _ => {
-                ui.menu_button("Name as a pass (AOV)", |ui| {
+                ui.menu_button(tr!("Name as a pass (AOV)"), |ui| {
                     for (index, label) in &outputs {
                         ui.menu_button(label, |ui| {
                             self.pass_entries(ui, (node, *index), session, out);
@@ -100,7 +101,7 @@ impl Canvas {
             ui.close();
         }
         let Some(name) = name else { return };
-        if ui.button(format!("Remove the pass \"{name}\"")).clicked() {
+        if ui.button(tr!("Remove the pass \"{name}\"")).clicked() {
             let output = output_of(session, &id, index);
             let edit = output.and_then(|output| OutputPass::of(session, &output).named("").ok());
             out.extend(edit.flatten().map(Command::Edit));

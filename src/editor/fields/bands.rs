@@ -7,6 +7,7 @@
 
 use std::f64::consts::PI;
 
+use chiaro_locale::tr;
 use eframe::egui::{
     self, Button, Color32, DragValue, Id, Pos2, Rect, RichText, Sense, Slider, Stroke, StrokeKind,
     Ui, WidgetInfo, pos2, vec2,
@@ -176,7 +177,8 @@ pub(crate) fn show(
 ) -> Option<(Id, Value)> {
     let Some(Value::Ramp(ramp)) = value else { return None };
     let Some(mut bands) = Bands::of(ramp) else {
-        let response = ui.button("As bands").on_hover_text("Flat colors, one for each stop");
+        let response =
+            ui.button(tr!("As bands")).on_hover_text(tr!("Flat colors, one for each stop"));
         let made = Bands::nearest(ramp).ramp();
         let made = response.clicked().then_some((response.id, Value::Ramp(made)));
         return made.or_else(|| crate::widgets::ramp::show(ui, label, value));
@@ -189,7 +191,7 @@ pub(crate) fn show(
     }
     ui.horizontal(|ui| {
         let help = "How wide every edge is; 0 is hard";
-        let label = ui.label("Softness").on_hover_text(help).id;
+        let label = ui.label(tr!("Softness")).on_hover_text(help).id;
         let mut degrees = bands.softness.to_degrees();
         ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
         let slider = Slider::new(&mut degrees, 0.0..=Bands::WIDEST.to_degrees());
@@ -223,7 +225,7 @@ fn band_row(
     }
     match bands.edges.get(index).copied() {
         Some(edge) => {
-            let label = ui.label("up to").id;
+            let label = ui.label(tr!("up to")).id;
             let mut degrees = edge.to_degrees();
             let [low, high] = bands.limits(index).map(f64::to_degrees);
             let field = DragValue::new(&mut degrees)
@@ -240,9 +242,11 @@ fn band_row(
                 bands.move_edge(index, degrees.to_radians());
                 *changed = Some(response.id);
             }
-            response.on_hover_text("Angle from the light; drag it on the bar or on the object too");
+            response.on_hover_text(tr!(
+                "Angle from the light; drag it on the bar or on the object too"
+            ));
         }
-        None => drop(ui.label(RichText::new("the rest").color(theme::of(ui).dim))),
+        None => drop(ui.label(RichText::new(tr!("the rest")).color(theme::of(ui).dim))),
     }
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         let mut act = |ui: &mut Ui, text: &str, name: &str, help: &str, is_on: bool| {

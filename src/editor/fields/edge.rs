@@ -8,6 +8,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use chiaro_locale::tr;
 use eframe::egui::{self, Button, DragValue, RichText, Slider, Ui, WidgetInfo};
 
 use super::layer::SelectedLayer;
@@ -236,7 +237,7 @@ impl<'a> EdgeField<'a> {
         }
         let help = "Makes the profile one edge, where its tone is half now: Edge and Softness in \
                     place of three angles";
-        let response = ui.add(Button::new("As one edge").small()).on_hover_text(help);
+        let response = ui.add(Button::new(tr!("As one edge")).small()).on_hover_text(help);
         if response.clicked() {
             let edge = ProfileEdge::nearest(self.angles);
             let edit = self.session.keys().set_together(&self.values_of(edge));
@@ -248,7 +249,7 @@ impl<'a> EdgeField<'a> {
     /// Shows both numbers as rows of an inspector, with one mark for the keys of all three angles.
     pub(crate) fn rows(&self, ui: &mut Ui, out: &mut Vec<Command>) {
         let Some(edge) = self.edge() else {
-            let text = RichText::new("Profile").color(theme::of(ui).dim);
+            let text = RichText::new(tr!("Profile")).color(theme::of(ui).dim);
             let help = "Three angles of their own: not one edge";
             let mut made = Vec::new();
             row::with_slot(ui, text, help, |_, _| {}, |ui, _| drop(self.made_edge(ui, &mut made)));
@@ -298,7 +299,7 @@ impl<'a> EdgeField<'a> {
     fn menu(&self, ui: &mut Ui, out: &mut Vec<Command>) {
         let (keys, look) = (self.session.keys(), self.session.look());
         ui.set_min_width(190.0);
-        if ui.button("Key at the playhead").clicked() {
+        if ui.button(tr!("Key at the playhead")).clicked() {
             out.push(Command::Edit(keys.key_together_in_time(&self.targets)));
             out.push(Command::ShowPanel(PanelId::TIMELINE));
         }
@@ -326,7 +327,7 @@ impl<'a> EdgeField<'a> {
             }
         }
         let is_keyed = self.targets.iter().any(|it| keys.keyed_by(it) != KeyedBy::Nothing);
-        if is_keyed && ui.button("Remove its keys").clicked() {
+        if is_keyed && ui.button(tr!("Remove its keys")).clicked() {
             out.push(Command::Edit(keys.unkey_together(&self.targets)));
         }
     }
@@ -348,7 +349,7 @@ pub(crate) fn angles_toggle(ui: &mut Ui, node: &NodePath, is_edge: bool) -> Angl
         ui.data_mut(|data| data.insert_temp(id, true));
         return AnglesToggle { is_open: true, widget: None };
     }
-    let response = ui.add(Button::new("3 angles").small().selected(is_open));
+    let response = ui.add(Button::new(tr!("3 angles")).small().selected(is_open));
     response.widget_info(|| {
         WidgetInfo::selected(egui::Role::Button, true, is_open, "Show three angles")
     });
@@ -357,7 +358,7 @@ pub(crate) fn angles_toggle(ui: &mut Ui, node: &NodePath, is_edge: bool) -> Angl
         ui.data_mut(|data| data.insert_temp(id, is_open));
     }
     let widget = Some(response.id);
-    response.on_hover_text("Offset, fall-off and cut-off, which the edge sets");
+    response.on_hover_text(tr!("Offset, fall-off and cut-off, which the edge sets"));
     AnglesToggle { is_open, widget }
 }
 

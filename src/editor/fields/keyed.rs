@@ -4,6 +4,7 @@
 //! The widget above shows the value at that one key, so typed text stays as it was typed; the
 //! picture's value lies between the keys.
 
+use chiaro_locale::tr;
 use eframe::egui::{Button, RichText, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::marks::{self, FieldTarget};
@@ -57,7 +58,7 @@ fn by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, set: usize, out: &mut Vec
         }
         let text = decided_by(keyed, set, keys);
         ui.label(quiet(ui, text))
-            .on_hover_text("What decides between the keys, and where that is now");
+            .on_hover_text(tr!("What decides between the keys, and where that is now"));
     });
     line(ui, |ui| {
         let help = "At which key a value is set that is typed here; what is seen now lies between \
@@ -185,7 +186,7 @@ fn in_time(ui: &mut Ui, marked: &FieldTarget<'_>, track: usize) {
         }
     };
     line(ui, |ui| {
-        ui.label(quiet(ui, text)).on_hover_text("The value above is the one at the playhead");
+        ui.label(quiet(ui, text)).on_hover_text(tr!("The value above is the one at the playhead"));
     });
 }
 

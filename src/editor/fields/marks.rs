@@ -1,6 +1,7 @@
 //! Menu of a value beyond setting it: key, expose, reset. Opened from the diamond beside the value,
 //! or by a right click on its name.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
@@ -93,7 +94,7 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
     }
     if let Some(variation) = variation_of(marked.owned, &marked.target) {
         let help = "Tries several values of it, each as a picture on one sheet";
-        if ui.button("Wedge this value").on_hover_text(help).clicked() {
+        if ui.button(tr!("Wedge this value")).on_hover_text(help).clicked() {
             out.push(Command::Film(FilmCommand::Vary(variation)));
         }
     }
@@ -104,7 +105,7 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
         }
         let is_keyed = marked.owned.keys.keyed_by(&marked.target) != KeyedBy::Nothing;
         let help = "No keys move it any more; it keeps the value that it has now";
-        if is_keyed && ui.button("Remove its keys").on_hover_text(help).clicked() {
+        if is_keyed && ui.button(tr!("Remove its keys")).on_hover_text(help).clicked() {
             out.extend(marked.owned.once(marked.owned.keys.unkey(&marked.target)));
         }
         if marked.owned.owner == Owner::Scene {
@@ -118,27 +119,33 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
     {
         let help = "Small pictures of the value as it could be; a click takes one";
         let subject = VariedSubject::Value(marked.target.clone());
-        if ui.button("Variations...").on_hover_text(help).clicked() {
+        if ui.button(tr!("Variations...")).on_hover_text(help).clicked() {
             out.push(Command::View(ViewCommand::Vary(subject)));
         }
     }
     match marked.exposed() {
         None if marked.owned.keys.base.own_value(&marked.target).is_none() => {
-            ui.label(RichText::new("Set a value to key or expose it.").color(theme::of(ui).dim));
+            ui.label(
+                RichText::new(tr!("Set a value to key or expose it.")).color(theme::of(ui).dim),
+            );
         }
         None => {
             let help = "Scenes, scripts and exported shaders can set it by a name then";
-            if ui.button("Expose").on_hover_text(help).clicked() {
+            if ui.button(tr!("Expose")).on_hover_text(help).clicked() {
                 out.push(Command::Edit(expose(marked)));
             }
         }
         Some(index) => {
-            if ui.button("Unexpose").on_hover_text("It is no parameter any more").clicked() {
+            if ui
+                .button(tr!("Unexpose"))
+                .on_hover_text(tr!("It is no parameter any more"))
+                .clicked()
+            {
                 out.push(Command::Edit(Edit::RemoveExposed { index }));
             }
         }
     }
-    let reset = ui.add_enabled(marked.reset.is_some(), egui::Button::new("Reset to default"));
+    let reset = ui.add_enabled(marked.reset.is_some(), egui::Button::new(tr!("Reset to default")));
     if let (true, Some(edit)) = (reset.clicked(), &marked.reset) {
         out.push(Command::Edit(edit.clone()));
     }
@@ -179,7 +186,7 @@ fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Comman
     let lights = owned.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
     let drivers = keys.drivers().into_iter().map(|driver| KeyDirection::Drivers(vec![driver]));
     let mut begin = |ui: &mut Ui, text: String, by: KeyDirection| {
-        if ui.button(text).on_hover_text("Begins keys with one where that is now").clicked() {
+        if ui.button(text).on_hover_text(tr!("Begins keys with one where that is now")).clicked() {
             out.extend(owned.once(keys.new_set(by, Some(&marked.target))));
             let place = KeyPlace { owner: owned.owner, set: sets.len(), key: 0 };
             out.push(Command::SelectKey(Some(place)));
@@ -210,7 +217,7 @@ fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Comman
     let help = "What is the same all over the object may decide: an exposed or keyed value, the \
                 time, a light's \
                 direction, and what is computed from these";
-    let menu = ui.menu_button("New keys by a wire…", |ui| {
+    let menu = ui.menu_button(tr!("New keys by a wire…"), |ui| {
         ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
             for driver in wires {
                 begin(ui, session.keys().driver_name(&driver), KeyDirection::Drivers(vec![driver]));
@@ -246,7 +253,7 @@ pub(crate) fn list(
     }
     ui.separator();
     let help = "What scenes, scripts and exported shaders may set, by these names";
-    ui.label(RichText::new("Exposed parameters").strong()).on_hover_text(help);
+    ui.label(RichText::new(tr!("Exposed parameters")).strong()).on_hover_text(help);
     for (index, exposed) in shown {
         ui.push_id(index, |ui| {
             let [owner, what] = session.look_with_library().names_of(&exposed.target);
@@ -258,7 +265,7 @@ pub(crate) fn list(
                 |ui, label| {
                     let width = (ui.available_width() - 78.0).max(60.0);
                     rename(ui, session, index, exposed, (label, width), out);
-                    if ui.small_button("Unexpose").clicked() {
+                    if ui.small_button(tr!("Unexpose")).clicked() {
                         out.push(Command::Edit(Edit::RemoveExposed { index }));
                     }
                 },
@@ -307,7 +314,8 @@ fn rename(
         out.push(Command::EditHeld(id, Edit::SetExposed { index, exposed }));
     }
     if !is_good {
-        response
-            .on_hover_text("Small letters, digits and _, beginning with a letter, and used once");
+        response.on_hover_text(tr!(
+            "Small letters, digits and _, beginning with a letter, and used once"
+        ));
     }
 }

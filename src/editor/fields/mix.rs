@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use chiaro_locale::tr;
 use eframe::egui::{Label, RichText, Ui};
 use indexmap::IndexMap;
 
@@ -202,15 +203,15 @@ impl<'s> SceneMix<'s> {
         };
         ui.horizontal(|ui| {
             let help = "Lets all lights shine again that are not muted";
-            if ui.button("End solo").on_hover_text(help).clicked() {
+            if ui.button(tr!("End solo")).on_hover_text(help).clicked() {
                 let soloed = LightSet::none();
                 let edit = SceneEdit::SetSoloedLights { soloed };
                 out.push(Command::Scene(SceneCommand::Edit(edit)));
             }
             let text = RichText::new(text).color(theme::of(ui).warning);
-            ui.add(Label::new(text).truncate()).on_hover_text(
-                "Saved with the scene: rendering warns of it, and with --strict refuses",
-            );
+            ui.add(Label::new(text).truncate()).on_hover_text(tr!(
+                "Saved with the scene: rendering warns of it, and with --strict refuses"
+            ));
         });
         ui.add_space(2.0);
     }

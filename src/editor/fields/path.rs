@@ -1,5 +1,6 @@
 //! Paths of pictures and HCBTFs.
 
+use chiaro_locale::tr;
 use eframe::egui::{Id, TextEdit, Ui};
 
 use crate::document::Value;
@@ -18,7 +19,7 @@ const MESH_MAPS: [(&str, MaterialMap); 5] = [
 /// Shows a menu of the maps that a mesh's own material has. Returns the path of the chosen one.
 fn mesh_map(ui: &mut Ui) -> Option<String> {
     let mut chosen = None;
-    let menu = ui.menu_button("Mesh", |ui| {
+    let menu = ui.menu_button(tr!("Mesh"), |ui| {
         for (name, map) in MESH_MAPS {
             if ui.button(name).clicked() {
                 chosen = Some(format!("{MESH_PREFIX}{}", map.name()));
@@ -26,7 +27,8 @@ fn mesh_map(ui: &mut Ui) -> Option<String> {
             }
         }
     });
-    menu.response.on_hover_text("Takes a picture from the material that the mesh's own file has");
+    menu.response
+        .on_hover_text(tr!("Takes a picture from the material that the mesh's own file has"));
     chosen
 }
 
@@ -44,7 +46,7 @@ pub(crate) fn edit(
     };
     let chosen = if is_image { mesh_map(ui) } else { None };
     let edit = TextEdit::singleline(&mut text)
-        .hint_text("path beside the look")
+        .hint_text(tr!("path beside the look"))
         .desired_width(f32::INFINITY);
     let response = ui.add(edit).labelled_by(label);
     let changed = (response.changed() || chosen.is_some()).then_some(response.id);

@@ -1,5 +1,6 @@
 //! Row of one input: its label, and the editor of its value.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Slider, TextEdit, Ui, vec2};
 
@@ -261,12 +262,15 @@ fn wired(
             _ => node.to_string(),
         };
         // A narrow row has room for the source alone; the canvas removes the wire too.
-        if ui.link(format!("from {name}")).on_hover_text("Shows the node that feeds this").clicked()
+        if ui
+            .link(format!("from {name}"))
+            .on_hover_text(tr!("Shows the node that feeds this"))
+            .clicked()
         {
             out.push(Command::Reveal(node.clone()));
         }
         if ui.available_width() > UNWIRE
-            && ui.small_button("Unwire").on_hover_text("Removes the wire").clicked()
+            && ui.small_button(tr!("Unwire")).on_hover_text(tr!("Removes the wire")).clicked()
         {
             out.push(Command::Edit(Edit::RemoveWire {
                 graph: subject.session.selection.graph_id().clone(),
@@ -279,7 +283,7 @@ fn wired(
 fn default_button(ui: &mut Ui) -> bool {
     let response = ui.add(egui::Button::new("×").small().frame(false));
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Default"));
-    response.on_hover_text("Takes this value away, so that it has its default again").clicked()
+    response.on_hover_text(tr!("Takes this value away, so that it has its default again")).clicked()
 }
 
 /// Shows a button that removes the node's own value.
@@ -317,7 +321,7 @@ fn paint_button(
              once"
         }
     };
-    let response = ui.small_button("Paint").on_hover_text(help);
+    let response = ui.small_button(tr!("Paint")).on_hover_text(help);
     if !response.clicked() {
         return;
     }
@@ -399,7 +403,7 @@ pub(crate) fn plain(
         Type::Hcbtf => path::edit(ui, label, value, false),
         Type::Float | Type::Int | Type::Angle => number(ui, label, port, value),
         _ => {
-            ui.label(RichText::new("by wire only").color(theme::of(ui).dim));
+            ui.label(RichText::new(tr!("by wire only")).color(theme::of(ui).dim));
             None
         }
     }
@@ -428,12 +432,12 @@ fn unset(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port) -> Option<(Id, V
             )
         }
         _ => {
-            ui.label(RichText::new("wire something here").color(theme::of(ui).warning));
+            ui.label(RichText::new(tr!("wire something here")).color(theme::of(ui).warning));
             return None;
         }
     };
     ui.label(RichText::new(text).color(theme::of(ui).dim));
-    let response = ui.small_button("Set").on_hover_text("Gives it a value of its own");
+    let response = ui.small_button(tr!("Set")).on_hover_text(tr!("Gives it a value of its own"));
     if response.clicked() { Some((response.id, first?)) } else { None }
 }
 

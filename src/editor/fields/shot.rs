@@ -3,6 +3,7 @@
 
 use std::path::Path;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Button, Popup, Rect, Role, Sense, Ui, Vec2, WidgetInfo, vec2};
 
@@ -100,7 +101,7 @@ impl<'s> ChangedValue<'s> {
             ui.close();
         }
         let help = "Keeps the present value at this frame; at others it may be another";
-        if ui.button("Key at this frame of the shot").on_hover_text(help).clicked() {
+        if ui.button(tr!("Key at this frame of the shot")).on_hover_text(help).clicked() {
             push(ShotCommand::Key(at));
             ui.close();
         }
@@ -278,5 +279,5 @@ fn unchanged(ui: &mut Ui, size: Vec2, targets: &[String], label: &str, out: &mut
             }
         }
     });
-    response.on_hover_text("As the scene has it; a press keys it in the shot");
+    response.on_hover_text(tr!("As the scene has it; a press keys it in the shot"));
 }

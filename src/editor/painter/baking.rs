@@ -1,6 +1,7 @@
 //! Baking of the open look to an HCBTF: a dialog asks for the grid and for the light that goes
 //! around the tile, then for the file.
 
+use chiaro_locale::tr;
 use eframe::egui::{
     self, Button, CollapsingHeader, Color32, ComboBox, Id, Modal, RichText, Sense, Ui, WidgetInfo,
     vec2,
@@ -86,7 +87,7 @@ pub(super) fn show(
     let modal = Modal::new(Id::unique("bake")).show(ui.ctx(), |ui| {
         ui.set_width(460.0);
         let enters = confirm::enters(ui);
-        ui.label(RichText::new("Bake this look onto a tile").heading());
+        ui.label(RichText::new(tr!("Bake this look onto a tile")).heading());
         let text = "Every texel is painted as the look shows it on a flat tile, from every view \
                     and under one light that goes \
                     around; all its other lights stay where they are.";
@@ -116,22 +117,21 @@ pub(super) fn show(
             ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
         } else if is_filling {
             ui.label(
-                RichText::new("The rules of what it shows are still at work")
+                RichText::new(tr!("The rules of what it shows are still at work"))
                     .color(theme::of(ui).dim),
             );
         }
         ui.add_space(8.0);
         ui.horizontal(|ui| {
             let is_ready = refused.is_ok() && !is_filling;
-            let button = ui.add_enabled(is_ready, Button::new("Bake to..."));
-            let button = button.on_hover_text(
-                "Asks which .hcbtf file to write, and opens it when \
-                                               it is done",
-            );
+            let button = ui.add_enabled(is_ready, Button::new(tr!("Bake to...")));
+            let button = button
+                .on_hover_text(tr!("Asks which .hcbtf file to write, and opens it when \
+                                               it is done"));
             if button.clicked() || enters && is_ready {
                 out = Some(Command::Paint(PaintCommand::Bake { to: None }));
             }
-            is_over |= ui.button("Cancel").clicked();
+            is_over |= ui.button(tr!("Cancel")).clicked();
         });
     });
     is_over |= modal.should_close();
@@ -204,7 +204,7 @@ fn before_baking(
                 );
             }
             picture_frame(ui, rect);
-            response.on_hover_text(format!(
+            response.on_hover_text(tr!(
                 "{name}, seen from straight above: a preview of what will be painted"
             ));
         }

@@ -1,6 +1,7 @@
 //! The hemisphere over the tile, seen from above, on which the light and the eye are dragged. The
 //! middle is the normal, the rim the horizon; u points right and v up.
 
+use chiaro_locale::tr;
 use eframe::egui::{Color32, CursorIcon, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 use glam::DVec2;
 
@@ -83,10 +84,10 @@ pub(super) fn show(
         HeldHandle::Light => Address { light: moves::nearest(grid.light, to), ..at },
         HeldHandle::View => Address { view: moves::nearest(grid.view, to), ..at },
     });
-    response.on_hover_text(
+    response.on_hover_text(tr!(
         "Drag the sun to where the light comes from, and the eye to where it is \
-                            seen from.\nThe middle is straight above, the rim the horizon",
-    );
+                            seen from.\nThe middle is straight above, the rim the horizon"
+    ));
     found.filter(|found| *found != at)
 }
 

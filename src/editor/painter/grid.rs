@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::{self, Button, DragValue, Id, Modal, RichText, Ui, WidgetInfo};
 
 use super::{counted, memory};
@@ -85,7 +86,7 @@ pub(super) fn show(
                 }));
                 is_over = true;
             }
-            is_over |= ui.button("Cancel").clicked();
+            is_over |= ui.button(tr!("Cancel")).clicked();
         });
     });
     is_over |= modal.should_close();

@@ -3,6 +3,7 @@
 
 use std::path::Path;
 
+use chiaro_locale::tr;
 use eframe::egui::{self, Button, ComboBox, DragValue, Id, Modal, RichText, Ui, WidgetInfo};
 
 use super::grid::directions;
@@ -72,7 +73,7 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<PictureImport>) -> Option<Command
     let modal = Modal::new(Id::unique("import pictures")).show(ui.ctx(), |ui| {
         ui.set_width(400.0);
         let enters = confirm::enters(ui);
-        ui.label(RichText::new("Import painted pictures").heading());
+        ui.label(RichText::new(tr!("Import painted pictures")).heading());
         ui.add_space(6.0);
         let chosen = ComboBox::from_id_salt("form").width(220.0).selected_text(told(import.form).0);
         let chosen = chosen.show_ui(ui, |ui| {
@@ -91,19 +92,19 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<PictureImport>) -> Option<Command
         }
         if import.form == ExchangeFormat::Contact {
             ui.horizontal(|ui| {
-                let label = ui.label("Texels between the tiles").id;
+                let label = ui.label(tr!("Texels between the tiles")).id;
                 ui.add(DragValue::new(&mut import.gap).range(0..=MAX_GAP).speed(0.1))
                     .labelled_by(label);
             });
         }
-        ui.checkbox(&mut import.is_tiling, "The tile repeats");
+        ui.checkbox(&mut import.is_tiling, tr!("The tile repeats"));
         ui.add_space(8.0);
         ui.horizontal(|ui| {
-            if ui.add(Button::new("Choose them...")).clicked() || enters {
+            if ui.add(Button::new(tr!("Choose them..."))).clicked() || enters {
                 out = Some(Command::Paint(PaintCommand::Import { import, from: None }));
                 is_over = true;
             }
-            is_over |= ui.button("Cancel").clicked();
+            is_over |= ui.button(tr!("Cancel")).clicked();
         });
     });
     is_over |= modal.should_close();

@@ -1,5 +1,6 @@
 //! List of the painted samples: sorted by light or by view, each with its actions.
 
+use chiaro_locale::tr;
 use eframe::egui::{FontId, Rect, Role, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use super::easel::name_of;
@@ -34,10 +35,11 @@ pub(super) fn show(
     let mut painted: Vec<Address> = work.hcbtf().painted.keys().copied().collect();
     ui.horizontal(|ui| {
         ui.strong(format!("{} painted", painted.len()));
-        ui.label("by");
-        ui.selectable_value(order, Order::View, "view").on_hover_text("Sorts by where the eye is");
+        ui.label(tr!("by"));
+        ui.selectable_value(order, Order::View, "view")
+            .on_hover_text(tr!("Sorts by where the eye is"));
         ui.selectable_value(order, Order::Light, "light")
-            .on_hover_text("Sorts by where the light is");
+            .on_hover_text(tr!("Sorts by where the light is"));
     });
     if painted.is_empty() {
         let text = "Paint on the tile: each light and view that you paint is listed here. The \
@@ -100,17 +102,19 @@ fn row(
         Rect::from_min_max(pos2(rect.right() - 106.0, rect.top() + 3.0), rect.max - vec2(2.0, 3.0));
     let layout = eframe::egui::Layout::right_to_left(eframe::egui::Align::Center);
     let mut row = ui.new_child(eframe::egui::UiBuilder::new().max_rect(buttons).layout(layout));
-    let delete = row.small_button("Delete");
+    let delete = row.small_button(tr!("Delete"));
     delete.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Delete {name}")));
     if delete
-        .on_hover_text("Takes this painting away: the rules fill its place. Undo brings it back")
+        .on_hover_text(tr!(
+            "Takes this painting away: the rules fill its place. Undo brings it back"
+        ))
         .clicked()
     {
         out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::DeleteTile { address })));
     }
-    let copy = row.add_enabled(!is_at_work, eframe::egui::Button::new("Copy").small());
+    let copy = row.add_enabled(!is_at_work, eframe::egui::Button::new(tr!("Copy")).small());
     copy.widget_info(|| WidgetInfo::labeled(Role::Button, !is_at_work, format!("Copy {name}")));
-    if copy.on_hover_text("Copies this painting to the sample at work").clicked() {
+    if copy.on_hover_text(tr!("Copies this painting to the sample at work")).clicked() {
         out.extend(copy_to(work, address, work.at()));
     }
     if response.hovered() && ui.input(|input| input.modifiers.alt) {
@@ -119,7 +123,7 @@ fn row(
     if response.clicked() {
         out.push(Command::Paint(PaintCommand::GoTo(address)));
     }
-    response.on_hover_text("Click to work at it; hold Alt to only look at it");
+    response.on_hover_text(tr!("Click to work at it; hold Alt to only look at it"));
 }
 
 /// Command that copies the tile seen at a sample to another sample.

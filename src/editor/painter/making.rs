@@ -4,6 +4,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::{Id, Modal, ProgressBar, RichText, Ui};
 
 use super::counted;
@@ -160,7 +161,9 @@ impl HcbtfWorker {
             bar(ui, share);
             ui.label(RichText::new(format!("{what}{left}")).color(theme::of(ui).dim));
             ui.add_space(8.0);
-            ui.button("Stop").on_hover_text("Gives it up: nothing is changed (Esc)").clicked()
+            ui.button(tr!("Stop"))
+                .on_hover_text(tr!("Gives it up: nothing is changed (Esc)"))
+                .clicked()
         });
         if modal.inner || modal.should_close() {
             self.stop();

@@ -2,6 +2,7 @@
 //! A full square is painted, a smaller one filled by a rule, a point is empty; where there is room
 //! each sample shows its thumbnail.
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Color32, FontId, Pos2, Rect, Response, RichText, Role, ScrollArea, Sense, Slider, Stroke,
     StrokeKind, Ui, WidgetInfo, pos2, vec2,
@@ -79,7 +80,7 @@ impl Map {
             let mut side = self.side.unwrap_or(fitting);
             ui.spacing_mut().slider_width = 70.0;
             let help = "How large the cells are; larger ones show their pictures";
-            ui.label("Cells").on_hover_text(help);
+            ui.label(tr!("Cells")).on_hover_text(help);
             let slider = ui.add(Slider::new(&mut side, 4.0..=LARGEST).show_value(false));
             slider.widget_info(|| {
                 WidgetInfo::slider(true, f64::from(side), "Size of the map's cells")
@@ -88,7 +89,10 @@ impl Map {
                 self.side = Some(side);
             }
             if self.side.is_some()
-                && ui.small_button("Fit").on_hover_text("All views side by side").clicked()
+                && ui
+                    .small_button(tr!("Fit"))
+                    .on_hover_text(tr!("All views side by side"))
+                    .clicked()
             {
                 self.side = None;
             }
@@ -174,18 +178,18 @@ impl Map {
 
 fn menu(ui: &mut Ui, work: &OpenPainting, address: Address, out: &mut Vec<Command>) {
     ui.label(name_of(work, address));
-    if ui.button("Work here").clicked() {
+    if ui.button(tr!("Work here")).clicked() {
         out.push(Command::Paint(PaintCommand::GoTo(address)));
     }
-    if ui.button("Copy to the sample at work").clicked() {
+    if ui.button(tr!("Copy to the sample at work")).clicked() {
         out.extend(copy_to(work, address, work.at()));
     }
-    if ui.button("Copy the sample at work to here").clicked() {
+    if ui.button(tr!("Copy the sample at work to here")).clicked() {
         out.extend(copy_to(work, work.at(), address));
     }
     let is_painted = work.state(address) == SampleState::Painted;
     if ui
-        .add_enabled(is_painted, eframe::egui::Button::new("Delete what is painted here"))
+        .add_enabled(is_painted, eframe::egui::Button::new(tr!("Delete what is painted here")))
         .clicked()
     {
         out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::DeleteTile { address })));
@@ -218,7 +222,7 @@ fn legend(ui: &mut Ui, work: &OpenPainting) {
     ui.label(format!("{} empty", all.saturating_sub(painted + filled)));
     let help = "Each column is a place of the eye, each row one of the light, from straight above \
                 to the horizon";
-    ui.label(RichText::new("eye across, light down").color(colors.dim)).on_hover_text(help);
+    ui.label(RichText::new(tr!("eye across, light down")).color(colors.dim)).on_hover_text(help);
 }
 
 /// Draws the names of rings: the angle between the direction and the normal.

@@ -40,6 +40,7 @@ mod visibility;
 
 use std::path::PathBuf;
 
+use chiaro_locale::tr;
 use eframe::egui::{Button, Key, Pos2, Rect, RichText, Slider, Ui, WidgetInfo};
 
 use crate::commands::keyboard;
@@ -342,28 +343,35 @@ impl Painting {
                         what is shown";
             ui.label(RichText::new(state).color(color)).on_hover_text(help);
             let is_painted = work.state(at) == SampleState::Painted;
-            let clear = ui.add_enabled(is_painted, Button::new("Delete painting").small());
-            if clear.on_hover_text("Takes this painting away: the rules fill its place").clicked() {
+            let clear = ui.add_enabled(is_painted, Button::new(tr!("Delete painting")).small());
+            if clear
+                .on_hover_text(tr!("Takes this painting away: the rules fill its place"))
+                .clicked()
+            {
                 out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::DeleteTile { address: at })));
             }
             self.seen.mark(ui);
         });
         ui.horizontal_wrapped(|ui| {
             let easel = &mut self.easel;
-            ui.toggle_value(&mut easel.is_flat, "Flat")
-                .on_hover_text("Shows the tile unturned and untilted (F)");
-            ui.toggle_value(&mut easel.shows_copies, "Copies").on_hover_text(
-                "Repeats the tile around itself, so that seams are seen and painted across (C)",
-            );
-            ui.toggle_value(&mut easel.shows_arrows, "Arrows")
-                .on_hover_text("Shows where the light comes from, and where the eye is (A)");
-            if ui.small_button("Fit").on_hover_text("Shows the whole tile again (Home)").clicked() {
+            ui.toggle_value(&mut easel.is_flat, tr!("Flat"))
+                .on_hover_text(tr!("Shows the tile unturned and untilted (F)"));
+            ui.toggle_value(&mut easel.shows_copies, tr!("Copies")).on_hover_text(tr!(
+                "Repeats the tile around itself, so that seams are seen and painted across (C)"
+            ));
+            ui.toggle_value(&mut easel.shows_arrows, tr!("Arrows"))
+                .on_hover_text(tr!("Shows where the light comes from, and where the eye is (A)"));
+            if ui
+                .small_button(tr!("Fit"))
+                .on_hover_text(tr!("Shows the whole tile again (Home)"))
+                .clicked()
+            {
                 easel.fit();
             }
             self.seen.turn(ui, session, work, out);
             ui.separator();
             let help = "How much of the neighboring samples shines through";
-            ui.label("Onion skin").on_hover_text(help);
+            ui.label(tr!("Onion skin")).on_hover_text(help);
             ui.spacing_mut().slider_width = 60.0;
             let slider = ui.add(Slider::new(&mut easel.onion, 0.0..=1.0).show_value(false));
             slider.widget_info(|| WidgetInfo::slider(true, f64::from(easel.onion), "Onion skin"));

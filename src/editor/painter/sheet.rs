@@ -5,6 +5,7 @@
 //! Only the visible part is drawn, in pixels of the screen, when it changes: the whole sheet may be
 //! larger than any texture.
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Color32, ColorImage, FontId, PointerButton, Pos2, Rect, Response, RichText, Role, Sense,
     Stroke, StrokeKind, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
@@ -97,14 +98,20 @@ impl Sheet {
         let whole = size(&grid);
         ui.horizontal(|ui| {
             ui.label(format!("{} x {} texels", whole[0], whole[1]));
-            if ui.small_button("Fit").on_hover_text("Shows the whole sheet again").clicked() {
+            if ui
+                .small_button(tr!("Fit"))
+                .on_hover_text(tr!("Shows the whole sheet again"))
+                .clicked()
+            {
                 (self.zoom, self.pan) = (None, Vec2::ZERO);
             }
             let help = "Each texel of the tile is a block: light and eye sink from left to right, \
                         and go around from \
                         top to bottom";
-            ui.label(RichText::new("a block for each texel of the tile").color(theme::of(ui).dim))
-                .on_hover_text(help);
+            ui.label(
+                RichText::new(tr!("a block for each texel of the tile")).color(theme::of(ui).dim),
+            )
+            .on_hover_text(help);
         });
         let (room, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         let laid = self.navigate(ui, &response, room, whole);

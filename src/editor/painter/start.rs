@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use chiaro_locale::tr;
 use eframe::egui::{Button, Response, RichText, ScrollArea, Ui};
 
 use super::memory;
@@ -113,7 +114,7 @@ fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let dim = theme::of(ui).dim;
     if let Some(work) = session.painting() {
         let what = if names.is_empty() { "no painting".to_owned() } else { listed(&names) };
-        ui.heading(format!("The open look shows {what}"));
+        ui.heading(tr!("The open look shows {what}"));
         ui.add_space(4.0);
         let name = work.name();
         let unsaved = if work.is_dirty() { ", not saved yet" } else { "" };
@@ -134,7 +135,7 @@ fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         }
         ui.add_space(4.0);
     } else if names.is_empty() {
-        ui.label(RichText::new("The open look has no painting.").color(dim));
+        ui.label(RichText::new(tr!("The open look has no painting.")).color(dim));
         ui.add_space(8.0);
     } else {
         ui.heading(format!("The open look shows {}", listed(&names)));
@@ -153,7 +154,7 @@ fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
 
 /// Shows the buttons for a new painting, in a look of its own.
 fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
-    ui.heading("Paint a surface");
+    ui.heading(tr!("Paint a surface"));
     ui.add_space(4.0);
     let text = "A painted surface is a tile that you paint as it looks under one light and from \
                 one side, then under another: it shows what you painted, and rules fill in the \
@@ -178,7 +179,7 @@ fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
     }
     let other = wide(ui, "Another grid...");
     if other
-        .on_hover_text("Any number of texels, lights and views, and what they take in memory")
+        .on_hover_text(tr!("Any number of texels, lights and views, and what they take in memory"))
         .clicked()
     {
         out.push(Command::Paint(PaintCommand::AskGrid { changes: false }));

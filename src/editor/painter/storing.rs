@@ -1,6 +1,7 @@
 //! Dialog for the storage of a texture exported as KTX2: explains each storage and the memory it
 //! takes.
 
+use chiaro_locale::tr;
 use eframe::egui::{Grid as Table, Id, Modal, RichText, Ui};
 
 use super::memory::{Memory, named};
@@ -26,7 +27,7 @@ pub(super) fn show(
     let modal = Modal::new(Id::unique("storing")).show(ui.ctx(), |ui| {
         ui.set_width(520.0);
         let enters = confirm::enters(ui);
-        ui.label(RichText::new("Export as a KTX2 texture").heading());
+        ui.label(RichText::new(tr!("Export as a KTX2 texture")).heading());
         let text = "The texture that shaders look up. All storages hold every sample, with smaller \
                     levels of the tile for a \
                     distance, which the sizes count: they are those of \"with levels\" in the \
@@ -42,8 +43,8 @@ pub(super) fn show(
         ui.add_space(8.0);
         ui.horizontal(|ui| {
             if ui
-                .button("Export to...")
-                .on_hover_text("Asks which .ktx2 file to write (Enter)")
+                .button(tr!("Export to..."))
+                .on_hover_text(tr!("Asks which .ktx2 file to write (Enter)"))
                 .clicked()
                 || enters
             {
@@ -54,7 +55,7 @@ pub(super) fn show(
                 }));
                 is_over = true;
             }
-            is_over |= ui.button("Cancel").clicked();
+            is_over |= ui.button(tr!("Cancel")).clicked();
         });
     });
     if is_over || modal.should_close() {

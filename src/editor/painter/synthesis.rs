@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::epaint::Mesh;
 use eframe::egui::{
     Align2, Button, Color32, DragValue, FontId, Id, Modal, Rect, RichText, Sense, Shape, TextureId,
@@ -67,7 +68,7 @@ pub(super) fn show(
     let modal = Modal::new(Id::unique("synthesis")).show(ui.ctx(), |ui| {
         ui.set_width(2.0 * SIDE + 12.0);
         let enters = confirm::enters(ui);
-        ui.label(RichText::new("New tile from this painting").heading());
+        ui.label(RichText::new(tr!("New tile from this painting")).heading());
         let text = "Patches of the painted tile are laid side by side, in all samples at the same \
                     places, and cut where \
                     that is seen least. The new tile repeats; what is painted stays as it is.";
@@ -91,11 +92,9 @@ pub(super) fn show(
             Some(share) => {
                 ui.horizontal(|ui| {
                     if ui
-                        .button("Stop")
-                        .on_hover_text(
-                            "Lays no more patches, until something is \
-                                                        changed",
-                        )
+                        .button(tr!("Stop"))
+                        .on_hover_text(tr!("Lays no more patches, until something is \
+                                                        changed"))
                         .clicked()
                     {
                         making.stop();
@@ -116,13 +115,14 @@ pub(super) fn show(
         ui.add_space(8.0);
         ui.horizontal(|ui| {
             let ready = ready(state, device).filter(|_| making.share().is_none());
-            let button = ui.add_enabled(ready.is_some(), Button::new("Begin it as a new painting"));
-            let button = button.on_hover_text("Opens it to be painted on, without a file yet");
+            let button =
+                ui.add_enabled(ready.is_some(), Button::new(tr!("Begin it as a new painting")));
+            let button = button.on_hover_text(tr!("Opens it to be painted on, without a file yet"));
             if button.clicked() || enters && ready.is_some() {
                 out = ready.map(|hcbtf| Command::Paint(PaintCommand::Begin { hcbtf }));
                 is_over = true;
             }
-            is_over |= ui.button("Cancel").clicked();
+            is_over |= ui.button(tr!("Cancel")).clicked();
         });
     });
     if state.asked != Some(state.how) {
@@ -167,14 +167,14 @@ fn fields(ui: &mut Ui, asked: &mut SynthesisDialog) {
         let help = "Another number lays other patches";
         let label = lead(ui, "Seed", grid::LEAD).on_hover_text(help).id;
         ui.add(DragValue::new(&mut how.seed).speed(0.1)).labelled_by(label).on_hover_text(help);
-        if ui.button("Another").on_hover_text("Takes the next number").clicked() {
+        if ui.button(tr!("Another")).on_hover_text(tr!("Takes the next number")).clicked() {
             how.seed = how.seed.wrapping_add(1);
         }
         ui.add_space(12.0);
         let shortest = asked.of.grid.size[0].min(asked.of.grid.size[1]);
         let mut is_own = how.patch.is_some();
         let help = "Large patches keep large forms whole; else they are half as wide as the tile";
-        if ui.checkbox(&mut is_own, "Patches of").on_hover_text(help).changed() {
+        if ui.checkbox(&mut is_own, tr!("Patches of")).on_hover_text(help).changed() {
             how.patch = is_own.then_some(shortest / 2);
         }
         let mut texels = how.patch.unwrap_or(shortest / 2);

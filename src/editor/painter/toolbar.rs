@@ -1,5 +1,6 @@
 //! Toolbar above the tile: the tools, the brush and the colors.
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Color32, DragValue, Rect, Role, Sense, Slider, Stroke, StrokeKind, Ui, WidgetInfo,
     color_picker, vec2,
@@ -49,7 +50,7 @@ pub(super) fn show(ui: &mut Ui, tools: &mut Tools) {
             named(ui, "Under edges", help, drag);
         }
         PaintTool::Pick => {
-            ui.label("Click or drag on the tile to take a color");
+            ui.label(tr!("Click or drag on the tile to take a color"));
         }
         _ => brush(ui, tools),
     });
@@ -77,9 +78,9 @@ fn brush(ui: &mut Ui, tools: &mut Tools) {
     );
     ui.menu_button(symmetry_label(&tools.symmetry), |ui| symmetry(ui, &mut tools.symmetry))
         .response
-        .on_hover_text("Repeats strokes mirrored or turned around the middle of the tile");
-    ui.menu_button("Pen", |ui| {
-        ui.label("What the pen's pressure drives");
+        .on_hover_text(tr!("Repeats strokes mirrored or turned around the middle of the tile"));
+    ui.menu_button(tr!("Pen"), |ui| {
+        ui.label(tr!("What the pen's pressure drives"));
         let choices = [
             (Pressure::None, "Nothing"),
             (Pressure::Size, "Size"),
@@ -91,7 +92,7 @@ fn brush(ui: &mut Ui, tools: &mut Tools) {
         }
     })
     .response
-    .on_hover_text("What the pressure of a tablet's pen drives");
+    .on_hover_text(tr!("What the pressure of a tablet's pen drives"));
 }
 
 fn symmetry_label(symmetry: &Symmetry) -> &'static str {
@@ -99,13 +100,17 @@ fn symmetry_label(symmetry: &Symmetry) -> &'static str {
 }
 
 fn symmetry(ui: &mut Ui, symmetry: &mut Symmetry) {
-    ui.checkbox(&mut symmetry.across_u, "Mirror left and right")
-        .on_hover_text("Strokes appear on both sides");
-    ui.checkbox(&mut symmetry.across_v, "Mirror top and bottom")
-        .on_hover_text("Strokes appear above and below");
+    ui.checkbox(&mut symmetry.across_u, tr!("Mirror left and right"))
+        .on_hover_text(tr!("Strokes appear on both sides"));
+    ui.checkbox(&mut symmetry.across_v, tr!("Mirror top and bottom"))
+        .on_hover_text(tr!("Strokes appear above and below"));
     let mut turns = symmetry.turns.max(1);
     let slider = Slider::new(&mut turns, 1..=12).text("copies around");
-    if ui.add(slider).on_hover_text("Turned copies around the middle, as in a rosette").changed() {
+    if ui
+        .add(slider)
+        .on_hover_text(tr!("Turned copies around the middle, as in a rosette"))
+        .changed()
+    {
         symmetry.turns = turns;
     }
 }
@@ -137,9 +142,9 @@ fn colors(ui: &mut Ui, tools: &mut Tools) {
             tools.colors[index] = color.map(|channel| (channel * 255.0).round() as u8);
         }
     }
-    let swap = ui.small_button("Swap");
+    let swap = ui.small_button(tr!("Swap"));
     swap.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Swap colors"));
-    if swap.on_hover_text("Swaps the two colors (X)").clicked() {
+    if swap.on_hover_text(tr!("Swaps the two colors (X)")).clicked() {
         tools.colors.swap(0, 1);
     }
 }
@@ -168,9 +173,7 @@ fn palette(ui: &mut Ui, tools: &mut Tools) {
         };
         ui.painter().rect_stroke(at, 1.0, Stroke::new(1.0, edge), StrokeKind::Inside);
         if response
-            .on_hover_text(format!(
-                "{name}. The wheel here makes the color at hand brighter or darker"
-            ))
+            .on_hover_text(tr!("{name}. The wheel here makes the color at hand brighter or darker"))
             .clicked()
         {
             tools.colors[0] = [r, g, b, 255];

@@ -3,6 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::tr;
 use eframe::egui::Ui;
 
 use crate::commands::{Command, ViewCommand};
@@ -74,7 +75,7 @@ impl PaintingVisibility {
                     surface as they do here; other places show other samples. Where nothing is \
                     tinted, Show in the \
                     picture turns to it";
-        ui.toggle_value(&mut self.marks, "Where it shows").on_hover_text(help);
+        ui.toggle_value(&mut self.marks, tr!("Where it shows")).on_hover_text(help);
     }
 
     /// Shows the buttons that turn the picture to the sample at work, and back.
@@ -89,7 +90,7 @@ impl PaintingVisibility {
             let help = "Turns the picture's camera and light to where the eye and the light are \
                         that you paint for, over a \
                         flat square";
-            if ui.small_button("Show in the picture").on_hover_text(help).clicked() {
+            if ui.small_button(tr!("Show in the picture")).on_hover_text(help).clicked() {
                 let before = &session.view.orbit;
                 if !look::lies_flat(before) {
                     self.turned_from =
@@ -102,7 +103,7 @@ impl PaintingVisibility {
             self.turned_from.as_ref().filter(|_| look::lies_flat(&session.view.orbit))
         {
             let help = "Shows what the picture showed before, from where it was seen";
-            if ui.small_button("Back to the mesh").on_hover_text(help).clicked() {
+            if ui.small_button(tr!("Back to the mesh")).on_hover_text(help).clicked() {
                 out.push(Command::View(ViewCommand::TurnTo(view.clone())));
             }
         }

@@ -1,6 +1,7 @@
 //! Generated WGSL, with syntax highlighting and marks on the lines of the selected nodes; a click
 //! on a line selects its node.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use std::ops::Range;
 use std::sync::Arc;
@@ -42,7 +43,7 @@ impl Code {
         let mut commands = Vec::new();
         let Some(shader) = self.shader.clone() else {
             ui.label(
-                RichText::new("The shader appears here once the look compiles")
+                RichText::new(tr!("The shader appears here once the look compiles"))
                     .color(theme::of(ui).dim),
             );
             return commands;
@@ -95,7 +96,7 @@ impl Code {
 
     fn head(&self, ui: &mut Ui, shader: &CompiledShader, commands: &mut Vec<Command>) {
         ui.horizontal(|ui| {
-            ui.label(RichText::new("WGSL").strong());
+            ui.label(RichText::new(tr!("WGSL")).strong());
             let what = format!("{} lines", self.lines.len());
             ui.label(RichText::new(what).color(theme::of(ui).dim));
             if !shader.removed.is_empty() {
@@ -112,7 +113,7 @@ impl Code {
                 .on_hover_text(removed.join("\n"));
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                if ui.button("Copy").on_hover_text("Copies the whole shader").clicked() {
+                if ui.button(tr!("Copy")).on_hover_text(tr!("Copies the whole shader")).clicked() {
                     commands.push(Command::Copy(shader.wgsl.clone()));
                 }
             });

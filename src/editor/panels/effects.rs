@@ -1,6 +1,7 @@
 //! Everything that the picture may cost: effects that run, those kept from before, those dropped,
 //! and the proof.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 use std::sync::Arc;
@@ -56,7 +57,7 @@ impl Effects {
     /// Lists `effects`, by kind; a click on the effect of a node leads to the node.
     pub(crate) fn show(&mut self, ui: &mut Ui, effects: Option<&Arc<Vec<Effect>>>) -> Vec<Command> {
         let Some(effects) = effects else {
-            hint(ui, "This window has no GPU, so that it draws nothing");
+            hint(ui, tr!("This window has no GPU, so that it draws nothing"));
             return Vec::new();
         };
         if !Arc::ptr_eq(effects, &self.of) {
@@ -64,7 +65,7 @@ impl Effects {
             self.list();
         }
         if self.of.is_empty() {
-            hint(ui, "The effects are listed with the next picture of the look at rest");
+            hint(ui, tr!("The effects are listed with the next picture of the look at rest"));
             return Vec::new();
         }
         self.filters(ui);

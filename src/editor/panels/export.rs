@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Align, Button, ComboBox, Layout, RichText, ScrollArea, Ui, vec2};
 
@@ -152,7 +153,7 @@ impl ExportCards {
     /// Needs of the look, in a line or two.
     fn head(&self, ui: &mut Ui, is_current: bool) {
         let Some(done) = &self.done else {
-            hint(ui, "Trying what the look needs ...");
+            hint(ui, tr!("Trying what the look needs ..."));
             return;
         };
         let needs = match &done.needs {
@@ -169,17 +170,17 @@ impl ExportCards {
     /// Choices of the export.
     fn choices(&mut self, ui: &mut Ui) {
         ui.horizontal_wrapped(|ui| {
-            ui.checkbox(&mut self.options.is_live, "Every value").on_hover_text(
+            ui.checkbox(&mut self.options.is_live, tr!("Every value")).on_hover_text(tr!(
                 "Every value can be set where the look arrives, not only those that you exposed: \
                  each with its range, default and help. The shader is slower. For a look that is \
-                 still being tuned; without it for what is delivered",
-            );
+                 still being tuned; without it for what is delivered"
+            ));
             let needs = self.done.as_ref().and_then(|done| done.needs.as_ref().ok());
             if needs.is_none_or(|needs| needs.painted_surfaces == 0) {
                 return;
             }
             ui.add_space(GAP);
-            let label = ui.label("Painted surfaces");
+            let label = ui.label(tr!("Painted surfaces"));
             let word = |storage: Option<Storage>| storage.map_or("as it fits", Storage::word);
             let combo = ComboBox::from_id_salt("storage")
                 .selected_text(word(self.options.storage))
@@ -244,7 +245,7 @@ fn show_card(
         ui.label(RichText::new(package.help).color(colors.dim).size(theme::SMALL_TEXT + 1.0));
         let is_taken = match trial {
             None => {
-                ui.label(RichText::new("Trying ...").color(colors.dim));
+                ui.label(RichText::new(tr!("Trying ...")).color(colors.dim));
                 true
             }
             Some(PackageTrial::Takes { files, bytes }) => {
@@ -252,7 +253,7 @@ fn show_card(
                 true
             }
             Some(PackageTrial::Refuses(reason, hints)) => {
-                let text = RichText::new(format!("Not this look: {reason}")).color(colors.warning);
+                let text = RichText::new(tr!("Not this look: {reason}")).color(colors.warning);
                 let label = egui::Label::new(text).truncate();
                 ui.add(label).on_hover_text(format!("{reason}\n{}", hints.join("\n")));
                 if let Some(hint) = hints.first() {
@@ -305,18 +306,18 @@ fn named_passes(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
                     output of the graph names it";
         return hint(ui, text);
     }
-    ui.label(RichText::new("Passes (AOVs) that the look names").strong()).on_hover_text(
-        "Each is a layer of an EXR, and costs nothing in pictures that nobody asks for it",
-    );
+    ui.label(RichText::new(tr!("Passes (AOVs) that the look names")).strong()).on_hover_text(tr!(
+        "Each is a layer of an EXR, and costs nothing in pictures that nobody asks for it"
+    ));
     for aov in aovs {
         ui.horizontal(|ui| {
             let title = passes::title_of(session, &aov.from);
-            let show = ui.link(aov.name.as_str()).on_hover_text("Shows the node");
+            let show = ui.link(aov.name.as_str()).on_hover_text(tr!("Shows the node"));
             if show.clicked() {
                 commands.push(Command::Show(aov.from.node.clone()));
             }
-            ui.label(RichText::new(format!("from {title}")).color(theme::of(ui).dim));
-            let remove = ui.small_button("×").on_hover_text("Takes the name away");
+            ui.label(RichText::new(tr!("from {title}")).color(theme::of(ui).dim));
+            let remove = ui.small_button("×").on_hover_text(tr!("Takes the name away"));
             remove.widget_info(|| {
                 let name = format!("Remove the pass {}", aov.name);
                 egui::WidgetInfo::labeled(egui::Role::Button, true, name)
@@ -334,7 +335,7 @@ fn named_passes(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
         ui.label(RichText::new(&command).monospace().color(theme::of(ui).dim));
         let help =
             "Copies the command that writes them beside the picture; --aov NAME asks for one";
-        if ui.small_button("Copy").on_hover_text(help).clicked() {
+        if ui.small_button(tr!("Copy")).on_hover_text(help).clicked() {
             commands.push(Command::Copy(command));
         }
     });

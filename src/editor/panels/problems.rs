@@ -2,6 +2,7 @@
 //! button for the fix where one edit is enough. The status bar shows their number and the first of
 //! them.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
     Label, Pos2, Response, RichText, Role, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo, pos2,
@@ -39,7 +40,10 @@ const SEVERITIES: [Severity; 3] = [Severity::Error, Severity::Warning, Severity:
 pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
     let mut sorted: Vec<&Diagnostic> = session.all_problems().collect();
     if sorted.is_empty() {
-        hint(ui, "No problems. What is wrong with the look, its file or its mesh is listed here.");
+        hint(
+            ui,
+            tr!("No problems. What is wrong with the look, its file or its mesh is listed here."),
+        );
         return Vec::new();
     }
     sorted.sort_by_key(|problem| std::cmp::Reverse(problem.severity));
@@ -48,8 +52,8 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
         counts(ui, &sorted);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             if ui
-                .button("Copy all")
-                .on_hover_text("Copies the list as text, to ask somebody")
+                .button(tr!("Copy all"))
+                .on_hover_text(tr!("Copies the list as text, to ask somebody"))
                 .clicked()
             {
                 let lines: Vec<String> = sorted.iter().map(ToString::to_string).collect();
@@ -123,7 +127,7 @@ fn place(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Com
         }
         let title = session.look_with_library().title(node);
         let link = ui.link(RichText::new(text).color(theme::of(ui).accent));
-        if link.on_hover_text(format!("Selects {title} and brings it into view")).clicked() {
+        if link.on_hover_text(tr!("Selects {title} and brings it into view")).clicked() {
             out.push(Command::Show(path.clone()));
         }
     }
@@ -222,6 +226,6 @@ pub(crate) fn status(ui: &mut Ui, session: &Session) -> Option<Command> {
     let clicked = response.clicked();
     response
         .on_hover_cursor(egui::CursorIcon::PointingHand)
-        .on_hover_text("Lists all problems, with what mends them");
+        .on_hover_text(tr!("Lists all problems, with what mends them"));
     clicked.then_some(Command::ShowPanel(PanelId::PROBLEMS))
 }

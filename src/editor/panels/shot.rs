@@ -1,6 +1,7 @@
 //! Shot over the scene: its frames and its step, what lies under it, and every value that it
 //! changes.
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Align, Button, ComboBox, DragValue, Label, Layout, RichText, Role, ScrollArea, Sense, TextEdit,
     Ui, WidgetInfo,
@@ -34,13 +35,13 @@ const STEPS: [(u32, &str); 3] = [(1, "ones"), (2, "twos"), (3, "threes")];
 fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
     let mut out = Vec::new();
     let Some(shot) = session.shot() else {
-        hint(ui, "No shot is open. A shot changes values of a scene for some frames.");
+        hint(ui, tr!("No shot is open. A shot changes values of a scene for some frames."));
         let new = Command::Scene(SceneCommand::Shot(ShotCommand::New));
         let help = "A shot over the open scene; over a look alone, a scene is made around it";
-        if ui.button("New shot of this scene").on_hover_text(help).clicked() {
+        if ui.button(tr!("New shot of this scene")).on_hover_text(help).clicked() {
             out.push(new);
         }
-        hint(ui, "Open shows one that is there.");
+        hint(ui, tr!("Open shows one that is there."));
         return out;
     };
     ScrollArea::vertical().auto_shrink([false, false]).id_salt("shot").show(ui, |ui| {
@@ -101,11 +102,11 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
         let frame = shot.frame_at(session.view.time);
         let text = format!("now {frame}");
         ui.label(RichText::new(text).color(theme::of(ui).dim))
-            .on_hover_text("The frame at the playhead of the timeline");
+            .on_hover_text(tr!("The frame at the playhead of the timeline"));
     });
     labelled(ui, "Rate", inherited(shot.shot().rate.is_some()), |ui, label| {
         let now = shot.rate();
-        let combo = ComboBox::from_id_salt("rate").selected_text(format!("{now} a second"));
+        let combo = ComboBox::from_id_salt("rate").selected_text(tr!("{now} a second"));
         let combo = combo.show_ui(ui, |ui| {
             for rate in RATES.iter().filter_map(|rate| rate.parse::<FrameRate>().ok()) {
                 if ui.selectable_label(rate == now, rate.to_string()).clicked() && rate != now {
@@ -134,7 +135,7 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
         let follows = session.follows_shot();
         let help = "The picture as `chiaro render` draws it at this frame; a turn of the view \
                     leaves the camera";
-        let look = ui.add_enabled(!follows, Button::new("Shot's camera"));
+        let look = ui.add_enabled(!follows, Button::new(tr!("Shot's camera")));
         look.widget_info(|| {
             WidgetInfo::labeled(Role::Button, !follows, "Look through the shot's camera")
         });
@@ -143,13 +144,13 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
         }
         let help = "The camera, the turn of the lights and the backdrop of the picture become the \
                     shot's: at this frame where they are keyed";
-        let keep = ui.add_enabled(!follows, Button::new("Keep view"));
+        let keep = ui.add_enabled(!follows, Button::new(tr!("Keep view")));
         keep.widget_info(|| WidgetInfo::labeled(Role::Button, !follows, "Keep this view"));
         if keep.on_hover_text(help).clicked() {
             out.push(Command::Scene(SceneCommand::KeepView));
         }
         let help = "Its frames as files, here or on a farm";
-        let render = ui.button("Render...");
+        let render = ui.button(tr!("Render..."));
         render.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Render frames..."));
         if render.on_hover_text(help).clicked() {
             out.push(Command::ShowPanel(PanelId::FRAMES));
@@ -160,7 +161,11 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
 fn size(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
     labelled(ui, "Size", "Width and height of its pictures, in pixels", |ui, _| {
         let Some(mut size) = shot.stack().size() else {
-            if ui.button("by the command").on_hover_text("Sets a size of its own").clicked() {
+            if ui
+                .button(tr!("by the command"))
+                .on_hover_text(tr!("Sets a size of its own"))
+                .clicked()
+            {
                 let edit = ShotEdit::SetSize { size: Some([1920, 1080]) };
                 push(out, ShotCommand::Edit(edit));
             }
@@ -185,7 +190,7 @@ fn stack(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
     ui.horizontal_wrapped(|ui| {
         for path in beneath {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
-            ui.label(RichText::new("over").color(theme::of(ui).dim));
+            ui.label(RichText::new(tr!("over")).color(theme::of(ui).dim));
             let link = ui.link(&*name);
             link.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Open {name}")));
             let help = format!("{}\nOpens it in place of the shot", path.display());
@@ -211,7 +216,7 @@ fn changes(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Comman
     let count = standing.iter().filter(|change| change.by == shot.path()).count();
     let farther = standing.len() - count;
     ui.label(
-        RichText::new(format!("{count} changed by this shot, {farther} by what lies under it"))
+        RichText::new(tr!("{count} changed by this shot, {farther} by what lies under it"))
             .small()
             .color(theme::of(ui).dim),
     );
@@ -265,7 +270,7 @@ fn row(
         if change.step > 1 { format!(", held for {} frames", change.step) } else { String::new() };
     let text = format!("   {from} before, {kind} to {to}{held}");
     ui.add(Label::new(RichText::new(text).small().color(colors.dim)).truncate())
-        .on_hover_text(format!("{kind} by {by}: {from} before, {to} now"));
+        .on_hover_text(tr!("{kind} by {by}: {from} before, {to} now"));
     ui.add_space(2.0);
 }
 
@@ -279,15 +284,15 @@ fn buttons(
 ) {
     let at = ShotAddress::of(change);
     if change.by == shot.path() {
-        let button = ui.small_button("Reset");
+        let button = ui.small_button(tr!("Reset"));
         button.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Reset {address}")));
-        if button.on_hover_text("The value is as before").clicked() {
+        if button.on_hover_text(tr!("The value is as before")).clicked() {
             push(out, ShotCommand::Reset(at.clone()));
         }
     } else {
         let by = change.by.file_name().unwrap_or_default().to_string_lossy();
         let help = format!("{by} changes it, and takes it back: opens that file");
-        let button = ui.small_button("Open");
+        let button = ui.small_button(tr!("Open"));
         button.widget_info(|| {
             WidgetInfo::labeled(Role::Button, true, format!("Open {by} with {address}"))
         });
@@ -296,10 +301,10 @@ fn buttons(
         }
     }
     let is_open = change.look.is_none() || change.look == shot.open_look();
-    let key = ui.add_enabled(is_open, Button::new("Key").small());
+    let key = ui.add_enabled(is_open, Button::new(tr!("Key")).small());
     key.widget_info(|| WidgetInfo::labeled(Role::Button, is_open, format!("Key {address}")));
     let frame = shot.frame_at(session.view.time);
-    if key.on_hover_text(format!("A key at frame {frame}, with the present value")).clicked() {
+    if key.on_hover_text(tr!("A key at frame {frame}, with the present value")).clicked() {
         push(out, ShotCommand::Key(at));
     }
 }

@@ -3,6 +3,7 @@
 
 use std::collections::HashMap;
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Button, Color32, Frame, Label, Margin, Popup, Response, RichText, Role, ScrollArea, Sense, Ui,
     WidgetInfo, vec2,
@@ -46,7 +47,7 @@ impl Snapshots {
     fn show(&mut self, ui: &mut Ui, session: &Session, thumbs: &Thumbs) -> Vec<Command> {
         let mut out = Vec::new();
         let take = Command::Snapshot(SnapshotCommand::Take);
-        if ui.button("Take a snapshot").on_hover_text(table::help_of(&take)).clicked() {
+        if ui.button(tr!("Take a snapshot")).on_hover_text(table::help_of(&take)).clicked() {
             out.push(take);
         }
         let shelf = session.shelf();
@@ -63,7 +64,7 @@ impl Snapshots {
             return out;
         }
         if session.path().is_none() {
-            hint(ui, "Save the look, and its snapshots lie in a file beside it.");
+            hint(ui, tr!("Save the look, and its snapshots lie in a file beside it."));
         }
         let mesh = surroundings_key(session);
         if std::mem::replace(&mut self.mesh, mesh) != mesh {
@@ -151,7 +152,7 @@ impl Snapshots {
         } else {
             let text = RichText::new(name).color(theme::of(ui).text);
             let label = Label::new(text).truncate().selectable(false).sense(Sense::click());
-            let response = ui.add(label).on_hover_text("Double click to rename");
+            let response = ui.add(label).on_hover_text(tr!("Double click to rename"));
             if response.double_clicked() {
                 self.renaming = Some(NameEdit::new(id, name));
             }
@@ -163,27 +164,27 @@ impl Snapshots {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 3.0;
             let help = "Makes the look what it was then, as one step that can be undone";
-            let button = ui.add_enabled(!is_now, Button::new("Restore")).on_hover_text(help);
+            let button = ui.add_enabled(!is_now, Button::new(tr!("Restore"))).on_hover_text(help);
             if named(button, !is_now, &format!("Restore {name}")).clicked() {
                 push(SnapshotCommand::Restore(id));
             }
             let help =
                 "Shows the picture beside what the snapshot holds: wipe, flicker, difference";
-            let button = ui.button("Compare").on_hover_text(help);
+            let button = ui.button(tr!("Compare")).on_hover_text(help);
             if named(button, true, &format!("Compare with {name}")).clicked() {
                 compared = Some(ComparedPicture::Snapshot(id));
             }
             let more = icon(ui, Icon::More, true, &format!("More about {name}"), "More");
             Popup::menu(&more).show(|ui| {
-                if ui.button("Rename").clicked() {
+                if ui.button(tr!("Rename")).clicked() {
                     self.renaming = Some(NameEdit::new(id, name));
                 }
                 let help = "A look of its own with what the snapshot holds; this look stays";
-                if ui.button("New look from it").on_hover_text(help).clicked() {
+                if ui.button(tr!("New look from it")).on_hover_text(help).clicked() {
                     push(SnapshotCommand::Copy(id));
                 }
                 let help = "Undo brings it back";
-                if ui.button("Delete").on_hover_text(help).clicked() {
+                if ui.button(tr!("Delete")).on_hover_text(help).clicked() {
                     push(SnapshotCommand::Delete(id));
                 }
             });

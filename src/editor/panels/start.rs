@@ -5,6 +5,7 @@
 use std::collections::HashMap;
 use std::path::PathBuf;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
     Button, EventFilter, FontId, Key, Label, Modifiers, Rect, Response, RichText, Role, ScrollArea,
@@ -237,7 +238,7 @@ impl Start {
             }
             let close = ui.add(Button::new(RichText::new("×").size(24.0)).frame(false));
             close.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Close the start page"));
-            if close.on_hover_text("To the look that is open (Esc)").clicked() {
+            if close.on_hover_text(tr!("To the look that is open (Esc)")).clicked() {
                 out.push(Command::ShowStart(false));
             }
         });
@@ -259,8 +260,8 @@ impl Start {
         ui.add_space(GAP);
         ui.vertical(|ui| {
             ui.add_space(6.0);
-            ui.label(RichText::new("Chiaro").size(34.0).strong());
-            ui.label(RichText::new("Draw with light").size(15.0).color(theme::of(ui).dim));
+            ui.label(RichText::new(tr!("Chiaro")).size(34.0).strong());
+            ui.label(RichText::new(tr!("Draw with light")).size(15.0).color(theme::of(ui).dim));
         });
     }
 
@@ -283,8 +284,8 @@ impl Start {
                         let response = card.show(ui, side, session, thumbs, out);
                         response.context_menu(|ui| {
                             if ui
-                                .button("Forget")
-                                .on_hover_text("Takes it off this list; the file stays")
+                                .button(tr!("Forget"))
+                                .on_hover_text(tr!("Takes it off this list; the file stays"))
                                 .clicked()
                             {
                                 out.push(Command::Forget(recent.path.clone()));
@@ -317,7 +318,7 @@ impl Start {
             }
         }
         if is_empty {
-            hint(ui, "No example has these words in its name, its tags or its description.");
+            hint(ui, tr!("No example has these words in its name, its tags or its description."));
         }
         ui.add_space(GAP);
         let text =
@@ -330,7 +331,7 @@ impl Start {
     /// the page appears.
     fn search(&mut self, ui: &mut Ui, is_new: bool) {
         let edit = TextEdit::singleline(&mut self.query)
-            .hint_text("Find: anime, watercolor, shadow, hatching")
+            .hint_text(tr!("Find: anime, watercolor, shadow, hatching"))
             .desired_width(320.0)
             .char_limit(100);
         let response = ui.add(edit);
@@ -344,7 +345,7 @@ impl Start {
         ui.add_space(6.0);
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
-            ui.selectable_value(&mut self.subject, None, "All");
+            ui.selectable_value(&mut self.subject, None, tr!("All"));
             for section in &self.examples {
                 let chip =
                     ui.selectable_value(&mut self.subject, Some(section.title), section.title);

@@ -4,6 +4,7 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Button, Color32, ComboBox, DragValue, FontId, Rect, RichText, Role, ScrollArea, Sense, Slider,
     Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
@@ -83,7 +84,7 @@ impl Variations {
         if let VariedSubject::Value(target) = &sheet.subject
             && session.look_with_library().port_at(target).is_none()
         {
-            hint(ui, "What was varied is not in the look any more.");
+            hint(ui, tr!("What was varied is not in the look any more."));
             return out;
         }
         controls(ui, sheet, self.taken.as_ref());
@@ -124,7 +125,7 @@ impl Variations {
         let text = now.as_ref().map_or_else(|| "Choose".to_owned(), title);
         let mut chosen = None;
         ui.horizontal(|ui| {
-            let label = ui.label("Vary");
+            let label = ui.label(tr!("Vary"));
             let combo = ComboBox::from_id_salt("vary").width(150.0).selected_text(text);
             let combo = combo.height(320.0).show_ui(ui, |ui| {
                 for subject in subjects(session) {
@@ -252,12 +253,12 @@ fn controls(ui: &mut Ui, sheet: &mut VariationSheet, taken: Option<&Variation>) 
                         sheet.range[side] = shown / factor;
                     }
                 }
-                let label = ui.label("Steps");
+                let label = ui.label(tr!("Steps"));
                 let drag = DragValue::new(&mut sheet.steps).range(STEPS).speed(0.1);
                 ui.add(drag).labelled_by(label.id);
             }
             VariationKind::Color | VariationKind::Direction => {
-                let label = ui.label("How far");
+                let label = ui.label(tr!("How far"));
                 let slider = Slider::new(&mut sheet.spread, 0.02..=1.0).show_value(false);
                 ui.add(slider).labelled_by(label.id);
             }
@@ -269,8 +270,8 @@ fn controls(ui: &mut Ui, sheet: &mut VariationSheet, taken: Option<&Variation>) 
         );
         if can {
             let help = "A finer sheet around the one that was taken";
-            let button = ui.add_enabled(taken.is_some(), Button::new("Again around this one"));
-            let button = button.on_hover_text(help).on_disabled_hover_text("Take one first");
+            let button = ui.add_enabled(taken.is_some(), Button::new(tr!("Again around this one")));
+            let button = button.on_hover_text(help).on_disabled_hover_text(tr!("Take one first"));
             if let Some(taken) = taken.filter(|_| button.clicked()) {
                 sheet.again_around(taken);
             }

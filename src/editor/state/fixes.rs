@@ -8,6 +8,7 @@ use crate::ids::{LightId, NodeId, PortName, is_slug, make_slug};
 use crate::library::{Fallback, Type};
 use crate::state::session::Session;
 use crate::values;
+use chiaro_locale::tr;
 
 /// Largest number of lights offered in place of an unknown one.
 const MOST_LIGHTS: usize = 4;
@@ -109,7 +110,7 @@ impl<'a> ProblemSpot<'a> {
 
     fn remove(&self, help: &str) -> Fix {
         Fix::new(
-            "Remove this one",
+            tr!("Remove this one"),
             help,
             Edit::RemoveNode { graph: self.id.clone(), id: self.node_id.clone() },
         )
@@ -125,7 +126,7 @@ impl<'a> ProblemSpot<'a> {
                 kind: near.to_owned(),
             };
             Fix::new(
-                format!("Make it {label}"),
+                tr!("Make it {label}"),
                 format!("Changes the kind to `{near}`; values and wires stay"),
                 edit,
             )
@@ -157,9 +158,11 @@ impl<'a> ProblemSpot<'a> {
                         Edit::Group { edits: vec![clear, set] },
                     )
                 }
-                None => {
-                    Fix::new("Remove the value", "The node has nothing of a name like this", clear)
-                }
+                None => Fix::new(
+                    tr!("Remove the value"),
+                    "The node has nothing of a name like this",
+                    clear,
+                ),
             });
         }
         let (old, is_input) = match self.wire_into() {
@@ -182,12 +185,14 @@ impl<'a> ProblemSpot<'a> {
                 end.port = near.clone();
                 let add = Edit::AddWire { graph, wire, index: None };
                 Fix::new(
-                    format!("Wire {near}"),
+                    tr!("Wire {near}"),
                     "Moves the wire to the port of the nearest name",
                     Edit::Group { edits: vec![remove, add] },
                 )
             }
-            None => Fix::new("Remove the wire", "The node has nothing of a name like this", remove),
+            None => {
+                Fix::new(tr!("Remove the wire"), "The node has nothing of a name like this", remove)
+            }
         })
     }
 
@@ -315,7 +320,7 @@ impl<'a> ProblemSpot<'a> {
             Edit::AddWire { graph: self.id.clone(), wire, index: None }
         }));
         Some(Fix::new(
-            "Use Axes around a direction",
+            tr!("Use Axes around a direction"),
             "Puts the node in, so that highlights keep their shape on a mesh without UVs",
             Edit::Group { edits: made },
         ))
@@ -397,7 +402,7 @@ impl<'a> ProblemSpot<'a> {
     fn unwire(&self) -> Option<Fix> {
         let edit = Edit::RemoveWire { graph: self.id.clone(), wire: self.wire_into()?.clone() };
         Some(Fix::new(
-            "Remove the wire",
+            tr!("Remove the wire"),
             "Takes the wire away, so that the input has its own value",
             edit,
         ))
@@ -409,7 +414,7 @@ impl<'a> ProblemSpot<'a> {
         let port = self.port.clone().filter(has)?;
         let edit = Edit::ClearValue { graph: self.id.clone(), id: self.node_id.clone(), port };
         Some(Fix::new(
-            "Use the default",
+            tr!("Use the default"),
             "Takes the value away, so that the input has its default",
             edit,
         ))
@@ -452,7 +457,7 @@ fn add_output(session: &Session) -> Fix {
         Edit::AddWire { graph: GraphId::Look, wire, index: None }
     }));
     Fix::new(
-        "Add an Output",
+        tr!("Add an Output"),
         "Adds an Output node, wired to what feeds nothing yet",
         Edit::Group { edits },
     )

@@ -1,5 +1,6 @@
 //! Bar above the picture: the mesh that the look is seen on, and the options of the display.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{PopupCloseBehavior, Rect, Role, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
@@ -57,16 +58,16 @@ impl Viewport {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let stays =
                     MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-                let (menu, _) = MenuButton::new("Options")
+                let (menu, _) = MenuButton::new(tr!("Options"))
                     .config(stays)
                     .ui(ui, |ui| self.options(ui, session, (&mut *view, &mut *tools), out));
-                menu.on_hover_text(
+                menu.on_hover_text(tr!(
                     "Turntable, projection, backdrop, exposure, view transform, reference image, \
-                     saving",
-                );
+                     saving"
+                ));
                 tools.switches(ui, SwitchPlace::Bar, out);
                 if session.is_compiling() && ui.available_width() > COMPILING {
-                    ui.label(egui::RichText::new("compiling").color(theme::of(ui).dim));
+                    ui.label(egui::RichText::new(tr!("compiling")).color(theme::of(ui).dim));
                 }
             });
         });
@@ -84,14 +85,14 @@ impl Viewport {
         let help = "Where eye and lights stand at a place, as a painted surface (HCBTF) looks them \
                     up: blue lies toward the eye, the others toward lights, each with its trace \
                     on the surface; larger under the pointer";
-        ui.checkbox(&mut self.has_arrows, "Arrows toward eye and lights").on_hover_text(help);
-        ui.checkbox(&mut self.turns, "Turntable")
+        ui.checkbox(&mut self.has_arrows, tr!("Arrows toward eye and lights")).on_hover_text(help);
+        ui.checkbox(&mut self.turns, tr!("Turntable"))
             .on_hover_text(help_of(ViewCommand::ToggleTurntable));
         if session.open_scene().is_none() && !session.view.orbit.mesh.starts_with(SHAPE_PREFIX) {
             let help = "Stands up a mesh that lies on its back: one whose z axis points up, as in \
                         many scans";
             let mut z_is_up = session.view.orbit.z_is_up;
-            if ui.checkbox(&mut z_is_up, "Z is up").on_hover_text(help).changed() {
+            if ui.checkbox(&mut z_is_up, tr!("Z is up")).on_hover_text(help).changed() {
                 out.push(Command::StandUp(z_is_up));
             }
         }
@@ -132,7 +133,7 @@ impl Viewport {
         ui.horizontal(|ui| {
             let mut is_own = view.backdrop.is_some();
             let help = "What is behind the object; for this window only";
-            let label = ui.checkbox(&mut is_own, "Backdrop").on_hover_text(help);
+            let label = ui.checkbox(&mut is_own, tr!("Backdrop")).on_hover_text(help);
             if label.changed() {
                 view.backdrop = is_own.then_some(backdrop);
             }
@@ -145,13 +146,14 @@ impl Viewport {
             *color = [r, g, b, 1.0];
         }
         ui.horizontal(|ui| {
-            let label = ui.label("Exposure");
+            let label = ui.label(tr!("Exposure"));
             let range = -show::MOST_STOPS..=show::MOST_STOPS;
             let help = "Shows the picture brighter or darker, in stops; for this window only, the \
                         look stays as it is";
             let slider = egui::Slider::new(&mut self.exposure, range).max_decimals(2).step_by(0.05);
             ui.add(slider).labelled_by(label.id).on_hover_text(help);
-            if self.exposure != 0.0 && ui.small_button("0").on_hover_text("As it is").clicked() {
+            if self.exposure != 0.0 && ui.small_button("0").on_hover_text(tr!("As it is")).clicked()
+            {
                 self.exposure = 0.0;
             }
         });
@@ -160,7 +162,7 @@ impl Viewport {
     fn reference_image(&mut self, ui: &mut Ui, out: &mut Vec<Command>) {
         let Some(reference) = &mut self.reference else {
             let help = "Shows an image to work from, beside the picture or over it";
-            if ui.button("Reference image...").on_hover_text(help).clicked() {
+            if ui.button(tr!("Reference image...")).on_hover_text(help).clicked() {
                 out.push(Command::ShowReference(None));
             }
             return;
@@ -168,13 +170,13 @@ impl Viewport {
         let mut is_over = false;
         ui.horizontal(|ui| {
             ui.label(&reference.name);
-            ui.selectable_value(&mut reference.place, ReferencePlacement::Beside, "Beside");
-            ui.selectable_value(&mut reference.place, ReferencePlacement::Over, "Over");
-            is_over = ui.button("Take away").clicked();
+            ui.selectable_value(&mut reference.place, ReferencePlacement::Beside, tr!("Beside"));
+            ui.selectable_value(&mut reference.place, ReferencePlacement::Over, tr!("Over"));
+            is_over = ui.button(tr!("Take away")).clicked();
         });
         if reference.place == ReferencePlacement::Over {
             ui.horizontal(|ui| {
-                let label = ui.label("Opacity of the image");
+                let label = ui.label(tr!("Opacity of the image"));
                 ui.add(egui::Slider::new(&mut reference.opacity, 0.0..=1.0)).labelled_by(label.id);
             });
         }
@@ -185,8 +187,8 @@ impl Viewport {
 
     fn exports(&mut self, ui: &mut Ui, out: &mut Vec<Command>) {
         if ui
-            .button("Copy picture")
-            .on_hover_text("To the clipboard, as large as it is here")
+            .button(tr!("Copy picture"))
+            .on_hover_text(tr!("To the clipboard, as large as it is here"))
             .clicked()
         {
             out.push(Command::CopyPicture);
@@ -194,7 +196,7 @@ impl Viewport {
         }
         ui.horizontal(|ui| {
             let own = self.size_in_pixels(ui.pixels_per_point());
-            ui.label("Save picture");
+            ui.label(tr!("Save picture"));
             for (label, factor) in [("1×", 1), ("2×", 2), ("4×", 4)] {
                 let size = own.map(|side| (side * factor).clamp(1, MOST_SIDE));
                 let help = format!("As PNG, {} by {} pixels", size[0], size[1]);
@@ -212,7 +214,7 @@ impl Viewport {
             let help = "Draws the look on a ball, from here and lit as here, as an image for the \
                         LitSphere node and for \
                         other programs (a matcap). Curvature is then the ball's.";
-            if ui.button("Bake to LitSphere...").on_hover_text(help).clicked() {
+            if ui.button(tr!("Bake to LitSphere...")).on_hover_text(help).clicked() {
                 out.push(Command::Export(PictureExport::LitSphere(self.bake_side), None));
                 ui.close();
             }
@@ -227,12 +229,14 @@ impl Viewport {
                         format!("{side} pixels along a side"),
                     )
                 };
-                response.on_hover_text("Pixels along a side").widget_info(name);
+                response.on_hover_text(tr!("Pixels along a side")).widget_info(name);
             }
         });
     }
 }
 
+/// Width of the choice of the mesh, in points: others stand beside it.
+const MESH: f32 = 84.0;
 /// Height of the list of meshes, in points: room for all of them, and for the entry that opens a
 /// file.
 const MESHES: f32 = 420.0;
@@ -240,32 +244,30 @@ const MESHES: f32 = 420.0;
 const MOST_SIDE: u32 = 8192;
 
 fn mesh_choice(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-    let label = ui.label("On");
+    let label = ui.label(tr!("On"));
     let mesh = session.view.orbit.mesh.clone();
     let shape = SHAPES.iter().find(|shape| mesh.strip_prefix("shape:") == Some(shape.name));
     let file = Path::new(&mesh)
         .file_name()
         .map_or(mesh.clone(), |name| name.to_string_lossy().into_owned());
     let shown = shape.map_or(file.as_str(), |shape| shape.label);
-    let combo = egui::ComboBox::from_id_salt("mesh").height(MESHES).selected_text(shown).show_ui(
-        ui,
-        |ui| {
-            for shape in SHAPES {
-                let is_it = mesh.strip_prefix("shape:") == Some(shape.name);
-                if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() {
-                    out.push(Command::ShowOn(Some(format!("{SHAPE_PREFIX}{}", shape.name).into())));
-                }
+    let combo = egui::ComboBox::from_id_salt("mesh").width(MESH).truncate().height(MESHES);
+    let combo = combo.selected_text(shown).show_ui(ui, |ui| {
+        for shape in SHAPES {
+            let is_it = mesh.strip_prefix("shape:") == Some(shape.name);
+            if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() {
+                out.push(Command::ShowOn(Some(format!("{SHAPE_PREFIX}{}", shape.name).into())));
             }
-            ui.separator();
-            let help = "Shows the look on a mesh of yours (OBJ, PLY, STL, glTF); it can also be \
+        }
+        ui.separator();
+        let help = "Shows the look on a mesh of yours (OBJ, PLY, STL, glTF); it can also be \
                     dropped on the window. \
                     One that lies on its back is stood up by \"Z is up\" under Options";
-            if ui.selectable_label(shape.is_none(), "From a file...").on_hover_text(help).clicked()
-            {
-                out.push(Command::ShowOn(None));
-            }
-        },
-    );
+        if ui.selectable_label(shape.is_none(), tr!("From a file...")).on_hover_text(help).clicked()
+        {
+            out.push(Command::ShowOn(None));
+        }
+    });
     combo.response.labelled_by(label.id);
 }
 
@@ -320,7 +322,7 @@ fn through_bar(ui: &mut Ui, name: &str, out: &mut Vec<Command>) {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let help =
                     "Gives the camera back its place (O, or Esc); the light stays where it is";
-                if ui.button("Back to the camera").on_hover_text(help).clicked() {
+                if ui.button(tr!("Back to the camera")).on_hover_text(help).clicked() {
                     out.push(Command::View(ViewCommand::LookThrough));
                 }
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
@@ -349,7 +351,7 @@ fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()
     frame.show(ui, |ui| {
         ui.horizontal(|ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                if ui.button("Show the look").clicked() {
+                if ui.button(tr!("Show the look")).clicked() {
                     out.push(Command::ShowWire(None));
                 }
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {

@@ -1,6 +1,7 @@
 //! Menu of the views that the picture is shown by: the curve of sRGB, and those of an OpenColorIO
 //! configuration.
 
+use chiaro_locale::tr;
 use eframe::egui::{self, Ui};
 
 use crate::commands::{Command, DisplayCommand};
@@ -78,7 +79,7 @@ pub(super) fn menu(ui: &mut Ui, session: &Session, colors: &mut ColorMenu, out: 
                 configuration such as ACES 2; for this window only, the look stays as it is";
     let entry = ui.menu_button(label, |ui| {
         let help = "As PNGs are written without --view";
-        if ui.radio(shown.is_none(), "sRGB").on_hover_text(help).clicked() {
+        if ui.radio(shown.is_none(), tr!("sRGB")).on_hover_text(help).clicked() {
             out.push(Command::Display(DisplayCommand::Show(None)));
         }
         ui.separator();
@@ -89,7 +90,7 @@ pub(super) fn menu(ui: &mut Ui, session: &Session, colors: &mut ColorMenu, out: 
         match colors.config(ui, &name).map(|listed| &listed.displays) {
             Some(Ok(displays)) => views(ui, &name, displays, shown, out),
             Some(Err(problem)) => drop(ui.label(problem.as_str())),
-            None => drop(ui.weak("Reading the configuration...")),
+            None => drop(ui.weak(tr!("Reading the configuration..."))),
         }
         ui.separator();
         configurations(ui, &name, out);
@@ -140,7 +141,7 @@ fn configurations(ui: &mut Ui, name: &str, out: &mut Vec<Command>) {
         entry(ui, &file, name);
     }
     let help = "Takes the displays and views of another configuration (.ocio, .ocioz)";
-    if ui.button("Configuration from a file...").on_hover_text(help).clicked() {
+    if ui.button(tr!("Configuration from a file...")).on_hover_text(help).clicked() {
         out.push(Command::Display(DisplayCommand::Open(None)));
         ui.close();
     }

@@ -2,6 +2,7 @@
 //! them, its colors and its warp. The strip would cover the object's feet, so that only a tab is
 //! shown until the pointer comes near.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
     Align2, DragValue, Frame, Id, Margin, Rect, Response, RichText, Ui, UiBuilder, Vec2, pos2, vec2,
@@ -100,7 +101,7 @@ fn tab(ui: &mut Ui, room: Rect, id: Id, layer: &SelectedLayer) -> Response {
         painter.circle_filled(at, 3.0, theme::curve(index.into()));
     }
     painter.galley(pos2(rect.left() + 8.0 + dots, rect.top() + 3.0), galley, colors.dim);
-    response.on_hover_text("The layer's angles, colors and shape, while the pointer is here")
+    response.on_hover_text(tr!("The layer's angles, colors and shape, while the pointer is here"))
 }
 
 /// Distance between neighboring dots of the tab, in points.
@@ -286,7 +287,7 @@ fn number<T>(
     set_name(ui, response.id, name);
     response
         .on_hover_text(help)
-        .on_disabled_hover_text("It cannot be set here: it comes from a wire")
+        .on_disabled_hover_text(tr!("It cannot be set here: it comes from a wire"))
 }
 
 /// Names a widget for screen readers.

@@ -1,5 +1,6 @@
 //! Color field: a swatch that opens a picker, and its hex code.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::ecolor::{gamma_from_linear, linear_from_gamma};
 use eframe::egui::text::{CCursor, CCursorRange};
@@ -95,7 +96,7 @@ fn swatch_of(
     let [r, g, b, a] = encoded(color, space).map(|x| x as f32);
     let mut typed = None;
     let (response, picked) = picker::swatch(ui, [r, g, b, a], with_alpha, name, |ui| {
-        let label = ui.label("Hex code").id;
+        let label = ui.label(tr!("Hex code")).id;
         typed = hex(ui, label, color, space);
     });
     let decode = |x: f32| match space {
@@ -156,7 +157,7 @@ fn hex(ui: &mut Ui, label: Id, color: [f64; 4], space: ColorSpace) -> Option<(Id
         ui.data_mut(|data| data.remove::<String>(id));
     }
     let response = if is_bad {
-        response.on_hover_text("No color: type six digits, as in #d08040")
+        response.on_hover_text(tr!("No color: type six digits, as in #d08040"))
     } else {
         response
     };

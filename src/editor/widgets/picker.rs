@@ -3,6 +3,7 @@
 //! picker has a choice of `U8`, which no painter knows, and gives none of its parts a name for
 //! screen readers.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::style::StyleModifier;
 use eframe::egui::{
@@ -105,7 +106,10 @@ pub(crate) fn swatch(
     if shown.is_some() && ui.input(|input| input.key_pressed(Key::Escape)) {
         Popup::close_id(ui.ctx(), popup);
     }
-    (response.on_hover_text("Click to pick another color"), shown.and_then(|shown| shown.inner))
+    (
+        response.on_hover_text(tr!("Click to pick another color")),
+        shown.and_then(|shown| shown.inner),
+    )
 }
 
 fn paint_swatch(ui: &Ui, rect: Rect, response: &Response, is_open: bool, color: Color32) {
@@ -148,7 +152,7 @@ pub(crate) fn pick(ui: &mut Ui, id: Id, color: [f32; 4], with_alpha: bool) -> Op
                 .max_decimals(0)
                 .speed(0.5)
                 .prefix(format!("{letter} "));
-            let response = ui.add(drag).on_hover_text(format!("{name}, from 0 to 255"));
+            let response = ui.add(drag).on_hover_text(tr!("{name}, from 0 to 255"));
             ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
             if response.changed() {
                 *value = (byte / 255.0) as f32;
@@ -170,7 +174,7 @@ pub(crate) fn pick(ui: &mut Ui, id: Id, color: [f32; 4], with_alpha: bool) -> Op
 fn opacity(ui: &mut Ui, alpha: f32) -> Option<f32> {
     let mut percent = f64::from(alpha.clamp(0.0, 1.0)) * 100.0;
     ui.horizontal(|ui| {
-        let label = ui.label("Opacity");
+        let label = ui.label(tr!("Opacity"));
         ui.spacing_mut().slider_width = SQUARE.x - 120.0;
         let slider = egui::Slider::new(&mut percent, 0.0..=100.0).suffix("%").max_decimals(0);
         ui.add(slider).labelled_by(label.id).changed()

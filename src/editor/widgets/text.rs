@@ -1,6 +1,7 @@
 //! Lines of text: a hint in place of missing content, a cell that is cut where it is too long, and
 //! a field for texts with a form of their own.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Id, RichText, TextEdit, Ui};
 
@@ -31,7 +32,7 @@ pub(crate) fn formed<T: PartialEq>(
     let colors = theme::of(ui);
     let ink = if is_formed { colors.text } else { colors.error };
     ui.vertical(|ui| {
-        let edit = TextEdit::singleline(&mut text).id(id).hint_text("none").text_color(ink);
+        let edit = TextEdit::singleline(&mut text).id(id).hint_text(tr!("none")).text_color(ink);
         let response = ui.add(edit.desired_width(f32::INFINITY)).labelled_by(label);
         if response.lost_focus() {
             ui.data_mut(|data| data.remove::<String>(id));

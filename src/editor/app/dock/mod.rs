@@ -3,6 +3,7 @@
 
 mod workspace;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
     Color32, Rect, Response, Sense, Stroke, TextStyle, Ui, UiBuilder, Vec2, Visuals, WidgetInfo,
@@ -288,7 +289,7 @@ impl Behavior<Pane> for TileBehavior<'_> {
             self.is_changed = true;
         }
         let mut wants_closed = false;
-        response.context_menu(|ui| wants_closed = ui.button("Close this panel").clicked());
+        response.context_menu(|ui| wants_closed = ui.button(tr!("Close this panel")).clicked());
         if wants_closed {
             tiles.remove(tile);
             self.is_changed = true;
@@ -339,7 +340,7 @@ impl Behavior<Pane> for TileBehavior<'_> {
         menu.response.widget_info(|| {
             WidgetInfo::labeled(egui::Role::Button, true, "All panels of this stack")
         });
-        menu.response.on_hover_text("Lists all panels that lie here");
+        menu.response.on_hover_text(tr!("Lists all panels that lie here"));
         let known = egui::Id::unique("front tab").with(stack);
         let (before, frames) =
             ui.data(|data| data.get_temp::<(Option<TileId>, u8)>(known)).unwrap_or_default();

@@ -1,5 +1,6 @@
 //! Card of a step, beside a ring around the step's target. Both lie over panels and under menus.
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Area, Button, Context, Frame, Id, Layout, Margin, Order, Pos2, Rect, RichText, Stroke,
     StrokeKind, Ui, Vec2, pos2, vec2,
@@ -61,17 +62,17 @@ pub(super) fn show(
         dots(ui, progress);
         ui.horizontal(|ui| {
             if ui
-                .add_enabled(progress.index > 0, Button::new("Back"))
-                .on_hover_text("To the step before")
+                .add_enabled(progress.index > 0, Button::new(tr!("Back")))
+                .on_hover_text(tr!("To the step before"))
                 .clicked()
             {
                 answer = Some(Answer::Back);
             }
             let help = "Does it for you, as a step that Undo takes back";
             let button = ui
-                .add_enabled(can_show && !progress.is_done, Button::new("Show me"))
+                .add_enabled(can_show && !progress.is_done, Button::new(tr!("Show me")))
                 .on_hover_text(help);
-            if button.on_disabled_hover_text("There is nothing to do here now").clicked() {
+            if button.on_disabled_hover_text(tr!("There is nothing to do here now")).clicked() {
                 answer = Some(Answer::Show);
             }
             ui.with_layout(Layout::right_to_left(eframe::egui::Align::Center), |ui| {
@@ -120,8 +121,8 @@ fn head(ui: &mut Ui, title: &str, answer: &mut Option<Answer>) {
         ui.label(RichText::new(title).strong().color(theme::of(ui).accent));
         ui.with_layout(Layout::right_to_left(eframe::egui::Align::Center), |ui| {
             if ui
-                .small_button("End tour")
-                .on_hover_text("The look stays as it is; Help has the tour again")
+                .small_button(tr!("End tour"))
+                .on_hover_text(tr!("The look stays as it is; Help has the tour again"))
                 .clicked()
             {
                 *answer = Some(Answer::End);

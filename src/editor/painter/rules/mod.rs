@@ -6,6 +6,7 @@ mod strokes;
 
 use std::f64::consts::PI;
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Checkbox, ComboBox, DragValue, Id, ProgressBar, RichText, Role, ScrollArea, Slider, Ui,
     WidgetInfo,
@@ -97,7 +98,7 @@ pub(super) fn show(
     let hcbtf = work.hcbtf();
     let mut tiling = hcbtf.is_tiling;
     ui.horizontal(|ui| {
-        ui.menu_button("+ Add a rule", |ui| {
+        ui.menu_button(tr!("+ Add a rule"), |ui| {
             for rule in fresh(work) {
                 let (name, help) = (rule.about().label, tip(&rule));
                 let button = ui.button(name);
@@ -113,12 +114,12 @@ pub(super) fn show(
             }
         })
         .response
-        .on_hover_text(
-            "Rules fill what nobody painted. They work in order, and paintings always win",
-        );
+        .on_hover_text(tr!(
+            "Rules fill what nobody painted. They work in order, and paintings always win"
+        ));
         if ui
-            .checkbox(&mut tiling, "The tile repeats")
-            .on_hover_text("Strokes go across its edges")
+            .checkbox(&mut tiling, tr!("The tile repeats"))
+            .on_hover_text(tr!("Strokes go across its edges"))
             .changed()
         {
             out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::SetTiling {
@@ -126,7 +127,7 @@ pub(super) fn show(
             })));
         }
         let help = "Divides it into other texels, lights or views, once it is told what that takes";
-        if ui.button("Grid...").on_hover_text(help).clicked() {
+        if ui.button(tr!("Grid...")).on_hover_text(help).clicked() {
             out.push(Command::Paint(PaintCommand::AskGrid { changes: true }));
         }
     });
@@ -401,7 +402,7 @@ pub(super) fn sample(ui: &mut Ui, work: &OpenPainting, from: &mut Address) -> Op
     let help = "Lets the rule copy the sample that you are working at";
     let button = ui.add_enabled(
         before.canonical() != at,
-        eframe::egui::Button::new("Take the sample at work").small(),
+        eframe::egui::Button::new(tr!("Take the sample at work")).small(),
     );
     if button.on_hover_text(help).clicked() {
         *from = at;
@@ -410,7 +411,7 @@ pub(super) fn sample(ui: &mut Ui, work: &OpenPainting, from: &mut Address) -> Op
     *from = from.canonical();
     if work.hcbtf().painted(*from).is_none() {
         ui.label(
-            RichText::new("Nothing is painted there yet").color(theme::of(ui).warning).small(),
+            RichText::new(tr!("Nothing is painted there yet")).color(theme::of(ui).warning).small(),
         );
     }
     changed

@@ -2,6 +2,7 @@
 
 use std::ops::RangeInclusive;
 
+use chiaro_locale::tr;
 use eframe::egui::{Button, CollapsingHeader, Id, Role, Slider, Ui, WidgetInfo};
 
 use super::{LEAD, OpenPainting};
@@ -42,18 +43,18 @@ fn presets(ui: &mut Ui, work: &OpenPainting, relief: &mut Relief) -> Option<Id> 
             let label = format!("Make it {name}");
             let button = ui.add(Button::new(name).small());
             button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
-            if button.on_hover_text("Begins with this relief, all fields anew").clicked() {
+            if button.on_hover_text(tr!("Begins with this relief, all fields anew")).clicked() {
                 *relief = preset();
                 changed = Some(ui.scope_id().with(name));
             }
         }
         let from = work.at();
         let is_painted = work.hcbtf().painted(from).is_some();
-        let button = ui.add_enabled(is_painted, Button::new("Of this painting").small());
+        let button = ui.add_enabled(is_painted, Button::new(tr!("Of this painting")).small());
         let help = "Takes heights and colors from the sample at work: what is bright stands high";
         if button
             .on_hover_text(help)
-            .on_disabled_hover_text("The sample at work is not painted")
+            .on_disabled_hover_text(tr!("The sample at work is not painted"))
             .clicked()
         {
             let channel = Channel::Luminance;

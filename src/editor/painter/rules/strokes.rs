@@ -2,6 +2,7 @@
 
 use std::ops::RangeInclusive;
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Button, CollapsingHeader, ComboBox, DragValue, Id, RichText, Role, Ui, WidgetInfo,
 };
@@ -61,11 +62,14 @@ pub(super) fn fields(ui: &mut Ui, strokes: &mut Strokes) -> Option<Id> {
             ui,
             |ui| {
                 by(all_of(ui, bundle));
-                let button = ui.add(Button::new("Remove the bundle").small());
+                let button = ui.add(Button::new(tr!("Remove the bundle")).small());
                 button.widget_info(|| {
                     WidgetInfo::labeled(Role::Button, true, format!("Remove bundle {}", index + 1))
                 });
-                if button.on_hover_text("Takes its strokes away; Undo brings them back").clicked() {
+                if button
+                    .on_hover_text(tr!("Takes its strokes away; Undo brings them back"))
+                    .clicked()
+                {
                     removed = Some(index);
                 }
             },
@@ -76,8 +80,8 @@ pub(super) fn fields(ui: &mut Ui, strokes: &mut Strokes) -> Option<Id> {
         by(Some(ui.scope_id().with(("removed", index))));
     }
     let is_free = strokes.bundles.len() < Strokes::MAX_BUNDLES;
-    let add = ui.add_enabled(is_free, Button::new("+ Add a bundle").small());
-    if add.on_hover_text("More strokes, like the last ones, over them").clicked() {
+    let add = ui.add_enabled(is_free, Button::new(tr!("+ Add a bundle")).small());
+    if add.on_hover_text(tr!("More strokes, like the last ones, over them")).clicked() {
         strokes.bundles.push(strokes.bundles.last().cloned().unwrap_or_default());
         by(Some(ui.scope_id().with(("added", strokes.bundles.len()))));
     }
@@ -90,7 +94,7 @@ pub(super) fn fields(ui: &mut Ui, strokes: &mut Strokes) -> Option<Id> {
 /// Shows the menu of presets to begin with.
 fn beginning(ui: &mut Ui, strokes: &mut Strokes) -> Option<Id> {
     let mut taken = None;
-    let menu = ui.menu_button("Begin with", |ui| {
+    let menu = ui.menu_button(tr!("Begin with"), |ui| {
         for name in Strokes::PRESETS {
             let button = ui.button(name);
             button.widget_info(|| WidgetInfo::labeled(Role::MenuItem, true, name));
@@ -101,7 +105,7 @@ fn beginning(ui: &mut Ui, strokes: &mut Strokes) -> Option<Id> {
             }
         }
     });
-    menu.response.on_hover_text("Takes other strokes in place of these");
+    menu.response.on_hover_text(tr!("Takes other strokes in place of these"));
     taken.map(|name| ui.scope_id().with(name))
 }
 
@@ -162,7 +166,7 @@ fn placement(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
     let most = f64::from(Strokes::MAX_COUNT);
     let counted = drag(ui, "Count", "How many there are in a tile", &mut value, 0.0..=most, 1.0, 0);
     let help = "In shifted rows, as the dots of a half-tone, in place of scattered";
-    let response = ui.checkbox(&mut rows, "In rows").on_hover_text(help);
+    let response = ui.checkbox(&mut rows, tr!("In rows")).on_hover_text(help);
     let rowed = response.changed().then_some(response.id);
     if counted.is_some() || rowed.is_some() {
         bundle.place =
@@ -258,7 +262,7 @@ fn colors(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
 fn tones(ui: &mut Ui, tones: &mut Option<StrokeTones>) -> Option<Id> {
     let mut is_on = tones.is_some();
     let help = "The darker or the lighter the light leaves the surface, the more of them there are";
-    let response = ui.checkbox(&mut is_on, "More of them by tone").on_hover_text(help);
+    let response = ui.checkbox(&mut is_on, tr!("More of them by tone")).on_hover_text(help);
     if response.changed() {
         *tones = is_on.then_some(StrokeTones { first: 1.0, all: 0.0, growth: 0.0 });
     }

@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::{Label, ProgressBar, RichText, Role, Ui, WidgetInfo};
 
 use super::Cost;
@@ -112,11 +113,11 @@ fn shares(ui: &mut Ui, session: &Session, cost: &PictureCost, out: &mut Vec<Comm
     if nodes.is_empty() {
         return;
     }
-    let text = RichText::new("By layer, estimated").small().color(theme::of(ui).dim);
-    ui.label(text).on_hover_text(
+    let text = RichText::new(tr!("By layer, estimated")).small().color(theme::of(ui).dim);
+    ui.label(text).on_hover_text(tr!(
         "The operations that are counted in each node's code, as a share of the picture's time: \
-         textures and passes are not in it. Measure draws the look with each node and without.",
-    );
+         textures and passes are not in it. Measure draws the look with each node and without."
+    ));
     for (id, share) in nodes.into_iter().take(MOST_NODES) {
         let title = session.look_with_library().title(id);
         let time = cost.milliseconds.map(|time| format!(", some {}", time_text(time * share)));
@@ -125,7 +126,7 @@ fn shares(ui: &mut Ui, session: &Session, cost: &PictureCost, out: &mut Vec<Comm
             let width = (ui.available_width() * 0.4).clamp(60.0, 160.0);
             let bar = ProgressBar::new(share as f32).desired_width(width);
             ui.add(bar.text(RichText::new(text).small()));
-            let link = ui.link(title).on_hover_text("Selects it and brings it into view");
+            let link = ui.link(title).on_hover_text(tr!("Selects it and brings it into view"));
             if link.clicked() {
                 out.push(Command::Reveal(id.clone()));
             }

@@ -1,5 +1,6 @@
 //! Table of measured figures.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
@@ -52,7 +53,7 @@ impl Cost {
     ) -> Vec<Command> {
         self.update(session);
         if self.worker.is_none() {
-            hint(ui, "This window has no GPU, so that there is nothing to measure");
+            hint(ui, tr!("This window has no GPU, so that there is nothing to measure"));
             return Vec::new();
         }
         let mut out = Vec::new();
@@ -120,14 +121,14 @@ impl Cost {
                 let text =
                     if total == 0 { "starting".to_owned() } else { format!("{done} of {total}") };
                 ui.add(egui::ProgressBar::new(share).desired_width(160.0).text(text));
-                if ui.button("Stop").clicked() {
+                if ui.button(tr!("Stop")).clicked() {
                     self.stop();
                 }
                 return;
             }
             let help = "Draws the look and each of its nodes in each tier, and holds them against \
                         the truth in f64";
-            if ui.button("Measure").on_hover_text(help).clicked() {
+            if ui.button(tr!("Measure")).on_hover_text(help).clicked() {
                 self.start(session, size);
             }
             if let Some(cost) = cost.filter(|cost| !cost.passes.is_empty()) {
@@ -136,7 +137,7 @@ impl Cost {
             let Some(report) = self.report() else { return };
             if !self.is_current.1 {
                 let help = "The look was changed since, by more than its tiers";
-                ui.label(RichText::new("of before").color(theme::of(ui).warning))
+                ui.label(RichText::new(tr!("of before")).color(theme::of(ui).warning))
                     .on_hover_text(help);
             }
             let [width, height] = report.size;
@@ -232,7 +233,7 @@ fn subject(ui: &mut Ui, subject: &MeasurementSubject, is_plotted: bool) -> bool 
         rect.bottom() - 1.0,
         egui::Stroke::new(1.0, theme::of(ui).grid),
     );
-    response.on_hover_text("A click plots this one").clicked()
+    response.on_hover_text(tr!("A click plots this one")).clicked()
 }
 
 fn figures(ui: &mut Ui, session: &Session, row: &MeasurementRow) -> bool {

@@ -1,5 +1,6 @@
 //! Choices of frames: which, where, how large, and with which layers.
 
+use chiaro_locale::tr;
 use eframe::egui::{
     self, Button, CollapsingHeader, DragValue, RichText, Role, TextEdit, Ui, WidgetInfo,
 };
@@ -64,11 +65,11 @@ fn frames(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
         let drag = DragValue::new(&mut choices.step).range(1..=1000).speed(0.1).prefix("every ");
         let response = ui.add(drag);
         response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Step of frames"));
-        response.on_hover_text("1 for every frame, 2 for every second one");
+        response.on_hover_text(tr!("1 for every frame, 2 for every second one"));
         let is_other = choices.frames.is_some_and(|frames| frames != document.frames);
         let of = if document.is_shot { "the shot" } else { "the document" };
         let help = format!("All frames of {of}");
-        if is_other && ui.small_button("All").on_hover_text(help).clicked() {
+        if is_other && ui.small_button(tr!("All")).on_hover_text(help).clicked() {
             choices.frames = None;
         }
     });
@@ -81,7 +82,7 @@ fn files(ui: &mut Ui, choices: &mut FrameChoices, out: &mut Vec<Command>) {
         let width = (ui.available_width() - 40.0).max(40.0);
         let field = TextEdit::singleline(&mut choices.folder).desired_width(width);
         ui.add(field).labelled_by(label);
-        let choose = ui.small_button("...").on_hover_text("Chooses the folder");
+        let choose = ui.small_button("...").on_hover_text(tr!("Chooses the folder"));
         choose.widget_info(|| {
             WidgetInfo::labeled(Role::Button, true, "Choose the folder of the frames")
         });
@@ -113,7 +114,7 @@ fn size(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
     labelled(ui, "Size", "Width and height, in pixels", |ui, _| {
         let Some(own) = document.size.or(choices.size) else {
             let help = "The command takes a size that fits the camera; sets another one";
-            if ui.button("by the command").on_hover_text(help).clicked() {
+            if ui.button(tr!("by the command")).on_hover_text(help).clicked() {
                 choices.size = Some(SIZE);
             }
             return;
@@ -205,7 +206,8 @@ fn layers(ui: &mut Ui, choices: &mut FrameChoices, context: PanelContext<'_>) {
     }
     let help = "More layers: NAME=NODE.OUTPUT, as ink=outline.line; several parted by blanks";
     labelled(ui, "Others", help, |ui, label| {
-        let field = TextEdit::singleline(&mut choices.other_aovs).hint_text("ink=outline.line");
+        let field =
+            TextEdit::singleline(&mut choices.other_aovs).hint_text(tr!("ink=outline.line"));
         let width = (ui.available_width() - 14.0).max(40.0);
         ui.add(field.desired_width(width)).labelled_by(label);
     });

@@ -1,5 +1,6 @@
 //! Job of a farm: the farm, how its tasks are cut, and the file that is written.
 
+use chiaro_locale::tr;
 use eframe::egui::{Align, Button, DragValue, RichText, Role, Ui, WidgetInfo};
 
 use super::{FrameRenders, JobRun, command_text, view_of};
@@ -20,11 +21,14 @@ impl FrameRenders {
         document: &FilmDocument,
         out: &mut Vec<Command>,
     ) {
-        let head = ui.label(RichText::new("Send to a farm").strong());
+        let head = ui.label(RichText::new(tr!("Send to a farm")).strong());
         if std::mem::take(&mut self.shows_farm) {
             head.scroll_to_me(Some(Align::Min));
         }
-        hint(ui, "The same frames, drawn by many machines. The job is a file that you submit.");
+        hint(
+            ui,
+            tr!("The same frames, drawn by many machines. The job is a file that you submit."),
+        );
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 3.0;
             for farm in FARMS {
@@ -45,7 +49,7 @@ impl FrameRenders {
             let response = ui.add(drag);
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Frames a task"));
             let tasks = count.div_ceil(self.farm.chunk.max(1) as usize);
-            ui.label(RichText::new(format!("{tasks} tasks")).color(theme::of(ui).dim));
+            ui.label(RichText::new(tr!("{tasks} tasks")).color(theme::of(ui).dim));
         });
         let line = self.choices.job(document, view_of(context), &self.farm);
         let is_going_on = self.job.as_ref().is_some_and(|job| job.end.is_none());
@@ -68,7 +72,7 @@ impl FrameRenders {
 fn written(ui: &mut Ui, job: &JobRun, out: &mut Vec<Command>) {
     let colors = theme::of(ui);
     let Some(end) = job.end else {
-        hint(ui, "Looking for the files that the frames are made of ...");
+        hint(ui, tr!("Looking for the files that the frames are made of ..."));
         return;
     };
     if end == RunEnd::Done {
@@ -77,16 +81,16 @@ fn written(ui: &mut Ui, job: &JobRun, out: &mut Vec<Command>) {
         if let Some(farm) = Farm::named(job.farm) {
             let by = farm.submitted_by.replace("FILE", &name);
             ui.horizontal_wrapped(|ui| {
-                ui.label(RichText::new("Submit it by").color(colors.dim));
+                ui.label(RichText::new(tr!("Submit it by")).color(colors.dim));
                 ui.label(RichText::new(&by).monospace());
-                let copy = ui.small_button("Copy");
+                let copy = ui.small_button(tr!("Copy"));
                 let label = "Copy the command that submits the job";
                 copy.widget_info(|| WidgetInfo::labeled(Role::Button, true, label));
-                if copy.on_hover_text("Copies it, with the way to its folder").clicked() {
+                if copy.on_hover_text(tr!("Copies it, with the way to its folder")).clicked() {
                     let folder = job.line.folder.display();
                     out.push(Command::Copy(format!("cd '{folder}' && {by}")));
                 }
-                let folder = ui.small_button("Open folder");
+                let folder = ui.small_button(tr!("Open folder"));
                 if folder.on_hover_text(job.line.folder.display().to_string()).clicked() {
                     let folder = job.line.folder.clone();
                     out.push(Command::Film(FilmCommand::OpenFolder(folder)));

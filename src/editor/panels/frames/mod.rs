@@ -9,6 +9,7 @@ mod progress;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::{Button, RichText, ScrollArea, Ui};
 
 use crate::clock::Clock;
@@ -202,7 +203,7 @@ impl FrameRenders {
             job.end = job.run.end();
             let file = job.file.display();
             out.extend(job.end.map(|end| match end {
-                RunEnd::Done => Command::Tell(format!("The job is {file}")),
+                RunEnd::Done => Command::Tell(tr!("The job is {file}")),
                 _ => Command::Tell("The job is not written: the panel Render tells why".to_owned()),
             }));
         }
@@ -216,7 +217,7 @@ impl FrameRenders {
             Ok(document) => document,
             Err(reason) => {
                 hint(ui, reason);
-                if ui.button("Save").clicked() {
+                if ui.button(tr!("Save")).clicked() {
                     out.push(Command::Save);
                 }
                 return out;
@@ -263,7 +264,7 @@ impl FrameRenders {
         ui.horizontal(|ui| {
             if is_going_on {
                 let help = "Ends it; frames that are whole stay, and the next run goes on there";
-                if ui.button("Stop").on_hover_text(help).clicked() {
+                if ui.button(tr!("Stop")).on_hover_text(help).clicked() {
                     out.push(Command::Film(FilmCommand::StopFrames));
                 }
                 return;
@@ -313,13 +314,13 @@ fn subject(ui: &mut Ui, session: &Session, document: &FilmDocument, out: &mut Ve
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(document.name()).strong())
             .on_hover_text(document.path.display().to_string());
-        ui.label(RichText::new("as it is on the disk").color(colors.dim));
+        ui.label(RichText::new(tr!("as it is on the disk")).color(colors.dim));
     });
     if is_unsaved(session) {
         ui.horizontal_wrapped(|ui| {
             let text = "What you changed is not saved, and not in the frames.";
             ui.label(RichText::new(text).color(colors.warning));
-            let save = ui.small_button("Save now").on_hover_text("Saves what is open");
+            let save = ui.small_button(tr!("Save now")).on_hover_text(tr!("Saves what is open"));
             if save.clicked() {
                 out.push(Command::Save);
             }
@@ -332,7 +333,7 @@ fn subject(ui: &mut Ui, session: &Session, document: &FilmDocument, out: &mut Ve
 pub(crate) fn command_text(ui: &mut Ui, line: &CommandLine, label: &str, out: &mut Vec<Command>) {
     use eframe::egui::{Label, Role, WidgetInfo};
     ui.horizontal_top(|ui| {
-        let copy = ui.small_button("Copy");
+        let copy = ui.small_button(tr!("Copy"));
         copy.widget_info(|| WidgetInfo::labeled(Role::Button, true, label));
         let help = "Copies the command that does the same in a terminal";
         if copy.on_hover_text(help).clicked() {

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use chiaro_locale::tr;
 use eframe::egui::{Color32, Rect, RichText, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use super::FrameRun;
@@ -32,7 +33,8 @@ pub(super) fn show(ui: &mut Ui, frames: &FrameRun, session: &Session, out: &mut 
     marks(ui, frames, session, out);
     for (frame, reason) in frames.progress.failed().take(12) {
         ui.horizontal_wrapped(|ui| {
-            let go = ui.link(format!("Frame {frame}")).on_hover_text("Brings the playhead there");
+            let go =
+                ui.link(format!("Frame {frame}")).on_hover_text(tr!("Brings the playhead there"));
             if go.clicked() {
                 out.push(Command::SetTime(time_of(session, frame)));
             }
@@ -55,12 +57,12 @@ pub(super) fn show(ui: &mut Ui, frames: &FrameRun, session: &Session, out: &mut 
     }
     ui.horizontal_wrapped(|ui| {
         let help = "Compares these frames with those of the window, and finds the one that differs";
-        if ui.button("Flip book").on_hover_text(help).clicked() {
+        if ui.button(tr!("Flip book")).on_hover_text(help).clicked() {
             out.push(Command::ShowPanel(PanelId::TIMELINE));
             out.push(Command::CompareFrames(Some(frames.first.clone())));
         }
         let help = frames.folder.display().to_string();
-        if ui.button("Open folder").on_hover_text(help).clicked() {
+        if ui.button(tr!("Open folder")).on_hover_text(help).clicked() {
             out.push(Command::Film(FilmCommand::OpenFolder(frames.folder.clone())));
         }
     });
@@ -131,6 +133,6 @@ fn marks(ui: &mut Ui, frames: &FrameRun, session: &Session, out: &mut Vec<Comman
     }
     if let Some((frame, fate)) = found {
         let fate = fate.map_or_else(|| "not drawn yet".to_owned(), FrameFate::text);
-        response.on_hover_text(format!("Frame {frame}: {fate}"));
+        response.on_hover_text(tr!("Frame {frame}: {fate}"));
     }
 }

@@ -1,5 +1,6 @@
 //! Interface of the open group: its name, and the inputs and outputs that it shows to the outside.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{RichText, TextEdit, Ui};
 
@@ -22,7 +23,7 @@ pub(super) fn show(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         RichText::new(if definition.label.is_empty() { id.as_str() } else { &definition.label })
             .heading(),
     )
-    .on_hover_text(format!("group {id}"));
+    .on_hover_text(tr!("group {id}"));
     let users = users(session, id);
     let shared = match users {
         0 | 1 => "What is changed here is this group, wherever it is used.".to_owned(),
@@ -152,7 +153,7 @@ fn ports(
             });
         });
     }
-    if ui.small_button(format!("Add {what}")).clicked() {
+    if ui.small_button(tr!("Add {what}")).clicked() {
         let name = free_port(definition, is_output, "value");
         let port = InterfacePort { name, ..InterfacePort::default() };
         out.push(Command::Edit(set(id, definition, |changed| list(changed, is_output).push(port))));

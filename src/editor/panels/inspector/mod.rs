@@ -2,6 +2,7 @@
 
 mod interface;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{DragValue, RichText, ScrollArea, TextEdit, Ui};
 
@@ -26,7 +27,7 @@ use crate::widgets::theme;
 /// Number of steps of a screen between the least and the greatest number of a color.
 const STEPS: f64 = 255.0;
 /// Width of a list where there is room, and least width of a field with its unit, in points.
-const LIST: f32 = 150.0;
+const LIST: f32 = 100.0;
 const UNIT: f32 = 90.0;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
@@ -48,7 +49,7 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
         if session.graph_view().is_read_only() {
             let text = "This group is of the library. Make it the look's own to change it.";
             ui.label(RichText::new(text).color(theme::of(ui).dim));
-            if ui.button("Make it the look's own").clicked() {
+            if ui.button(tr!("Make it the look's own")).clicked() {
                 commands.extend(session.graph_view().own_group().map(Command::Edit));
             }
             ui.add_space(4.0);
@@ -123,9 +124,13 @@ fn show_node(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
     let hidden = kind.inputs.iter().filter(|port| !fits(port, &wanted)).count();
     if hidden > 0 {
         ui.horizontal(|ui| {
-            let text = RichText::new(format!("{hidden} more hidden")).color(theme::of(ui).dim);
-            ui.label(text).on_hover_text("The search above hides them");
-            if ui.small_button("Show all values").on_hover_text("Ends the search").clicked() {
+            let text = RichText::new(tr!("{hidden} more hidden")).color(theme::of(ui).dim);
+            ui.label(text).on_hover_text(tr!("The search above hides them"));
+            if ui
+                .small_button(tr!("Show all values"))
+                .on_hover_text(tr!("Ends the search"))
+                .clicked()
+            {
                 ui.data_mut(|data| data.remove::<String>(search_id(kind)));
             }
         });
@@ -183,7 +188,7 @@ fn search(ui: &mut Ui, kind: &NodeKind) -> String {
     let response = ui.add(
         TextEdit::singleline(&mut text)
             .id(id)
-            .hint_text("Find a value")
+            .hint_text(tr!("Find a value"))
             .desired_width(f32::INFINITY),
     );
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Find a value"));
@@ -235,7 +240,11 @@ fn presets(
     }
     ui.horizontal_wrapped(|ui| {
         for preset in &kind.presets {
-            if ui.button(&preset.label).on_hover_text("Sets the values of this preset").clicked() {
+            if ui
+                .button(&preset.label)
+                .on_hover_text(tr!("Sets the values of this preset"))
+                .clicked()
+            {
                 let values = preset
                     .values
                     .iter()
@@ -435,7 +444,7 @@ fn shown_row(
                 .selected_text(text)
                 .width(90.0)
                 .show_ui(ui, |ui| {
-                    if ui.selectable_label(shown.is_none(), "Not shown").clicked() {
+                    if ui.selectable_label(shown.is_none(), tr!("Not shown")).clicked() {
                         out.push(Command::ShowWire(None));
                     }
                     for port in &kind.outputs {
@@ -534,7 +543,7 @@ fn lights_row(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     row::labelled(ui, "Lights", "What shines on the look", |ui, _| {
         let count = session.look().lights.len();
         let text = format!("{count} {}", if count == 1 { "light" } else { "lights" });
-        if ui.link(text).on_hover_text("Opens the list of lights").clicked() {
+        if ui.link(text).on_hover_text(tr!("Opens the list of lights")).clicked() {
             out.push(Command::ShowPanel(PanelId::LIGHTS));
         }
     });
@@ -543,8 +552,8 @@ fn lights_row(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
 /// Shows the look itself, where nothing is selected.
 fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let look = session.look();
-    ui.heading("Look");
-    ui.label(RichText::new("Select a node to set its values.").color(theme::of(ui).dim));
+    ui.heading(tr!("Look"));
+    ui.label(RichText::new(tr!("Select a node to set its values.")).color(theme::of(ui).dim));
     ui.add_space(4.0);
     row::labelled(ui, "Name", "What you call this look", |ui, label| {
         let mut name = look.name.clone();
@@ -563,7 +572,7 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             let field =
                 TextEdit::multiline(&mut about).desired_width(f32::INFINITY).desired_rows(2);
             let response =
-                ui.add(field.hint_text("What it shows, how it is built")).labelled_by(label);
+                ui.add(field.hint_text(tr!("What it shows, how it is built"))).labelled_by(label);
             if response.changed() {
                 out.push(Command::EditHeld(response.id, Edit::SetLookAbout { about }));
             }

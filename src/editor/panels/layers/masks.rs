@@ -1,5 +1,6 @@
 //! Masks in the menu of a layer.
 
+use chiaro_locale::tr;
 use eframe::egui::{Button, Ui};
 
 use super::select;
@@ -24,7 +25,7 @@ pub(super) fn menu(
     if let Some((id, node)) = mask::of(look, layer) {
         let is_inverted = matches!(node.values.get(INVERTED), Some(Value::Bool(true)));
         let help = "What was hidden is shown, and what was shown is hidden";
-        if ui.button("Invert mask").on_hover_text(help).clicked() {
+        if ui.button(tr!("Invert mask")).on_hover_text(help).clicked() {
             out.push(Command::Edit(Edit::SetValue {
                 graph: GraphId::Look,
                 id: id.clone(),
@@ -34,17 +35,17 @@ pub(super) fn menu(
             }));
         }
         let help = "Selects it, to set it in the inspector";
-        if ui.button("Show mask").on_hover_text(help).clicked() {
+        if ui.button(tr!("Show mask")).on_hover_text(help).clicked() {
             out.push(Command::Show(NodePath::root(id.clone())));
         }
         if session.mask_file(layer).is_some() {
             let help = "Shows and hides parts of the layer with a brush on the model";
-            if ui.button("Paint mask").on_hover_text(help).clicked() {
+            if ui.button(tr!("Paint mask")).on_hover_text(help).clicked() {
                 out.push(Command::Mask(MaskCommand::Paint(layer.clone())));
             }
         }
         let help = "Takes the mask away, with what feeds it alone; the opacity stays";
-        if ui.button("Remove mask").on_hover_text(help).clicked() {
+        if ui.button(tr!("Remove mask")).on_hover_text(help).clicked() {
             out.extend(stack.unmask(look, layer).map(Command::Edit));
         }
         return;
@@ -66,7 +67,7 @@ pub(super) fn menu(
         (Some((below, _)), _) => format!("Shows it only where {} is", name_of(below)),
         (None, _) => "The layer below has no tone that says where it is".to_owned(),
     };
-    let button = Button::new("Clip to the layer below");
+    let button = Button::new(tr!("Clip to the layer below"));
     let clip = ui.add_enabled(is_free && clipping.is_some(), button);
     if clip.on_hover_text(&help).on_disabled_hover_text(&help).clicked()
         && let Some((_, tone)) = clipping
@@ -74,12 +75,12 @@ pub(super) fn menu(
         add(session, Stack::mask_by(look, layer, tone), out);
     }
     ui.add_enabled_ui(is_free, |ui| {
-        let shown = ui.menu_button("Mask by", |ui| {
+        let shown = ui.menu_button(tr!("Mask by"), |ui| {
             let help = "Hides the layer; what is painted on the model with a brush shows it. Kept \
                         in a picture beside the look's file, by the mesh's UVs";
             let unsaved = "Save the look first: the mask is a picture beside its file";
             let is_saved = session.path().is_some();
-            let button = ui.add_enabled(is_saved, Button::new("Paint on the model"));
+            let button = ui.add_enabled(is_saved, Button::new(tr!("Paint on the model")));
             if button.on_hover_text(help).on_disabled_hover_text(unsaved).clicked() {
                 out.push(Command::Mask(MaskCommand::New(layer.clone())));
             }
@@ -94,7 +95,8 @@ pub(super) fn menu(
             }
             for (id, tone) in tones {
                 let text = format!("Tone of {}", name_of(&id));
-                if ui.button(text).on_hover_text("Shows it only where that layer is").clicked() {
+                if ui.button(text).on_hover_text(tr!("Shows it only where that layer is")).clicked()
+                {
                     add(session, Stack::mask_by(look, layer, tone), out);
                 }
             }

@@ -11,6 +11,7 @@ mod row;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
     EventFilter, Key, Modifiers, Popup, Rect, Response, RichText, ScrollArea, Stroke, Ui, pos2,
@@ -85,7 +86,10 @@ impl Layers {
             out.extend(solo_bar::show(ui, session));
         }
         if !self.tree.has_output() {
-            hint(ui, "The look has no Output node, so that there is nothing to see as layers.");
+            hint(
+                ui,
+                tr!("The look has no Output node, so that there is nothing to see as layers."),
+            );
             return out;
         }
         ui.spacing_mut().item_spacing.y = 2.0;
@@ -170,7 +174,7 @@ impl Layers {
     fn bar(&self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         ui.horizontal(|ui| {
             ui.add_enabled_ui(self.tree.has_output(), |ui| {
-                let menu = ui.menu_button("Add layer", |ui| {
+                let menu = ui.menu_button(tr!("Add layer"), |ui| {
                     scrolling(ui, |ui| {
                         for preset in &PRESETS {
                             let button = ui.button(preset.name).on_hover_text(preset.help);
@@ -190,7 +194,7 @@ impl Layers {
                         ui.separator();
                         let help = "An empty folder for layers: they are hidden, masked, faded and \
                                     moved together";
-                        if ui.button("New folder").on_hover_text(help).clicked() {
+                        if ui.button(tr!("New folder")).on_hover_text(help).clicked() {
                             let place = place_for_new(&self.tree, session);
                             let (id, edit) = self.tree.add_folder(session.look(), &place);
                             out.push(Command::Edit(edit));
@@ -200,7 +204,8 @@ impl Layers {
                     });
                 });
                 spots::note(ui, Spot::AddLayer, menu.response.rect);
-                menu.response.on_hover_text("Puts a layer over the selected one, or on top of all");
+                menu.response
+                    .on_hover_text(tr!("Puts a layer over the selected one, or on top of all"));
             });
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let count = self.tree.len();
@@ -473,9 +478,9 @@ impl Layers {
                     .max_rect(rect)
                     .layout(egui::Layout::left_to_right(egui::Align::Center)),
             );
-            child.label(RichText::new("Nothing lies below").color(theme::of(ui).warning));
+            child.label(RichText::new(tr!("Nothing lies below")).color(theme::of(ui).warning));
             let help = "Adds a Base node: the color under the first layer";
-            if child.button("Add a base").on_hover_text(help).clicked()
+            if child.button(tr!("Add a base")).on_hover_text(help).clicked()
                 && let Some(to) = self.tree.own().lowest_inlet()
             {
                 out.push(Command::Edit(Edit::Group { edits: add_ground(session, to.clone()) }));
@@ -489,7 +494,7 @@ impl Layers {
             child.label(RichText::new(text).color(theme::of(ui).error));
             if child
                 .link(format!("Show {}", ground.node))
-                .on_hover_text("Selects the node and brings it into view")
+                .on_hover_text(tr!("Selects the node and brings it into view"))
                 .clicked()
             {
                 out.push(Command::Show(crate::ids::NodePath::root(ground.node)));

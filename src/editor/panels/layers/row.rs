@@ -1,5 +1,6 @@
 //! Row of the stack of layers.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
     Align, Color32, ComboBox, DragValue, Id, Label, Layout, Rect, Response, RichText, Role, Sense,
@@ -233,7 +234,7 @@ impl Row<'_> {
                     .truncate(),
             );
         });
-        whole.on_hover_text("What the lowest layer lies on. A click selects its node.");
+        whole.on_hover_text(tr!("What the lowest layer lies on. A click selects its node."));
     }
 
     fn select(&self, ui: &Ui, whole: &Response, out: &mut Vec<Command>) {
@@ -321,10 +322,8 @@ impl Row<'_> {
         let (rect, response) = ui.allocate_exact_size(vec2(PICTURE, PICTURE), Sense::hover());
         response.on_hover_ui(|ui| {
             let stand = ThumbObject::of(self.session).help();
-            ui.label(format!(
-                "What it paints alone. What only adds a little is shown brighter than \
-                              it is. {stand}"
-            ));
+            ui.label(tr!("What it paints alone. What only adds a little is shown brighter than \
+                              it is. {stand}"));
         });
         let tint = if is_faint { Color32::WHITE.gamma_multiply(0.35) } else { Color32::WHITE };
         ui.painter().rect_filled(rect, 3.0, theme::of(ui).canvas);
@@ -389,7 +388,7 @@ impl Row<'_> {
             self.select(ui, &response, out);
             ui.memory_mut(|memory| memory.request_focus(focus_id(self.id)));
         }
-        response.on_hover_text("Double click to rename");
+        response.on_hover_text(tr!("Double click to rename"));
     }
 
     /// Label and word of each mode that the layer can have; no word to pass through.
@@ -499,8 +498,8 @@ impl Row<'_> {
     fn opacity(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
         let Some((holder, port)) = self.opacity_input(self.id) else { return };
         if self.session.look().graph.wire_into(holder, &port.name).is_some() {
-            let text = RichText::new("opacity by wire").small().color(theme::of(ui).dim);
-            ui.add(Label::new(text).truncate()).on_hover_text("A wire decides the opacity");
+            let text = RichText::new(tr!("opacity by wire")).small().color(theme::of(ui).dim);
+            ui.add(Label::new(text).truncate()).on_hover_text(tr!("A wire decides the opacity"));
             return;
         }
         // A keyed value is shown, and set, at the current direction key or at the playhead.

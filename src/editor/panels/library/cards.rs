@@ -6,6 +6,7 @@ use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Align2, Color32, ColorImage, CornerRadius, FontId, Rect, Response, Role, Sense, Stroke,
     TextureHandle, TextureOptions, Ui, UiBuilder, WidgetInfo, pos2, vec2,
@@ -369,9 +370,9 @@ pub(crate) fn show_gone(ui: &mut Ui, path: &Path, side: f32, out: &mut Vec<Comma
     let button = Rect::from_center_size(picture.center() + vec2(0.0, 14.0), size);
     // A widget that is put into the row itself would move what comes next under this card.
     let mut inside = ui.new_child(UiBuilder::new().id_salt(path).max_rect(rect));
-    let forget = inside.put(button, eframe::egui::Button::new("Forget"));
+    let forget = inside.put(button, eframe::egui::Button::new(tr!("Forget")));
     forget.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Forget {name}")));
-    if forget.on_hover_text("Takes it off this list").clicked() {
+    if forget.on_hover_text(tr!("Takes it off this list")).clicked() {
         out.push(Command::Forget(path.to_owned()));
     }
     response.on_hover_text(format!("{} was moved or removed", path.display()));

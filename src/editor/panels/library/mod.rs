@@ -12,6 +12,7 @@ mod words;
 
 use std::path::PathBuf;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Rect, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
@@ -88,12 +89,12 @@ impl LibraryPanel {
     /// Shows the tabs, and the search.
     fn bar(&mut self, ui: &mut Ui) {
         ui.horizontal(|ui| {
-            ui.selectable_value(&mut self.tab, LibraryTab::Nodes, "Nodes")
-                .on_hover_text("What looks are made of");
-            ui.selectable_value(&mut self.tab, LibraryTab::Parts, "Parts")
-                .on_hover_text("Layers, groups, lights, profiles and ramps that were saved");
-            ui.selectable_value(&mut self.tab, LibraryTab::Looks, "Looks")
-                .on_hover_text("Finished looks to begin with");
+            ui.selectable_value(&mut self.tab, LibraryTab::Nodes, tr!("Nodes"))
+                .on_hover_text(tr!("What looks are made of"));
+            ui.selectable_value(&mut self.tab, LibraryTab::Parts, tr!("Parts"))
+                .on_hover_text(tr!("Layers, groups, lights, profiles and ramps that were saved"));
+            ui.selectable_value(&mut self.tab, LibraryTab::Looks, tr!("Looks"))
+                .on_hover_text(tr!("Finished looks to begin with"));
             let what = match self.tab {
                 LibraryTab::Nodes => "Search nodes",
                 LibraryTab::Parts => "Search parts",
@@ -142,7 +143,7 @@ impl LibraryPanel {
         let groups = groups.map(|(title, cards)| (title, cards::found(cards, &words, "")));
         let mut out = Vec::new();
         if groups.iter().all(|(_, found)| found.is_empty()) {
-            hint(ui, "No look of that name");
+            hint(ui, tr!("No look of that name"));
             return out;
         }
         ScrollArea::vertical().auto_shrink([false, false]).id_salt("looks").show(ui, |ui| {

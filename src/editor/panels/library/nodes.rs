@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
     Align2, Area, CollapsingHeader, CursorIcon, FontId, Id, Order, Rect, Response, Role,
@@ -30,7 +31,7 @@ pub(super) fn show(ui: &mut Ui, session: &Session, query: &str) -> Vec<Command> 
                 kinds().filter_map(|kind| Some((rank(kind, query)?, kind))).collect();
             found.sort_by_key(|(rank, _)| *rank);
             if found.is_empty() {
-                hint(ui, "No node of that name");
+                hint(ui, tr!("No node of that name"));
             }
             found.iter().for_each(|(_, kind)| row(ui, kind, &mut out));
             return;
@@ -159,7 +160,7 @@ fn tell(response: Response, kind: &NodeKind) {
             ui.label(first);
         }
         ui.label(
-            egui::RichText::new("Drag it onto the canvas, or click to add it in the middle")
+            egui::RichText::new(tr!("Drag it onto the canvas, or click to add it in the middle"))
                 .small()
                 .color(theme::of(ui).dim),
         );

@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Button, ComboBox, Label, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2,
 };
@@ -126,7 +127,7 @@ impl SavedParts {
             title(ui, "Comes with Chiaro", None, &mut out);
             count += self.grid(ui, session, None, (query, thumbs), &mut out);
             if count == 0 {
-                hint(ui, "No part has these words in its name, its tags or its description");
+                hint(ui, tr!("No part has these words in its name, its tags or its description"));
             }
             self.folders(ui, safety, &mut out);
         });
@@ -164,7 +165,7 @@ impl SavedParts {
         let mut is_over = false;
         egui_frame(ui).show(ui, |ui| {
             let word = form.draft.kind.word();
-            ui.label(RichText::new(format!("Save to the library: {word}")).strong());
+            ui.label(RichText::new(tr!("Save to the library: {word}")).strong());
             let field = |ui: &mut Ui, text: &mut String, label: &str, help: &str| {
                 let edit = TextEdit::singleline(text)
                     .hint_text(label)
@@ -190,7 +191,7 @@ impl SavedParts {
                 .or(shelves.first());
             let text = chosen.map_or("No folder", |shelf| shelf.title.as_str());
             ui.horizontal_wrapped(|ui| {
-                ui.label("In");
+                ui.label(tr!("In"));
                 let combo =
                     ComboBox::from_id_salt("folder").selected_text(text).show_ui(ui, |ui| {
                         for shelf in shelves {
@@ -203,7 +204,7 @@ impl SavedParts {
                     });
                 let info = || WidgetInfo::labeled(Role::ComboBox, true, "Folder of the part");
                 combo.response.widget_info(info);
-                let save = Button::new(format!("Save {word}"));
+                let save = Button::new(tr!("Save {word}"));
                 let is_ready = chosen.is_some() && !form.draft.look.name.trim().is_empty();
                 if ui.add_enabled(is_ready, save).clicked()
                     && let Some(shelf) = chosen
@@ -212,7 +213,7 @@ impl SavedParts {
                     let save = LibraryCommand::Save(draft, shelf.folder.clone());
                     out.push(Command::Library(save));
                 }
-                is_over = ui.button("Cancel").clicked();
+                is_over = ui.button(tr!("Cancel")).clicked();
             });
             for note in &form.draft.notes {
                 ui.label(RichText::new(note).small().color(theme::of(ui).warning));
@@ -227,7 +228,7 @@ impl SavedParts {
     fn bar(&mut self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
-            let menu = ui.menu_button("Save…", |ui| {
+            let menu = ui.menu_button(tr!("Save…"), |ui| {
                 for (label, choice) in choices(session) {
                     if ui.button(label).clicked() {
                         out.push(Command::Library(LibraryCommand::Offer(choice)));
@@ -235,11 +236,12 @@ impl SavedParts {
                     }
                 }
             });
-            menu.response.on_hover_text("Saves a part of this look, so that others can have it");
+            menu.response
+                .on_hover_text(tr!("Saves a part of this look, so that others can have it"));
             let text = self.kind.map_or("All kinds", PartKind::title);
             let combo = ComboBox::from_id_salt("kinds").width(84.0).selected_text(text);
             let combo = combo.show_ui(ui, |ui| {
-                ui.selectable_value(&mut self.kind, None, "All kinds");
+                ui.selectable_value(&mut self.kind, None, tr!("All kinds"));
                 for kind in PartKind::ALL {
                     ui.selectable_value(&mut self.kind, Some(kind), kind.title());
                 }
@@ -248,7 +250,7 @@ impl SavedParts {
                 .response
                 .widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Kind of parts"));
             let help = "Reads the folders again";
-            if ui.button("Refresh").on_hover_text(help).clicked() {
+            if ui.button(tr!("Refresh")).on_hover_text(help).clicked() {
                 self.is_stale = true;
             }
         });
@@ -270,8 +272,8 @@ impl SavedParts {
             ui.label(RichText::new(lacking).small().color(theme::of(ui).warning));
         }
         match found {
-            None => hint(ui, "reading…"),
-            Some(found) if found.parts.is_empty() => hint(ui, "Nothing is saved here yet"),
+            None => hint(ui, tr!("reading…")),
+            Some(found) if found.parts.is_empty() => hint(ui, tr!("Nothing is saved here yet")),
             Some(_) => {}
         }
         self.grid(ui, session, Some(&shelf.folder), search, out)
@@ -315,12 +317,12 @@ impl SavedParts {
     /// Shows the field that adds a shared folder.
     fn folders(&mut self, ui: &mut Ui, safety: &Safety, out: &mut Vec<Command>) {
         ui.add_space(GAP);
-        ui.label(RichText::new("Shared folders").strong())
-            .on_hover_text("Folders that others save to as well, such as one on a server");
+        ui.label(RichText::new(tr!("Shared folders")).strong())
+            .on_hover_text(tr!("Folders that others save to as well, such as one on a server"));
         ui.horizontal(|ui| {
             let width = (ui.available_width() - 60.0).max(60.0);
             let edit = TextEdit::singleline(&mut self.typed)
-                .hint_text("Path of a folder")
+                .hint_text(tr!("Path of a folder"))
                 .desired_width(width);
             let response = ui.add(edit);
             response.widget_info(|| {
@@ -328,7 +330,7 @@ impl SavedParts {
             });
             let path = PathBuf::from(self.typed.trim());
             let is_new = path.is_absolute() && !safety.settings.library_folders.contains(&path);
-            let button = ui.add_enabled(is_new, Button::new("Add folder"));
+            let button = ui.add_enabled(is_new, Button::new(tr!("Add folder")));
             let help = "A whole path, from the root on, that is not in the list yet";
             if button.on_disabled_hover_text(help).clicked() {
                 self.typed.clear();
@@ -346,7 +348,7 @@ fn title(ui: &mut Ui, title: &str, shelf: Option<&Shelf>, out: &mut Vec<Command>
         let Some(shelf) = shelf else { return };
         label.on_hover_text(shelf.folder.display().to_string());
         if shelf.is_shared {
-            let button = ui.small_button("Take off").on_hover_text("Its files stay");
+            let button = ui.small_button(tr!("Take off")).on_hover_text(tr!("Its files stay"));
             let name = format!("Take off {}", shelf.folder.display());
             button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
             if button.clicked() {

@@ -4,6 +4,7 @@
 //! head stays at the top and the first columns at the left, in areas of their own over the others.
 //! Only the cursor's cell takes the keyboard's focus: Tab goes past the table in one step.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
     Align2, FontId, Id, Key, Popup, PopupCloseBehavior, Rect, Response, Role, ScrollArea, Sense,
@@ -381,11 +382,12 @@ impl CellGrid {
             };
         }
         response.context_menu(|ui| {
-            if ui.button("Select the column").clicked() {
+            if ui.button(tr!("Select the column")).clicked() {
                 self.selection.select_column(shown, column);
                 self.follows = true;
             }
-            let hide = ui.add_enabled(column != Column::Name, egui::Button::new("Hide the column"));
+            let hide =
+                ui.add_enabled(column != Column::Name, egui::Button::new(tr!("Hide the column")));
             if hide.clicked() {
                 self.hidden = Some(column);
             }

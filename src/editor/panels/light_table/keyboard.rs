@@ -1,5 +1,6 @@
 //! Keyboard of the table, while the cursor's cell has the focus: moves, edits, the clipboard, keys.
 
+use chiaro_locale::tr;
 use eframe::egui::{Event, EventFilter, Key, Modifiers, Ui};
 
 use super::change::{CellChanges, Entry};
@@ -182,7 +183,7 @@ impl CellGrid {
             return vec![Command::Tell(text.to_owned())];
         }
         let are = if count == 1 { "value is" } else { "values are" };
-        out.push(Command::Tell(format!("{count} {are} keyed at the playhead")));
+        out.push(Command::Tell(tr!("{count} {are} keyed at the playhead")));
         out
     }
 }

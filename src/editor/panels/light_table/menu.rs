@@ -1,5 +1,6 @@
 //! Menu of a cell: keys, copies, resets, and what the scene has in a look's place.
 
+use chiaro_locale::tr;
 use eframe::egui::Ui;
 
 use super::change::Entry;
@@ -31,21 +32,21 @@ pub(super) fn show(
     };
     if !place.1.is_switch() && place.1 != Column::Id {
         let help = "Enter or a double click does, too; all selected cells take what is set";
-        if ui.button(format!("Edit{of}")).on_hover_text(help).clicked() {
+        if ui.button(tr!("Edit{of}")).on_hover_text(help).clicked() {
             grid.begin(ui, sheet, place, None);
             ui.close();
         }
     }
     if ui
-        .button(format!("Copy{of}"))
-        .on_hover_text("As a table, for Ctrl+V here or elsewhere")
+        .button(tr!("Copy{of}"))
+        .on_hover_text(tr!("As a table, for Ctrl+V here or elsewhere"))
         .clicked()
     {
         out.push(Command::Copy(grid.copied(sheet, shown)));
         ui.close();
     }
     let help = "The value that the look's light has, or else that of a new light (Delete)";
-    if place.1 != Column::Id && ui.button(format!("Reset{of}")).on_hover_text(help).clicked() {
+    if place.1 != Column::Id && ui.button(tr!("Reset{of}")).on_hover_text(help).clicked() {
         grid.enter(sheet, shown, &Entry::Reset, None, out);
         ui.close();
     }
@@ -82,7 +83,11 @@ fn keys(
     ui.separator();
     if targets.len() > 1 {
         let text = format!("Key {} cells at the playhead", targets.len());
-        if ui.button(text).on_hover_text("Each with its present value, as one step (K)").clicked() {
+        if ui
+            .button(text)
+            .on_hover_text(tr!("Each with its present value, as one step (K)"))
+            .clicked()
+        {
             out.extend(grid.keying(sheet));
             ui.close();
         }

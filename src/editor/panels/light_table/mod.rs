@@ -20,6 +20,7 @@ mod typed;
 
 use std::collections::BTreeMap;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Align, Id, Layout, RichText, Role, TextEdit, Ui, WidgetInfo};
 
@@ -155,7 +156,7 @@ impl LightTable {
             let ink = if wrong.is_some() { colors.error } else { colors.text };
             let edit = TextEdit::singleline(&mut self.filter)
                 .id(Id::unique("filter of the light table"))
-                .hint_text("Filter: group:rim - key")
+                .hint_text(tr!("Filter: group:rim - key"))
                 .text_color(ink)
                 .desired_width(FILTER)
                 .char_limit(400);
@@ -185,7 +186,7 @@ impl LightTable {
     }
 
     fn columns_menu(&self, ui: &mut Ui, out: &mut Vec<Command>) {
-        let menu = egui::containers::menu::MenuButton::new("Columns").config(
+        let menu = egui::containers::menu::MenuButton::new(tr!("Columns")).config(
             egui::containers::menu::MenuConfig::new()
                 .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside),
         );
@@ -199,10 +200,10 @@ impl LightTable {
             }
             ui.separator();
             let help = "Shows the columns that a light of the table has something in";
-            if ui.button("Only what lights have").on_hover_text(help).clicked() {
+            if ui.button(tr!("Only what lights have")).on_hover_text(help).clicked() {
                 out.push(Command::KeepLightColumns(BTreeMap::new()));
             }
         });
-        response.on_hover_text("Shows and hides columns");
+        response.on_hover_text(tr!("Shows and hides columns"));
     }
 }

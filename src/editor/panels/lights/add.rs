@@ -1,6 +1,7 @@
 //! Menus that add lights: to the look, and to the scene around it, new ones or in place of lights
 //! that its looks have.
 
+use chiaro_locale::tr;
 use eframe::egui::Ui;
 use glam::DVec3;
 use indexmap::IndexMap;
@@ -33,34 +34,33 @@ pub(in crate::panels) fn menus(
     shared: &IndexMap<LightId, SharedLight>,
     out: &mut Vec<Command>,
 ) {
-    let menu = ui.menu_button("Add light", |ui| kinds(ui, session, Owner::Look, out));
-    menu.response.on_hover_text("Adds a light that layers can name");
+    let menu = ui.menu_button(tr!("Add light"), |ui| kinds(ui, session, Owner::Look, out));
+    menu.response.on_hover_text(tr!("Adds a light that layers can name"));
     if session.open_scene().is_none() {
         return;
     }
-    let menu = ui.menu_button("Add scene light", |ui| {
+    let menu = ui.menu_button(tr!("Add scene light"), |ui| {
         kinds(ui, session, Owner::Scene, out);
         ui.separator();
         let mut has_any = false;
         for (id, shared) in free(session, shared) {
             has_any = true;
             let name = light_name(id, &shared.light);
-            let button =
-                ui.button(format!("In place of {name}")).on_hover_text(help_for(id, shared));
+            let button = ui.button(tr!("In place of {name}")).on_hover_text(help_for(id, shared));
             if button.clicked() {
                 out.push(Owner::Scene.add(id.clone(), shared.light.clone(), None).once());
                 ui.close();
             }
         }
         if !has_any {
-            hint(ui, "Every light of the scene's looks has one in its place already.");
+            hint(ui, tr!("Every light of the scene's looks has one in its place already."));
         }
     });
     spots::note(ui, Spot::AddSceneLight, menu.response.rect);
-    menu.response.on_hover_text(
+    menu.response.on_hover_text(tr!(
         "Adds a light of the scene: a new one for groups that run for each light, or one in place \
-         of a light that looks have",
-    );
+         of a light that looks have"
+    ));
 }
 
 /// Shows an entry for each kind of light, which adds a new one to a document and chooses it.
@@ -70,7 +70,7 @@ fn kinds(ui: &mut Ui, session: &Session, owner: Owner, out: &mut Vec<Command>) {
         let button = ui.button(spoken(kind.word()));
         let button = match owner {
             Owner::Look => button.on_hover_text(help),
-            Owner::Scene => button.on_hover_text(format!(
+            Owner::Scene => button.on_hover_text(tr!(
                 "{help}.\nA new light, which every group draws that runs for each light"
             )),
         };
@@ -151,7 +151,7 @@ pub(super) fn scene_menu(
         let help =
             "Adds the same to the scene, where it stands in place of every look's light of this id";
         if session.keys().light_of_scene(owned_light.id).is_none()
-            && ui.button("Light the scene with it").on_hover_text(help).clicked()
+            && ui.button(tr!("Light the scene with it")).on_hover_text(help).clicked()
         {
             out.push(
                 Owner::Scene.add(owned_light.id.clone(), owned_light.as_set(session), None).once(),

@@ -1,6 +1,7 @@
 //! Mixer of a scene in the list of lights: a row for each group, with its master, and what is muted
 //! or soloed.
 
+use chiaro_locale::tr;
 use eframe::egui::{DragValue, Label, RichText, Role, Ui, WidgetInfo};
 
 use crate::commands::{Command, SceneCommand};
@@ -45,12 +46,12 @@ fn row(
     let mut widget = None;
     let intensity = DragValue::new(&mut new.intensity).prefix("×").speed(0.01);
     let response = ui.add(intensity.range(0.0..=1e6).max_decimals(2));
-    let response = response.on_hover_text("Intensity: a factor on each light of the group");
+    let response = response.on_hover_text(tr!("Intensity: a factor on each light of the group"));
     response.widget_info(|| number(format!("Intensity of group {name}"), new.intensity));
     widget = widget.or(response.changed().then_some(response.id));
     let exposure = DragValue::new(&mut new.exposure).suffix(" EV").speed(0.02);
     let response = ui.add(exposure.range(-MAX_EXPOSURE..=MAX_EXPOSURE).max_decimals(2));
-    let response = response.on_hover_text("Exposure in stops: each doubles the intensity");
+    let response = response.on_hover_text(tr!("Exposure in stops: each doubles the intensity"));
     response.widget_info(|| number(format!("Exposure of group {name}"), new.exposure));
     widget = widget.or(response.changed().then_some(response.id));
     let [r, g, b] = new.tint;
@@ -83,7 +84,7 @@ pub(super) fn menu(ui: &mut Ui, mix: SceneMix<'_>, id: &LightId, out: &mut Vec<C
     ];
     for (begin, end, set, command) in entries {
         let text = if mix.lights.has(set, &term) { end } else { begin };
-        if ui.button(text).on_hover_text("Saved with the scene").clicked() {
+        if ui.button(text).on_hover_text(tr!("Saved with the scene")).clicked() {
             out.push(command);
         }
     }

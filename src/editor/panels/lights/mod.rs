@@ -7,6 +7,7 @@ mod mixer;
 
 use std::collections::{BTreeSet, HashMap};
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{
@@ -96,7 +97,7 @@ impl Lights {
                 section(ui, "Of the look", "What it has for itself, wherever it is worn");
             }
             if session.look().lights.is_empty() {
-                hint(ui, "The look has no lights. Layers need one each.");
+                hint(ui, tr!("The look has no lights. Layers need one each."));
             }
             self.list(ui, session, Owner::Look, out);
             if let Some(mix) = self.mix(session) {
@@ -205,7 +206,7 @@ impl Lights {
             mark.widget_info(|| {
                 WidgetInfo::labeled(Role::Label, true, format!("{title} is keyed"))
             });
-            mark.on_hover_text(format!("Keyed: {fields}"));
+            mark.on_hover_text(tr!("Keyed: {fields}"));
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let more = icon(
@@ -325,7 +326,7 @@ impl Lights {
         if !changed.is_empty() {
             why += &format!("{}\n", changed.help());
         }
-        response.on_hover_text(format!(
+        response.on_hover_text(tr!(
             "{why}A click chooses it: its handles, placing and looking through are of it then. \
              Double click to rename"
         ));
@@ -346,7 +347,11 @@ impl Lights {
         out: &mut Vec<Command>,
     ) {
         ChangedRow::of_light(session, owned_light.owner, owned_light.id).menu(ui, out);
-        if ui.button("Rename light").on_hover_text("Or double click on the name").clicked() {
+        if ui
+            .button(tr!("Rename light"))
+            .on_hover_text(tr!("Or double click on the name"))
+            .clicked()
+        {
             self.rename(owned_light);
         }
         let users = self.users.get(owned_light.id).copied().unwrap_or(0);
@@ -363,12 +368,12 @@ impl Lights {
                 format!("{users} of the look's nodes name it, and will have to name another one"),
             ),
         };
-        if ui.button("Duplicate light").on_hover_text(copy).clicked() {
+        if ui.button(tr!("Duplicate light")).on_hover_text(copy).clicked() {
             out.push(owned_light.duplicate(session).once());
         }
         if owned_light.owner == Owner::Look {
             let help = "All lights of the look as one rig, for other looks";
-            if ui.button("Save all to the library…").on_hover_text(help).clicked() {
+            if ui.button(tr!("Save all to the library…")).on_hover_text(help).clicked() {
                 out.push(Command::Library(LibraryCommand::Offer(PartChoice::Lights)));
             }
         }
@@ -377,7 +382,7 @@ impl Lights {
             mixer::menu(ui, mix, owned_light.id, out);
         }
         ui.separator();
-        if ui.add(Button::new("Remove light")).on_hover_text(removal).clicked() {
+        if ui.add(Button::new(tr!("Remove light"))).on_hover_text(removal).clicked() {
             out.push(owned_light.remove().once());
         }
     }
@@ -398,7 +403,7 @@ fn intensity(ui: &mut Ui, session: &Session, owned_light: &OwnedLight<'_>, out: 
         .clamp_existing_to_range(false);
     let response = ui
         .add(drag.max_decimals(2))
-        .on_hover_text("Intensity: a factor on the color. Drag, or click to type.");
+        .on_hover_text(tr!("Intensity: a factor on the color. Drag, or click to type."));
     response.widget_info(|| {
         let mut info = WidgetInfo::labeled(
             Role::SpinButton,

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Align2, FontId, Rect, Response, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
     collapsing_header, pos2, vec2,
@@ -167,7 +168,7 @@ pub(super) fn lights(
     head(ui, &asked);
     let rows: Vec<&LightRow> = rows.iter().collect();
     if rows.is_empty() {
-        hint(ui, "There are no lights yet.");
+        hint(ui, tr!("There are no lights yet."));
     }
     let mut change = None;
     pane(ui, "lights", rows.len(), |ui, index| {
@@ -231,7 +232,7 @@ pub(super) fn objects(
     };
     let has_folds = objects.keys().any(has_layers);
     if rows.is_empty() {
-        hint(ui, "The scene has no objects yet.");
+        hint(ui, tr!("The scene has no objects yet."));
     }
     let all: BTreeSet<LightId> = lights.iter().flat_map(|row| lights_of(context, row)).collect();
     let mut change = None;

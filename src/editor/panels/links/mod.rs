@@ -10,6 +10,7 @@ mod relation;
 
 use std::collections::BTreeSet;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
     Button, Id, Label, Layout, RichText, Role, TextEdit, Ui, UiBuilder, WidgetInfo, vec2,
@@ -160,7 +161,10 @@ impl Links {
                         chiaro lights --matrix does. Links can be changed.";
             ui.label(RichText::new(text).color(theme::of(ui).warning));
         } else if matrix.has_no_layers {
-            hint(ui, "With so many lights and objects chiaro lights --matrix lists their layers.");
+            hint(
+                ui,
+                tr!("With so many lights and objects chiaro lights --matrix lists their layers."),
+            );
         }
         self.bar(ui, open_scene, &mut out);
         let Some(mix) = SceneMix::of(session, &self.lights) else { return out };
@@ -394,11 +398,11 @@ impl Links {
     ) {
         let Some(object) = self.pointed_object(open_scene) else { return };
         ui.separator();
-        let text = RichText::new(format!("Picture: {object}")).color(theme::of(ui).dim);
-        ui.add(Label::new(text).extend()).on_hover_text(
+        let text = RichText::new(tr!("Picture: {object}")).color(theme::of(ui).dim);
+        ui.add(Label::new(text).extend()).on_hover_text(tr!(
             "The object of the picture that the pointer was last at, or the selected one. Over the \
-             picture J links the selected lights to it, Shift+J unlinks them.",
-        );
+             picture J links the selected lights to it, Shift+J unlinks them."
+        ));
         for (label, is_linked) in [("Link it", true), ("Unlink it", false)] {
             let help = match is_linked {
                 true => "Links the selected lights to this object (J over the picture)",
@@ -406,7 +410,7 @@ impl Links {
             };
             let button = ui.add_enabled(!terms.is_empty(), Button::new(label));
             let button = button.on_hover_text(help);
-            if button.on_disabled_hover_text("Select lights at the left first").clicked() {
+            if button.on_disabled_hover_text(tr!("Select lights at the left first")).clicked() {
                 let change = match is_linked {
                     true => LinkChange::Link(terms.to_vec()),
                     false => LinkChange::Unlink(terms.to_vec()),

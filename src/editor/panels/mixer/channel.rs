@@ -1,5 +1,6 @@
 //! Channel of a group: its name, its switches, its fader, its exposure and its tint.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
     Align2, DragValue, FontId, Frame, Label, Margin, Rect, RichText, Role, Sense, Slider, Stroke,
@@ -172,12 +173,12 @@ fn numbers(ui: &mut Ui, name: &str, master: &mut GroupMaster) -> Option<egui::Id
     let size = vec2(ui.available_width(), 18.0);
     let intensity = DragValue::new(&mut master.intensity).prefix("×").speed(0.01);
     let response = ui.add_sized(size, intensity.range(0.0..=1e6).max_decimals(3));
-    let response = response.on_hover_text("Intensity: a factor on each light of the group");
+    let response = response.on_hover_text(tr!("Intensity: a factor on each light of the group"));
     response.widget_info(|| number(format!("Intensity of group {name}"), master.intensity));
     let by_intensity = response.changed().then_some(response.id);
     let exposure = DragValue::new(&mut master.exposure).suffix(" EV").speed(0.02);
     let response = ui.add_sized(size, exposure.range(-MAX_EXPOSURE..=MAX_EXPOSURE).max_decimals(2));
-    let response = response.on_hover_text("Exposure in stops: each doubles the intensity");
+    let response = response.on_hover_text(tr!("Exposure in stops: each doubles the intensity"));
     response.widget_info(|| number(format!("Exposure of group {name}"), master.exposure));
     by_intensity.or(response.changed().then_some(response.id))
 }

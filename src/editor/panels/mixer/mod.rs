@@ -3,6 +3,7 @@
 
 mod channel;
 
+use chiaro_locale::tr;
 use eframe::egui::{Align, Layout, ScrollArea, Ui};
 
 use super::lights::add;
@@ -33,7 +34,7 @@ impl Mixer {
         self.lights.sync(session);
         let mut out = Vec::new();
         let Some(mix) = SceneMix::of(session, &self.lights) else {
-            hint(ui, "A scene has the masters of groups: add an object, and there is one.");
+            hint(ui, tr!("A scene has the masters of groups: add an object, and there is one."));
             add::panels(ui, &mut out);
             return out;
         };

@@ -1,5 +1,6 @@
 //! Fields of an object: mesh, looks by material, position, rotation and scale.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Ui};
 
@@ -101,7 +102,7 @@ impl Details {
                     }
                     let help =
                         "Turns a mesh whose z axis points up, as in many scans, by a quarter";
-                    if ui.small_button("Stand up").on_hover_text(help).clicked() {
+                    if ui.small_button(tr!("Stand up")).on_hover_text(help).clicked() {
                         new.rotate = stood_up(new.rotate);
                         widget = Some(ui.scope_id().with("stand up"));
                     }
@@ -145,8 +146,8 @@ impl Details {
             }
         }
         ui.add_enabled_ui(is_even, |ui| {
-            ui.checkbox(&mut self.is_uneven, "Uneven")
-                .on_hover_text("Sets the scale along each axis");
+            ui.checkbox(&mut self.is_uneven, tr!("Uneven"))
+                .on_hover_text(tr!("Sets the scale along each axis"));
         });
         widget
     }
@@ -192,8 +193,8 @@ fn mesh(
         ui.separator();
         let is_file = !object.mesh.starts_with(SHAPE_PREFIX);
         if ui
-            .selectable_label(is_file, "From a file...")
-            .on_hover_text("OBJ, PLY, STL or glTF")
+            .selectable_label(is_file, tr!("From a file..."))
+            .on_hover_text(tr!("OBJ, PLY, STL or glTF"))
             .clicked()
         {
             out.push(SceneCommand::Ask(FilePurpose::ObjectMesh, id.clone(), String::new()));
@@ -277,7 +278,11 @@ fn look(
             wear(None);
         }
         ui.separator();
-        if ui.selectable_label(false, "From a file...").on_hover_text("Another look").clicked() {
+        if ui
+            .selectable_label(false, tr!("From a file..."))
+            .on_hover_text(tr!("Another look"))
+            .clicked()
+        {
             out.push(SceneCommand::Ask(FilePurpose::ObjectLook, id.clone(), material.to_owned()));
         }
     });

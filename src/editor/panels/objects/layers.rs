@@ -1,6 +1,7 @@
 //! Lights of single nodes of an object's looks: which reach them there, and which they filter. A
 //! row says so for this object alone; without one a node is as its look has it.
 
+use chiaro_locale::tr;
 use eframe::egui::{CollapsingHeader, Id, RichText, Role, ScrollArea, Ui, WidgetInfo};
 
 use crate::commands::SceneCommand;
@@ -89,14 +90,14 @@ pub(super) fn show(
             None => SceneCommand::Edit(edit),
         }));
     };
-    let header = CollapsingHeader::new("Lights of its layers").id_salt((id, "layers"));
+    let header = CollapsingHeader::new(tr!("Lights of its layers")).id_salt((id, "layers"));
     header.default_open(!object.layers.is_empty()).show(ui, |ui| {
         for (index, row) in object.layers.iter().enumerate() {
             let node = nodes.iter().find(|node| node.id == row.node);
             ui.push_id(index, |ui| block(ui, row, node, index, &mut change));
         }
         let others = || nodes.iter().filter(|node| object.layers.iter().all(|l| l.node != node.id));
-        let menu = ui.menu_button("Add a layer's lights", |ui| {
+        let menu = ui.menu_button(tr!("Add a layer's lights"), |ui| {
             ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
                 for node in others() {
                     if ui.button(&node.name).clicked() {
@@ -106,14 +107,17 @@ pub(super) fn show(
                     }
                 }
                 if others().next().is_none() {
-                    hint(ui, "The open look has no other node that names lights or filters them.");
+                    hint(
+                        ui,
+                        tr!("The open look has no other node that names lights or filters them."),
+                    );
                 }
             });
         });
-        menu.response.on_hover_text(
+        menu.response.on_hover_text(tr!(
             "Says for a layer, a group or a filter of the look which lights reach it on this \
-             object; other objects keep what the look says",
-        );
+             object; other objects keep what the look says"
+        ));
     });
 }
 
@@ -129,7 +133,7 @@ fn block(
         ui.label(RichText::new(&name).strong());
         let label = format!("{name} as the look has it");
         let help = "Takes these sets away: the layer's lights are as the look says";
-        let button = ui.small_button("As the look has it").on_hover_text(help);
+        let button = ui.small_button(tr!("As the look has it")).on_hover_text(help);
         button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
         if button.clicked() {
             change(None, &|layers| drop(layers.remove(index)));

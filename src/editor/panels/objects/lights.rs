@@ -1,6 +1,7 @@
 //! Links of an object: the set of lights that reach it, and of those that do not all the same;
 //! whose shadows it casts, and onto what.
 
+use chiaro_locale::tr;
 use eframe::egui::{CollapsingHeader, Id, Ui};
 
 use crate::commands::SceneCommand;
@@ -80,7 +81,7 @@ pub(super) fn show(
     let mut rows = ObjectRows { open_scene, id, now: &mut now, out };
     ui.push_id((id, "lights"), |ui| {
         rows.show(ui, REACH, SETS);
-        let header = CollapsingHeader::new("Shadows")
+        let header = CollapsingHeader::new(tr!("Shadows"))
             .id_salt("shadows")
             .default_open(!object.shadow_link().is_all());
         header.show(ui, |ui| {

@@ -8,6 +8,7 @@ mod outlines;
 mod parameters;
 mod words;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
     Button, Id, Key, Label, Layout, Modifiers, Popup, Rect, RichText, Role, ScrollArea, Sense, Ui,
@@ -55,7 +56,7 @@ impl Objects {
                 ui,
                 "The look is on one object. Add another, and both are a scene that can be saved.",
             );
-            hint(ui, "Open shows the objects of a scene file, each in its own look.");
+            hint(ui, tr!("Open shows the objects of a scene file, each in its own look."));
             return out.into_iter().map(Command::Scene).collect();
         };
         let selected = open_scene.selected().map(|(id, _)| id.clone());
@@ -68,7 +69,7 @@ impl Objects {
             words::show(ui, open_scene.scene(), &mut out);
             motion::camera(ui, session, open_scene, &mut out, &mut commands);
             if open_scene.scene().objects.is_empty() {
-                hint(ui, "The scene has no objects yet.");
+                hint(ui, tr!("The scene has no objects yet."));
             }
             ui.spacing_mut().item_spacing.y = 2.0;
             for (id, object) in &open_scene.scene().objects {
@@ -235,26 +236,30 @@ impl Objects {
         out: &mut Vec<SceneCommand>,
     ) {
         if ui
-            .button("Frame object")
-            .on_hover_text("Brings it into view (F over the picture)")
+            .button(tr!("Frame object"))
+            .on_hover_text(tr!("Brings it into view (F over the picture)"))
             .clicked()
         {
             out.push(SceneCommand::Frame(Some(id.clone())));
         }
         if ui
-            .button("Duplicate object")
-            .on_hover_text("Adds the same once more, to the right of all")
+            .button(tr!("Duplicate object"))
+            .on_hover_text(tr!("Adds the same once more, to the right of all"))
             .clicked()
         {
             out.extend(open_scene.duplicate(id).map(|(new, edit)| SceneCommand::Make(new, edit)));
         }
-        if ui.button("Rename object").on_hover_text("Or double click on the row").clicked() {
+        if ui
+            .button(tr!("Rename object"))
+            .on_hover_text(tr!("Or double click on the row"))
+            .clicked()
+        {
             self.renaming = Some(NameEdit::new(id.clone(), id.as_str()));
         }
         ui.separator();
         if ui
-            .add(Button::new("Remove object"))
-            .on_hover_text("Its mesh and its look stay where they are")
+            .add(Button::new(tr!("Remove object")))
+            .on_hover_text(tr!("Its mesh and its look stay where they are"))
             .clicked()
         {
             out.push(SceneCommand::Edit(SceneEdit::RemoveObject { id: id.clone() }));
@@ -265,7 +270,7 @@ impl Objects {
 /// Shows the menus for the scene as a whole.
 fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<SceneCommand>) {
     ui.horizontal(|ui| {
-        let menu = ui.menu_button("Add an object", |ui| {
+        let menu = ui.menu_button(tr!("Add an object"), |ui| {
             for shape in SHAPES {
                 if ui.button(shape.label).on_hover_text(shape.help).clicked() {
                     out.push(SceneCommand::Add(Some(format!(
@@ -279,13 +284,14 @@ fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<SceneCommand>) {
             ui.separator();
             let help =
                 "OBJ, PLY, STL or glTF; it can also be dropped here, or on the picture with Shift";
-            if ui.button("Mesh from a file...").on_hover_text(help).clicked() {
+            if ui.button(tr!("Mesh from a file...")).on_hover_text(help).clicked() {
                 out.push(SceneCommand::Add(None));
                 ui.close();
             }
         });
-        menu.response
-            .on_hover_text("Adds an object beside the others, in the look of the selected one");
+        menu.response.on_hover_text(tr!(
+            "Adds an object beside the others, in the look of the selected one"
+        ));
         let Some(open_scene) = session.open_scene() else { return };
         ui.with_layout(Layout::right_to_left(egui::Align::Center), |ui| {
             let more = icon(ui, Icon::More, true, "More of the scene", "Save, camera, close");
@@ -296,7 +302,7 @@ fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<SceneCommand>) {
                 path.unwrap_or_else(|| "No file has it yet: save the scene to keep it".to_owned());
             if open_scene.is_dirty() {
                 let help = "Saves the scene to its file";
-                if ui.button("Save scene").on_hover_text(help).clicked() {
+                if ui.button(tr!("Save scene")).on_hover_text(help).clicked() {
                     out.push(SceneCommand::Save);
                 }
             }
@@ -307,22 +313,30 @@ fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<SceneCommand>) {
 }
 
 fn scene_menu(ui: &mut Ui, out: &mut Vec<SceneCommand>) {
-    if ui.button("Save scene as...").on_hover_text("Saves the scene under another name").clicked() {
+    if ui
+        .button(tr!("Save scene as..."))
+        .on_hover_text(tr!("Saves the scene under another name"))
+        .clicked()
+    {
         out.push(SceneCommand::SaveAs);
     }
     let help = "The scene's camera, lights and backdrop become what the picture shows now";
-    if ui.button("Keep this view").on_hover_text(help).clicked() {
+    if ui.button(tr!("Keep this view")).on_hover_text(help).clicked() {
         out.push(SceneCommand::KeepView);
     }
     if ui
-        .button("Frame all objects")
-        .on_hover_text("Brings every object into view (A over the picture)")
+        .button(tr!("Frame all objects"))
+        .on_hover_text(tr!("Brings every object into view (A over the picture)"))
         .clicked()
     {
         out.push(SceneCommand::Frame(None));
     }
     ui.separator();
-    if ui.button("Close the scene").on_hover_text("The open look stays, on one object").clicked() {
+    if ui
+        .button(tr!("Close the scene"))
+        .on_hover_text(tr!("The open look stays, on one object"))
+        .clicked()
+    {
         out.push(SceneCommand::Close);
     }
 }

@@ -1,6 +1,7 @@
 //! Motion that meshes' files bring: the animation that an object plays, and the camera of the
 //! picture.
 
+use chiaro_locale::tr;
 use eframe::egui::{ComboBox, DragValue, RichText, Role, Ui, WidgetInfo};
 
 use super::details::Fields;
@@ -34,7 +35,7 @@ pub(super) fn animation(ui: &mut Ui, fields: &mut Fields<'_>) {
         let text = new.as_ref().map_or_else(|| "None".to_owned(), shown);
         let combo = ComboBox::from_id_salt("animation").selected_text(text);
         let combo = combo.width(ui.available_width() - 12.0).show_ui(ui, |ui| {
-            if ui.selectable_label(new.is_none(), "None").clicked() {
+            if ui.selectable_label(new.is_none(), tr!("None")).clicked() {
                 new = None;
             }
             for name in names {
@@ -61,7 +62,7 @@ pub(super) fn animation(ui: &mut Ui, fields: &mut Fields<'_>) {
             let response = ui.add(drag.max_decimals(3).suffix(" s"));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Offset"));
             widget = Some(response.id).filter(|_| response.changed()).or(widget);
-            let loops = ui.checkbox(&mut animation.loops, "Loops");
+            let loops = ui.checkbox(&mut animation.loops, tr!("Loops"));
             let help = "Begins anew after its last key; else what it ends with holds";
             widget = Some(loops.on_hover_text(help).id).or(widget);
         });
@@ -94,7 +95,7 @@ pub(super) fn camera(
     let targets = ["file_camera.object", "file_camera.name"].map(str::to_owned);
     let help = "Whose camera pictures of the scene are drawn from: its own, or one that a mesh's \
                 file brings";
-    let text = RichText::new("Camera").color(theme::of(ui).text);
+    let text = RichText::new(tr!("Camera")).color(theme::of(ui).text);
     let slot = |ui: &mut Ui, size| shot::mark(ui, size, session, &targets, "Camera", commands);
     row::with_slot(ui, text, help, slot, |ui, label| {
         let shown = |camera: &FileCamera| match camera.name.as_str() {

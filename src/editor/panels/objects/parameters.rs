@@ -3,6 +3,7 @@
 
 use std::borrow::Cow;
 
+use chiaro_locale::tr;
 use eframe::egui::{Id, RichText, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
 
 use super::details::look_label;
@@ -116,12 +117,12 @@ impl Setter<'_> {
             let value = own.or(parameter.value.as_ref());
             match port.ty {
                 _ if value.is_none() => {
-                    ui.label(RichText::new("from the surface").color(theme::of(ui).dim));
+                    ui.label(RichText::new(tr!("from the surface")).color(theme::of(ui).dim));
                 }
                 Type::Curve | Type::Ramp | Type::Text => {
                     let text = value.map(|value| values::short(port, value)).unwrap_or_default();
                     ui.label(RichText::new(text).color(theme::of(ui).dim))
-                        .on_hover_text("Set in a scene's file, or in the look");
+                        .on_hover_text(tr!("Set in a scene's file, or in the look"));
                 }
                 _ => {
                     let changed = row::plain(ui, label_id, port, value, parameter.space);
@@ -145,11 +146,11 @@ impl Setter<'_> {
         let slot = |ui: &mut Ui, size: Vec2| drop(ui.allocate_exact_size(size, Sense::hover()));
         row::with_slot(ui, text, help, slot, |ui, _| {
             ui.label(RichText::new(values::short(&port, value)).color(theme::of(ui).dim));
-            let take_out = ui.small_button("Take out");
+            let take_out = ui.small_button(tr!("Take out"));
             take_out.widget_info(|| {
                 WidgetInfo::labeled(Role::Button, true, format!("Take out {name}"))
             });
-            if take_out.on_hover_text("Takes the value out of the scene").clicked() {
+            if take_out.on_hover_text(tr!("Takes the value out of the scene")).clicked() {
                 self.clear(name);
             }
         });

@@ -1,5 +1,6 @@
 //! Name, description and outlines of a scene.
 
+use chiaro_locale::tr;
 use eframe::egui::{CollapsingHeader, TextEdit, Ui};
 
 use super::outlines;
@@ -25,7 +26,7 @@ pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<SceneCommand>) {
             let mut about = scene.about.clone();
             let field =
                 TextEdit::multiline(&mut about).desired_width(f32::INFINITY).desired_rows(2);
-            let response = ui.add(field.hint_text("What it shows")).labelled_by(label);
+            let response = ui.add(field.hint_text(tr!("What it shows"))).labelled_by(label);
             if response.changed() {
                 out.push(SceneCommand::EditHeld(response.id, SceneEdit::SetSceneAbout { about }));
             }
@@ -34,5 +35,5 @@ pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<SceneCommand>) {
     });
     section
         .header_response
-        .on_hover_text("What the scene is called, what it shows, and lines over it");
+        .on_hover_text(tr!("What the scene is called, what it shows, and lines over it"));
 }

@@ -6,6 +6,7 @@ mod varied;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Button, Color32, ColorImage, Image, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke,
     StrokeKind, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
@@ -146,7 +147,7 @@ impl Wedge {
         self.drawn.show(ui, session, &mut out);
         ui.separator();
         let Some(sheet) = &self.sheet else {
-            hint(ui, "Open shows a sheet that was drawn before, to take its values.");
+            hint(ui, tr!("Open shows a sheet that was drawn before, to take its values."));
             return out;
         };
         let name = sheet.path.file_stem().unwrap_or_default().to_string_lossy();
@@ -260,7 +261,7 @@ fn enlarge(response: Response, shown: &ShownSheet, cell: &WedgeCell, (part, size
             });
         }
         if let Some(frame) = cell.frame {
-            ui.label(format!("frame {frame}"));
+            ui.label(tr!("frame {frame}"));
         }
         ui.label(RichText::new(HELP).small().color(theme::of(ui).dim));
     });

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::{
     self, Button, CollapsingHeader, DragValue, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
 };
@@ -164,7 +165,7 @@ impl DrawnWedge {
         let line = self.line(session);
         let is_going_on = self.run.as_ref().is_some_and(|run| run.end.is_none());
         ui.horizontal_wrapped(|ui| {
-            let text = RichText::new(format!("Draw {count} cells")).strong();
+            let text = RichText::new(tr!("Draw {count} cells")).strong();
             let button = ui.add_enabled(line.is_ok() && !is_going_on, Button::new(text));
             let help =
                 "Draws the pictures beside the window, which stays free, and shows the sheet";
@@ -192,7 +193,7 @@ impl DrawnWedge {
             ui.horizontal_wrapped(|ui| {
                 let text = "What you changed is not saved, and not in the pictures.";
                 ui.label(RichText::new(text).color(colors.warning));
-                if ui.small_button("Save now").clicked() {
+                if ui.small_button(tr!("Save now")).clicked() {
                     out.push(Command::Save);
                 }
             });
@@ -217,7 +218,7 @@ impl DrawnWedge {
                     let text =
                         format!("{done} of {} cells, {:.0} s", run.count, run.clock.seconds());
                     ui.label(text);
-                    if ui.small_button("Stop").clicked() {
+                    if ui.small_button(tr!("Stop")).clicked() {
                         out.push(Command::Film(FilmCommand::StopWedge));
                     }
                 });
@@ -229,7 +230,7 @@ impl DrawnWedge {
                 }
             }
             Some(RunEnd::Stopped) => {
-                ui.label(RichText::new(format!("Stopped. {last}")).color(colors.warning));
+                ui.label(RichText::new(tr!("Stopped. {last}")).color(colors.warning));
             }
             Some(RunEnd::Done) => {}
         }
@@ -237,11 +238,11 @@ impl DrawnWedge {
 
     /// Shows the menu of values that can vary.
     fn add_menu(&mut self, ui: &mut Ui, session: &Session) {
-        let menu = ui.menu_button("Add a value", |ui| {
+        let menu = ui.menu_button(tr!("Add a value"), |ui| {
             ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
                 let found = offered(session);
                 if found.is_empty() {
-                    hint(ui, "Select a node, or add a light.");
+                    hint(ui, tr!("Select a node, or add a light."));
                 }
                 for (label, variation) in found {
                     if ui.button(label).clicked() {
@@ -251,7 +252,7 @@ impl DrawnWedge {
                 }
             });
         });
-        menu.response.on_hover_text("Values of the selected nodes and of the lights");
+        menu.response.on_hover_text(tr!("Values of the selected nodes and of the lights"));
     }
 }
 
@@ -292,11 +293,11 @@ fn row(ui: &mut Ui, index: usize, varied: &mut Variation) -> bool {
             field.widget_info(|| {
                 WidgetInfo::labeled(Role::TextInput, true, format!("Value {}", index + 1))
             });
-            field.on_hover_text(
+            field.on_hover_text(tr!(
                 "Name of the value: a field of a light (key.intensity), an input of a node \
-                 (rim.falloff), an exposed value (width) or one of an object (hero.width)",
-            );
-            let remove = ui.small_button("×").on_hover_text("Does not vary it");
+                 (rim.falloff), an exposed value (width) or one of an object (hero.width)"
+            ));
+            let remove = ui.small_button("×").on_hover_text(tr!("Does not vary it"));
             remove.widget_info(|| {
                 WidgetInfo::labeled(Role::Button, true, format!("Do not vary {target}"))
             });
@@ -352,11 +353,11 @@ fn swatches(ui: &mut Ui, target: &str, colors: &mut Vec<[f64; 3]>) {
         });
     }
     let last = colors.last().copied().unwrap_or([1.0; 3]);
-    if ui.small_button("+").on_hover_text("One color more").clicked() {
+    if ui.small_button("+").on_hover_text(tr!("One color more")).clicked() {
         colors.push(last);
     }
     let fewer = ui.add_enabled(colors.len() > 1, egui::Button::new("−").small());
-    if fewer.on_hover_text("One color fewer").clicked() {
+    if fewer.on_hover_text(tr!("One color fewer")).clicked() {
         colors.pop();
     }
 }

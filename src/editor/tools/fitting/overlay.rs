@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
     Align2, Color32, ColorImage, Context, CursorIcon, FontId, Pos2, Rect, Response, Role, Stroke,
@@ -220,14 +221,14 @@ fn elsewhere(ui: &mut Ui, rect: Rect, out: &mut Vec<Command>) {
             .inner_margin(egui::Margin::symmetric(8, 4));
         frame.show(ui, |ui| {
             ui.horizontal(|ui| {
-                let button = ui.button("Back to the painted view");
+                let button = ui.button(tr!("Back to the painted view"));
                 button.widget_info(|| {
                     WidgetInfo::labeled(Role::Button, true, "Back to the painted view")
                 });
                 if button.clicked() {
                     out.push(Command::Fit(FitCommand::Back));
                 }
-                let text = egui::RichText::new("The strokes belong to another view")
+                let text = egui::RichText::new(tr!("The strokes belong to another view"))
                     .color(theme::of(ui).accent);
                 ui.add(egui::Label::new(text).truncate());
             });

@@ -1,5 +1,6 @@
 //! Panel of painted light: the painting, the settings of the fit, and its result.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
     Button, Color32, DragValue, ProgressBar, RichText, Role, ScrollArea, Slider, Ui, WidgetInfo,
@@ -25,7 +26,7 @@ impl FitTool {
         let mut out = Vec::new();
         if !self.is_on {
             let help = "Paint on the picture where it should be lighter or darker (L)";
-            if ui.button("Paint light on the picture").on_hover_text(help).clicked() {
+            if ui.button(tr!("Paint light on the picture")).on_hover_text(help).clicked() {
                 out.push(Command::Fit(FitCommand::Turn(Switch::On)));
             }
             hint(
@@ -81,13 +82,13 @@ impl FitTool {
             ui.label(text).on_hover_text(help);
         });
         ui.horizontal_wrapped(|ui| {
-            ui.toggle_value(&mut self.shows.strokes, "Strokes")
-                .on_hover_text("Shows what the strokes wish");
+            ui.toggle_value(&mut self.shows.strokes, tr!("Strokes"))
+                .on_hover_text(tr!("Shows what the strokes wish"));
             let help = "Where the picture is not as painted: black where it is, over red and \
                         yellow to white";
-            ui.toggle_value(&mut self.shows.misses, "Misses").on_hover_text(help);
+            ui.toggle_value(&mut self.shows.misses, tr!("Misses")).on_hover_text(help);
             let help = "Takes all strokes away; undo brings them back";
-            if ui.add_enabled(!is_empty, Button::new("Clear")).on_hover_text(help).clicked() {
+            if ui.add_enabled(!is_empty, Button::new(tr!("Clear"))).on_hover_text(help).clicked() {
                 out.push(Command::Fit(FitCommand::Clear));
             }
         });
@@ -95,8 +96,8 @@ impl FitTool {
 
     fn how_rows(&mut self, ui: &mut Ui) {
         ui.horizontal_wrapped(|ui| {
-            ui.label("Keep")
-                .on_hover_text("FitGoal of this look stays as it is; all else is turned");
+            ui.label(tr!("Keep"))
+                .on_hover_text(tr!("FitGoal of this look stays as it is; all else is turned"));
             let keep = &mut self.how.keep;
             for (kept, label, help) in [
                 (&mut keep.lights, "Lights", "Directions of directional lights stay"),
@@ -113,7 +114,7 @@ impl FitTool {
             let help = "How far what is not painted stays as it is: at 0% only strokes count, and \
                         the rest becomes what it \
                         will; at 100% it moves only where strokes cannot be met otherwise";
-            let label = ui.label("Keep the rest").on_hover_text(help);
+            let label = ui.label(tr!("Keep the rest")).on_hover_text(help);
             let mut percent = self.how.keep_rest * 100.0;
             let slider = Slider::new(&mut percent, 0.0..=100.0).max_decimals(0).suffix("%");
             if ui.add(slider).labelled_by(label.id).on_hover_text(help).changed() {
@@ -128,8 +129,12 @@ impl FitTool {
         errors(ui, report);
         if outcome.applied.is_none() && report.is_far_off() {
             let tried = report.tried.told().unwrap_or_else(|| "nothing".to_owned());
+            let tried = match outcome.what {
+                FitGoal::Local => "Layers over the look".to_owned(),
+                FitGoal::ThisLook | FitGoal::Layers(_) => format!("Turning {tried}"),
+            };
             let text = format!(
-                "Turning {tried} found nothing nearer: Misses shows where it is off. {}",
+                "{tried} found nothing nearer: Misses shows where it is off. {}",
                 self.advice(outcome.what, report)
             );
             ui.label(RichText::new(text).color(theme::of(ui).accent));
@@ -144,7 +149,7 @@ impl FitTool {
         if let Some(kept) = report.kept.told().filter(|_| what == FitGoal::ThisLook) {
             ways.push(format!("keep less ({kept} did not take part)"));
         }
-        if self.how.keep_rest > 0.0 {
+        if self.how.keep_rest > 0.0 && what != FitGoal::Local {
             ways.push("keep less of the rest".to_owned());
         }
         ways.push(match what {
@@ -164,7 +169,7 @@ impl FitTool {
             let share = running.progress.share() as f32;
             ui.horizontal(|ui| {
                 let help = "Ends the fit, and shows the best that it has come to (Esc)";
-                if ui.button("Stop").on_hover_text(help).clicked() {
+                if ui.button(tr!("Stop")).on_hover_text(help).clicked() {
                     out.push(Command::Fit(FitCommand::Stop));
                 }
                 ui.add(ProgressBar::new(share).text(format!("fitting, {:.0} %", 100.0 * share)));
@@ -174,25 +179,25 @@ impl FitTool {
         ui.horizontal_wrapped(|ui| {
             let help = "Lays new layers over the look, with lights of their own, where you painted \
                         (Ctrl+Enter). All else stays as it is";
-            if ui.button("Light it there").on_hover_text(help).clicked() {
+            if ui.button(tr!("Light it there")).on_hover_text(help).clicked() {
                 out.push(Command::Fit(FitCommand::Fit(FitGoal::Local)));
             }
         });
         ui.separator();
-        hint(ui, "Or the whole look is turned, as far as it may be:");
+        hint(ui, tr!("Or the whole look is turned, as far as it may be:"));
         self.how_rows(ui);
         ui.horizontal_wrapped(|ui| {
             let help = "Turns lights, profiles and colors of this look until it shows what is \
                         painted. Its nodes and wires stay";
-            if ui.button("Fit this look").on_hover_text(help).clicked() {
+            if ui.button(tr!("Fit this look")).on_hover_text(help).clicked() {
                 out.push(Command::Fit(FitCommand::Fit(FitGoal::ThisLook)));
             }
             let help = "Begins from nothing: light layers over a base, as many as help, in place \
                         of all nodes of this look";
-            if ui.button("Fit new layers").on_hover_text(help).clicked() {
+            if ui.button(tr!("Fit new layers")).on_hover_text(help).clicked() {
                 out.push(Command::Fit(FitCommand::Fit(FitGoal::Layers(self.how.layers))));
             }
-            let label = ui.label("at most");
+            let label = ui.label(tr!("at most"));
             ui.add(DragValue::new(&mut self.how.layers).range(1..=MOST_LAYERS).speed(0.05))
                 .labelled_by(label.id);
         });
@@ -220,18 +225,20 @@ fn errors(ui: &mut Ui, report: &FitReport) {
 fn choice(ui: &mut Ui, outcome: &FitOutcome, out: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         if outcome.applied.is_some() {
-            ui.label(RichText::new("Applied; undo takes it back").color(theme::of(ui).dim));
+            ui.label(RichText::new(tr!("Applied; undo takes it back")).color(theme::of(ui).dim));
             return;
         }
-        if ui.button("Apply").on_hover_text("Changes the look, as one step").clicked() {
+        if ui.button(tr!("Apply")).on_hover_text(tr!("Changes the look, as one step")).clicked() {
             out.push(Command::Fit(FitCommand::Apply));
         }
-        if ui.button("Discard").on_hover_text("Leaves the look as it is (Esc)").clicked() {
+        if ui.button(tr!("Discard")).on_hover_text(tr!("Leaves the look as it is (Esc)")).clicked()
+        {
             out.push(Command::Fit(FitCommand::Discard));
         }
         if let FitGoal::Layers(_) = outcome.what {
             ui.label(
-                RichText::new("New layers take the place of all nodes").color(theme::of(ui).dim),
+                RichText::new(tr!("New layers take the place of all nodes"))
+                    .color(theme::of(ui).dim),
             );
         }
     });
@@ -254,7 +261,7 @@ fn changes(ui: &mut Ui, report: &FitReport, session: &Session) {
             } else {
                 value(ui, &change.from);
                 if !change.from.is_empty() {
-                    ui.label(RichText::new("to").color(theme::of(ui).dim));
+                    ui.label(RichText::new(tr!("to")).color(theme::of(ui).dim));
                 }
                 value(ui, &change.to);
             }

@@ -1,5 +1,6 @@
 //! Controls of the flip book, and its display over the picture.
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Color32, Key, Rect, RichText, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo,
 };
@@ -36,12 +37,14 @@ impl FlipBook {
             match self.view {
                 FlipView::Flicker => {
                     let help = "Shows the frames of the other version (V, while it is held)";
-                    ui.toggle_value(&mut self.shows_other, "Other version").on_hover_text(help);
+                    ui.toggle_value(&mut self.shows_other, tr!("Other version"))
+                        .on_hover_text(help);
                 }
                 FlipView::Difference => {
                     let slider =
                         eframe::egui::Slider::new(&mut self.stops, 0..=MOST_STOPS).suffix(" stops");
-                    let response = ui.add(slider).on_hover_text("Brightness of the difference");
+                    let response =
+                        ui.add(slider).on_hover_text(tr!("Brightness of the difference"));
                     let stops = f64::from(self.stops);
                     let name = "Brightness of the difference";
                     response.widget_info(|| WidgetInfo::slider(true, stops, name));
@@ -51,12 +54,12 @@ impl FlipBook {
             if let (Some(mut form), Some(_)) = (playback.form(), session.open_scene()) {
                 let help = "Draws the frames from the scene's own camera, as chiaro render does, \
                             and not from the window's";
-                let by_scene = ui.checkbox(&mut form.by_scene, "Scene's camera");
+                let by_scene = ui.checkbox(&mut form.by_scene, tr!("Scene's camera"));
                 if by_scene.on_hover_text(help).changed() {
                     playback.share(Some(form));
                 }
             }
-            if ui.button("Close flip book").clicked() {
+            if ui.button(tr!("Close flip book")).clicked() {
                 self.close(playback);
             }
             self.state(ui, session, playback);

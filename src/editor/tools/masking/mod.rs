@@ -6,6 +6,7 @@ mod work;
 
 use std::collections::VecDeque;
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Color32, CursorIcon, DragValue, Event, Key, Modifiers, PointerButton, Pos2, Rect, Role, Shape,
     Stroke, Ui, WidgetInfo,
@@ -210,7 +211,7 @@ impl MaskTool {
             name => name,
         });
         let file = file_of(session.look(), layer).unwrap_or_default();
-        ui.label(format!("Mask of {name}")).on_hover_text(format!(
+        ui.label(tr!("Mask of {name}")).on_hover_text(tr!(
             "White shows the layer, black hides it. Kept in {file}, beside the look, as soon as a \
              stroke ends"
         ));
@@ -256,7 +257,7 @@ impl MaskTool {
                 ui.request_repaint();
             }
         }
-        if ui.button("Done").on_hover_text("Ends painting (Esc)").clicked() {
+        if ui.button(tr!("Done")).on_hover_text(tr!("Ends painting (Esc)")).clicked() {
             out.push(Command::Mask(MaskCommand::Leave));
         }
     }

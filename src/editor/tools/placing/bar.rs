@@ -1,5 +1,6 @@
 //! Controls of placing.
 
+use chiaro_locale::tr;
 use eframe::egui::{ComboBox, Rect, Role, Ui, WidgetInfo};
 
 use super::{PlacingTool, name};
@@ -15,7 +16,7 @@ impl PlacingTool {
 
     fn controls(&mut self, ui: &mut Ui, session: &Session) {
         ui.spacing_mut().item_spacing.x = 5.0;
-        let label = ui.label("Place");
+        let label = ui.label(tr!("Place"));
         let light = self.light(session);
         let shown = light.as_ref().map_or_else(String::new, |id| name(session, id));
         let list = ComboBox::from_id_salt("light to place").selected_text(shown).width(90.0);
@@ -31,7 +32,7 @@ impl PlacingTool {
         let help = "The light that is placed: that of the selected layer, unless another is chosen \
                     here";
         list.response.labelled_by(label.id).on_hover_text(help);
-        ui.label("by its");
+        ui.label(tr!("by its"));
         for mark in LightMark::ALL {
             let is_it = self.mark == mark;
             let command = Command::Placing(PlacingCommand::By(mark));

@@ -1,5 +1,6 @@
 //! List of the lights at the probed pixel: why it is lit so.
 
+use chiaro_locale::tr;
 use eframe::egui::{Color32, FontId, Role, ScrollArea, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use super::panel::{ROW, column_of, wire_name};
@@ -26,7 +27,7 @@ const OUT_HERE: &str = "muted, or left out by a solo, in this window";
 /// Shows the list.
 pub(super) fn table(ui: &mut Ui, session: &Session, lights: &[LightAccount]) -> Vec<Command> {
     if lights.is_empty() {
-        hint(ui, "Neither the scene nor the looks of the object have lights.");
+        hint(ui, tr!("Neither the scene nor the looks of the object have lights."));
         return Vec::new();
     }
     ui.spacing_mut().item_spacing.y = 0.0;

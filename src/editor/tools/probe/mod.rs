@@ -6,6 +6,7 @@ mod panel;
 
 pub(crate) use panel::wire_name;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Pos2, Rect, Stroke, Ui, pos2, vec2};
 
@@ -29,7 +30,7 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
     |tools, ui, out| {
         let mut is_on = tools.of::<Probe>().is_on();
         let help = table::help_of(&Command::Probe(Switch::Toggle));
-        if ui.toggle_value(&mut is_on, "Probe pixel").on_hover_text(help).changed() {
+        if ui.toggle_value(&mut is_on, tr!("Probe pixel")).on_hover_text(help).changed() {
             out.push(Command::Probe(is_on.into()));
         }
     },

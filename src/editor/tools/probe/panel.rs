@@ -1,5 +1,6 @@
 //! Table of the probe's result.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
@@ -36,8 +37,8 @@ impl Probe {
             return commands;
         }
         match self.found.as_ref().map(|found| &found.result) {
-            None => hint(ui, "Rest the pointer on the picture, or click to keep a pixel."),
-            Some(Ok(None)) => hint(ui, "Nothing is drawn there."),
+            None => hint(ui, tr!("Rest the pointer on the picture, or click to keep a pixel.")),
+            Some(Ok(None)) => hint(ui, tr!("Nothing is drawn there.")),
             Some(Ok(Some(found))) if self.lists_lights => {
                 commands.extend(lights::table(ui, session, &found.lights));
             }
@@ -58,9 +59,9 @@ impl Probe {
     fn head(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         ui.horizontal(|ui| {
             let mut is_on = self.is_on;
-            let toggle = ui.toggle_value(&mut is_on, "Probe the picture");
+            let toggle = ui.toggle_value(&mut is_on, tr!("Probe the picture"));
             if toggle
-                .on_hover_text("Reads every wire's value at a pixel (I); Esc leaves it")
+                .on_hover_text(tr!("Reads every wire's value at a pixel (I); Esc leaves it"))
                 .changed()
             {
                 commands.push(Command::Probe(is_on.into()));
@@ -71,18 +72,19 @@ impl Probe {
             self.lists(ui);
             if let Some([x, y]) = self.pixel {
                 let kept = if self.is_pinned { " · kept" } else { "" };
-                ui.label(RichText::new(format!("pixel {x}, {y}{kept}")).color(theme::of(ui).dim));
+                ui.label(RichText::new(tr!("pixel {x}, {y}{kept}")).color(theme::of(ui).dim));
             }
             if self.worker.is_busy() {
-                ui.label(RichText::new("computing").color(theme::of(ui).accent));
+                ui.label(RichText::new(tr!("computing")).color(theme::of(ui).accent));
             } else if self.found.is_some() && !self.is_current() {
-                ui.label(RichText::new("of before").color(theme::of(ui).dim));
+                ui.label(RichText::new(tr!("of before")).color(theme::of(ui).dim));
             }
             let broken = self.wires().iter().find(|wire| !wire.is_finite());
             let node = broken.and_then(|wire| wire.node.outermost().cloned());
             if let Some(node) = node {
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    let text = RichText::new("Go to first broken wire").color(theme::of(ui).error);
+                    let text =
+                        RichText::new(tr!("Go to first broken wire")).color(theme::of(ui).error);
                     let help =
                         "Shows the node whose value is the first that is not a finite number";
                     if ui.button(text).on_hover_text(help).clicked() {
@@ -316,10 +318,10 @@ fn in_full(ui: &mut Ui, wire: &WireValue) {
         }
     });
     ui.label(
-        RichText::new(
+        RichText::new(tr!(
             "f32, f64 and their difference; a click shows the node, a right click shows the wire \
-             in the picture",
-        )
+             in the picture"
+        ))
         .color(theme::of(ui).dim),
     );
 }

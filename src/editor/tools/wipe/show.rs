@@ -1,5 +1,6 @@
 //! Controls of the comparison, and its display over the picture.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Color32, Key, Rect, RichText, Role, Ui, WidgetInfo};
 
@@ -23,7 +24,7 @@ const LIST: f32 = 400.0;
 const HALF_FLICKER: f64 = 0.25;
 
 /// Width of the choice, in points: narrow, since it stands in a bar with others.
-const WIDTH: f32 = 84.0;
+const WIDTH: f32 = 97.0;
 
 /// Shows the choice of what the picture is compared with: the same in another tier, a snapshot, a
 /// file, or frames of another version.
@@ -46,10 +47,10 @@ pub(super) fn choice(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Comman
             tools.of_mut::<Wipe>().choose(chosen);
         }
     });
-    combo.response.on_hover_text(
+    combo.response.on_hover_text(tr!(
         "Shows the picture beside a snapshot, a file, a reference picture, the same in another \
-         tier, the truth in f64, or frames of another version",
-    );
+         tier, the truth in f64, or frames of another version"
+    ));
 }
 
 /// Shows the pictures that the present one may be compared with, and returns the choice.
@@ -63,7 +64,7 @@ fn states(
     let (against, snapshots) = (wipe.against.clone(), wipe.snapshots.clone());
     let has_file = wipe.has_file;
     let mut chosen = None;
-    if ui.selectable_label(against.is_none() && has_no_version, "Nothing").clicked() {
+    if ui.selectable_label(against.is_none() && has_no_version, tr!("Nothing")).clicked() {
         chosen = Some(None);
     }
     let shelf = SnapshotShelf::default();
@@ -77,8 +78,8 @@ fn states(
     let saved = ComparedPicture::Saved;
     let is_it = against.as_ref() == Some(&saved);
     let saved_label = ui.add_enabled(has_file, egui::Button::selectable(is_it, "As saved"));
-    let saved_label = saved_label.on_hover_text("The look as its file has it");
-    if saved_label.on_disabled_hover_text("The look is in no file yet").clicked() {
+    let saved_label = saved_label.on_hover_text(tr!("The look as its file has it"));
+    if saved_label.on_disabled_hover_text(tr!("The look is in no file yet")).clicked() {
         chosen = Some(Some(saved));
     }
     for (picture, name) in snapshots {
@@ -90,7 +91,11 @@ fn states(
     }
     let help = "Another look (JSON) in this view, or a reference picture (PNG, JPEG, EXR, HDR) \
                 fitted into it";
-    if ui.selectable_label(false, "A look or picture in a file...").on_hover_text(help).clicked() {
+    if ui
+        .selectable_label(false, tr!("A look or picture in a file..."))
+        .on_hover_text(help)
+        .clicked()
+    {
         out.push(Command::View(ViewCommand::Compare(None)));
     }
     if chosen.is_some() {
@@ -108,19 +113,19 @@ fn frames(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Command>) -> bool
     let keep = ui.add_enabled(has_frames, egui::Button::selectable(false, "Frames kept now"));
     let help = "A flip book against the frames that the timeline has now, such as those before an \
                 edit";
-    let keep = keep.on_hover_text(help).on_disabled_hover_text(
-        "The timeline has no frames yet: play it, or press Cache range there",
-    );
+    let keep = keep.on_hover_text(help).on_disabled_hover_text(tr!(
+        "The timeline has no frames yet: play it, or press Cache range there"
+    ));
     if keep.clicked() {
         flip.keep(playback);
         return true;
     }
     let help = "A flip book against frames that were rendered, as by chiaro render: choose one of \
                 them";
-    let files = ui.selectable_label(false, "Rendered frames...").on_hover_text(help);
+    let files = ui.selectable_label(false, tr!("Rendered frames...")).on_hover_text(help);
     let help = "A flip book against another look, scene or shot, which is drawn frame by frame in \
                 the same size";
-    let document = ui.selectable_label(false, "Another document...").on_hover_text(help);
+    let document = ui.selectable_label(false, tr!("Another document...")).on_hover_text(help);
     if files.clicked() || document.clicked() {
         out.push(Command::CompareFrames(None));
         out.push(Command::ShowPanel(PanelId::TIMELINE));
@@ -169,7 +174,7 @@ impl Wipe {
             }
         });
         combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Left picture"));
-        combo.response.on_hover_text("The left picture: the look as it is now, or a snapshot");
+        combo.response.on_hover_text(tr!("The left picture: the look as it is now, or a snapshot"));
         if let Some(left) = chosen {
             self.choose_left(left);
         }
@@ -198,15 +203,16 @@ impl Wipe {
         }
         match self.mode {
             M::Flicker => {
-                ui.checkbox(&mut self.flickers, "By itself").on_hover_text("Twice a second");
+                ui.checkbox(&mut self.flickers, tr!("By itself"))
+                    .on_hover_text(tr!("Twice a second"));
                 let help = "Shows the other picture (V, while it is held)";
                 ui.add_enabled_ui(!self.flickers, |ui| {
-                    ui.toggle_value(&mut self.shows_right, "Other").on_hover_text(help);
+                    ui.toggle_value(&mut self.shows_right, tr!("Other")).on_hover_text(help);
                 });
             }
             M::Over => {
                 let slider = egui::Slider::new(&mut self.opacity, 0.0..=1.0).show_value(false);
-                let slider = ui.add(slider).on_hover_text("Opacity of the other picture");
+                let slider = ui.add(slider).on_hover_text(tr!("Opacity of the other picture"));
                 let opacity = f64::from(self.opacity);
                 let name = "Opacity of the other picture";
                 slider.widget_info(|| WidgetInfo::slider(true, opacity, name));
@@ -240,24 +246,24 @@ impl Wipe {
                     .desired_width(90.0)
                     .text(format!("{:.0} %", share * 100.0));
                 ui.add(bar);
-                if ui.button("Stop").clicked() {
+                if ui.button(tr!("Stop")).clicked() {
                     self.stop();
                 }
             } else {
-                ui.label(RichText::new("drawing").color(theme::of(ui).dim));
+                ui.label(RichText::new(tr!("drawing")).color(theme::of(ui).dim));
             }
             return;
         }
         if *against == ComparedPicture::Truth {
             if ui
-                .button("Compute again")
-                .on_hover_text("Computes the truth of what is shown now")
+                .button(tr!("Compute again"))
+                .on_hover_text(tr!("Computes the truth of what is shown now"))
                 .clicked()
                 && let Some(moment) = self.seen.clone()
             {
                 self.ask(session, moment);
             }
-            ui.label(RichText::new("out of date").color(theme::of(ui).warning));
+            ui.label(RichText::new(tr!("out of date")).color(theme::of(ui).warning));
         }
     }
 

@@ -1,6 +1,7 @@
 //! Keys by drivers: the numbers that decide, their present values, and the place of each key along
 //! them.
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Button, Color32, ComboBox, DragValue, Grid, Rect, RichText, Role, ScrollArea, Sense, Stroke,
     TextWrapMode, Ui, WidgetInfo, pos2, vec2,
@@ -37,8 +38,8 @@ pub(super) fn show(
         .num_columns(shown.keys.keys.len() + 3)
         .spacing([10.0, 4.0])
         .show(ui, |ui| {
-            ui.label(RichText::new("Driver").small().color(colors.dim));
-            ui.label(RichText::new("Now").small().color(colors.dim));
+            ui.label(RichText::new(tr!("Driver")).small().color(colors.dim));
+            ui.label(RichText::new(tr!("Now")).small().color(colors.dim));
             for key in 0..shown.keys.keys.len() {
                 ui.label(RichText::new(format!("Key {}", key + 1)).color(colors.hue(key)));
             }
@@ -58,7 +59,7 @@ pub(super) fn show(
                 if axes.len() > 1 {
                     let remove = ui
                         .add(Button::new("×").small().frame(false))
-                        .on_hover_text("Decides no more");
+                        .on_hover_text(tr!("Decides no more"));
                     let called =
                         format!("Remove the driver {}", shown.owned.keys.driver_name(&axes[axis]));
                     remove.widget_info(|| WidgetInfo::labeled(Role::Button, true, called.clone()));
@@ -106,9 +107,9 @@ fn chosen(
         }
     });
     name(&combo.response, Role::ComboBox, &format!("Driver {}", axis + 1));
-    combo.response.on_hover_text(
-        "Which number of the scene, or which wire of the look, decides; keys stay where they are",
-    );
+    combo.response.on_hover_text(tr!(
+        "Which number of the scene, or which wire of the look, decides; keys stay where they are"
+    ));
 }
 
 /// Shows the field for a key's place along an axis.
@@ -136,7 +137,7 @@ fn place(
 /// place.
 fn add(ui: &mut Ui, shown: &KeySetView<'_>, axes: &[Driver], out: &mut Vec<Command>) {
     let keyed = shown.owned.keys;
-    ui.menu_button("Add driver", |ui| {
+    ui.menu_button(tr!("Add driver"), |ui| {
         ScrollArea::vertical().max_height(MENU).show(ui, |ui| {
             for driver in all(shown).filter(|driver| !axes.contains(driver)) {
                 if ui.button(keyed.driver_name(&driver)).clicked() {
@@ -152,7 +153,7 @@ fn add(ui: &mut Ui, shown: &KeySetView<'_>, axes: &[Driver], out: &mut Vec<Comma
         });
     })
     .response
-    .on_hover_text("Up to three numbers decide together: keys lie on a plane, or in space");
+    .on_hover_text(tr!("Up to three numbers decide together: keys lie on a plane, or in space"));
 }
 
 fn remove_axis(keys: &mut crate::document::DirectionKeys, axis: usize) {
@@ -209,8 +210,8 @@ fn strip(ui: &mut Ui, shown: &KeySetView<'_>, ground: &mut Ground, out: &mut Vec
         let nearest = (0..shown.keys.keys.len()).min_by(|a, b| far(*a).total_cmp(&far(*b)));
         out.push(Command::SelectKey(nearest.map(|key| shown.place(key))));
     }
-    response.on_hover_text(
+    response.on_hover_text(tr!(
         "Colored by the key that weighs there; the line is where the driver is now. Press a key to \
-         select it",
-    );
+         select it"
+    ));
 }

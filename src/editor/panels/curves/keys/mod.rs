@@ -8,6 +8,7 @@ mod marks;
 mod sphere;
 mod table;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
     Align2, Color32, ComboBox, CursorIcon, FontId, Rect, RichText, Role, ScrollArea, Sense, Stroke,
@@ -163,14 +164,15 @@ impl Keys {
         ui.horizontal_wrapped(|ui| {
             self.choice(ui, shown, out);
             if owned.owner == Owner::Scene {
-                let text = RichText::new("Of the scene").small().color(theme::of(ui).dim);
-                ui.label(text).on_hover_text("These keys move lights of the scene, in every look");
+                let text = RichText::new(tr!("Of the scene")).small().color(theme::of(ui).dim);
+                ui.label(text)
+                    .on_hover_text(tr!("These keys move lights of the scene, in every look"));
             }
             let mut called = keys.name.clone();
             let edit = ui.add(
                 TextEdit::singleline(&mut called)
                     .desired_width(104.0)
-                    .hint_text("Name")
+                    .hint_text(tr!("Name"))
                     .char_limit(80),
             );
             name(&edit, Role::TextInput, "Name of the keys");
@@ -183,7 +185,7 @@ impl Keys {
             }
             add_menu(ui, owned.session, "Add set", out);
             let help = "Removes these keys: every value is its own again";
-            if ui.button("Remove set").on_hover_text(help).clicked() {
+            if ui.button(tr!("Remove set")).on_hover_text(help).clicked() {
                 out.push(Command::SelectKey(None));
                 out.extend(owned.once(Edit::RemoveDirectionKeys { index: *set }));
             }
@@ -228,17 +230,17 @@ impl Keys {
         ui.horizontal_wrapped(|ui| {
             let help = "Adds a key where the light or the view is now, with the values that are \
                         seen now";
-            if ui.button("Add key here").on_hover_text(help).clicked() {
+            if ui.button(tr!("Add key here")).on_hover_text(help).clicked() {
                 out.extend(owned.once(owned.keys.key_here(shown.set)));
                 out.push(Command::SelectKey(Some(shown.place(keys.keys.len()))));
             }
             if ui.add_enabled(
-                can_edit, egui::Button::new("Copy key")
-            ).on_hover_text("Beside it (D)").clicked() {
+                can_edit, egui::Button::new(tr!("Copy key"))
+            ).on_hover_text(tr!("Beside it (D)")).clicked() {
                 copy(shown, out);
             }
-            let delete = ui.add_enabled(can_edit, egui::Button::new("Delete key"));
-            if delete.on_hover_text("Takes this key and its values away (Delete)").clicked() {
+            let delete = ui.add_enabled(can_edit, egui::Button::new(tr!("Delete key")));
+            if delete.on_hover_text(tr!("Takes this key and its values away (Delete)")).clicked() {
                 remove(shown, out);
             }
             let to = keys
@@ -249,7 +251,7 @@ impl Keys {
                 "Brings the light or the view to this key, to compare; Back returns. The document \
                  is not changed";
             let go = ui.add_enabled(
-                to.is_some(), egui::Button::new("Go to key")
+                to.is_some(), egui::Button::new(tr!("Go to key"))
             ).on_hover_text(help);
             let help = "This light does not turn with the illumination frame: move it itself";
             if go.on_disabled_hover_text(help).clicked()
@@ -258,8 +260,8 @@ impl Keys {
                 self.back.get_or_insert_with(|| owned.session.view.orbit.clone());
                 out.push(Command::View(ViewCommand::TurnTo(Box::new(view))));
             }
-            let back = ui.add_enabled(self.back.is_some(), egui::Button::new("Back"));
-            if back.on_hover_text("To where it was").clicked()
+            let back = ui.add_enabled(self.back.is_some(), egui::Button::new(tr!("Back")));
+            if back.on_hover_text(tr!("To where it was")).clicked()
                 && let Some(view) = self.back.take()
             {
                 out.push(Command::View(ViewCommand::TurnTo(Box::new(view))));
@@ -298,11 +300,11 @@ impl Keys {
             Stroke::new(1.0, colors.swatch_edge),
         );
         marks::names_of_places(ui, rect, globe, is_view);
-        response.on_hover_cursor(CursorIcon::Move).on_hover_text(
+        response.on_hover_cursor(CursorIcon::Move).on_hover_text(tr!(
             "Every direction of the light or the view, colored by the key that weighs there. Drag \
              a key; drag beside \
-             the keys to turn the sphere, double-click to turn it back. Keys behind are rings.",
-        );
+             the keys to turn the sphere, double-click to turn it back. Keys behind are rings."
+        ));
         for is_front in [false, true] {
             for (index, key) in shown.keys.keys.iter().enumerate() {
                 let Some(direction) = DVec3::from(key.direction).try_normalize() else { continue };
@@ -345,7 +347,7 @@ impl Keys {
         if response.clicked() {
             self.turned[usize::from(shown.keys.by == KeyDirection::View)] = Some(turned);
         }
-        response.on_hover_text("The other side of the sphere; press to turn it to the front");
+        response.on_hover_text(tr!("The other side of the sphere; press to turn it to the front"));
     }
 }
 
@@ -370,14 +372,15 @@ fn add_menu(ui: &mut Ui, session: &Session, text: &str, out: &mut Vec<Command>) 
         let of_scene = OwnedKeys::of(session, Owner::Scene);
         if let Some(owned) = of_scene.filter(|owned| !owned.look().lights.is_empty()) {
             ui.separator();
-            let menu = ui.menu_button("For lights of the scene", |ui| new_sets(ui, owned, out));
-            menu.response.on_hover_text("Keys of the scene move its lights, in every look");
+            let menu =
+                ui.menu_button(tr!("For lights of the scene"), |ui| new_sets(ui, owned, out));
+            menu.response.on_hover_text(tr!("Keys of the scene move its lights, in every look"));
         }
     });
-    menu.response.on_hover_text(
+    menu.response.on_hover_text(tr!(
         "Another set of keys, by the direction of a light or of the view, by a number of the \
-         scene, or by a wire of the look that is one number for the whole object",
-    );
+         scene, or by a wire of the look that is one number for the whole object"
+    ));
 }
 
 /// Shows an entry for each thing that may decide between keys of a document.
@@ -433,10 +436,10 @@ fn by(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
             }
         });
     name(&combo.response, Role::ComboBox, "What decides between the keys");
-    combo.response.on_hover_text(
+    combo.response.on_hover_text(tr!(
         "Whose direction decides: a light's as the camera sees it (it changes too when you orbit), \
-         or that to the eye",
-    );
+         or that to the eye"
+    ));
 }
 
 fn scheme(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
@@ -464,7 +467,7 @@ fn scheme(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
             }
         });
     name(&combo.response, Role::ComboBox, "Scheme of the weights");
-    combo.response.on_hover_text("How the weights between keys are found");
+    combo.response.on_hover_text(tr!("How the weights between keys are found"));
 }
 
 /// Shows the present weight of each key, as a bar.
@@ -494,7 +497,7 @@ fn shares(ui: &mut Ui, shown: &KeySetView<'_>) {
         }
         left += width;
     }
-    response.on_hover_text("How much each key counts where the light or the view is now");
+    response.on_hover_text(tr!("How much each key counts where the light or the view is now"));
 }
 
 fn copy(shown: &KeySetView<'_>, out: &mut Vec<Command>) {

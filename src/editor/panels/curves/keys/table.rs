@@ -1,6 +1,7 @@
 //! Table of the values that the keys of a set change: a row for each value, a column for each key,
 //! edited in place.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Button, Grid, RichText, Ui, WidgetInfo};
 
@@ -38,7 +39,7 @@ pub(super) fn show(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) 
 
 fn head(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     let colors = theme::of(ui);
-    ui.label(RichText::new("Value").small().color(colors.dim));
+    ui.label(RichText::new(tr!("Value")).small().color(colors.dim));
     // A key that is newly selected on the sphere is scrolled into view.
     let seen = egui::Id::unique("key in view");
     let place = shown.place(shown.key);
@@ -77,7 +78,7 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
     let called = format!("{owner}: {what}");
     let link = ui
         .link(RichText::new(&called).color(theme::of(ui).text))
-        .on_hover_text("Shows what has this value");
+        .on_hover_text(tr!("Shows what has this value"));
     if link.clicked()
         && let Target::Input { node, .. } = target
     {
@@ -120,7 +121,7 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
                 clear.widget_info(|| {
                     WidgetInfo::labeled(egui::Role::Button, !is_only, format!("Clear {name}"))
                 });
-                if clear.on_hover_text("Leaves the own value at this key").clicked() {
+                if clear.on_hover_text(tr!("Leaves the own value at this key")).clicked() {
                     out.extend(shown.change(|keys| {
                         keys.keys[index].values.shift_remove(target);
                     }));
@@ -128,9 +129,11 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
             });
         });
     }
-    let unkey = ui.add(Button::new("Unkey").small());
+    let unkey = ui.add(Button::new(tr!("Unkey")).small());
     unkey.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, format!("Unkey {called}")));
-    if unkey.on_hover_text("Keys change this no more; it keeps the value that it has now").clicked()
+    if unkey
+        .on_hover_text(tr!("Keys change this no more; it keeps the value that it has now"))
+        .clicked()
     {
         out.extend(owned.once(owned.keys.unkey(target)));
     }
@@ -142,7 +145,7 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
 fn add_value(ui: &mut Ui, shown: &KeySetView<'_>, known: &[Target], out: &mut Vec<Command>) {
     let (session, owned) = (shown.owned.session, shown.owned);
     let has_nodes = owned.owner == Owner::Look;
-    ui.menu_button("Add value", |ui| {
+    ui.menu_button(tr!("Add value"), |ui| {
         egui::ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
             for id in session.selection.nodes.iter().filter(|_| has_nodes) {
                 let kind =
@@ -155,7 +158,7 @@ fn add_value(ui: &mut Ui, shown: &KeySetView<'_>, known: &[Target], out: &mut Ve
                 }
             }
             if has_nodes && session.selection.nodes.is_empty() {
-                hint(ui, "Select a node to key its values.");
+                hint(ui, tr!("Select a node to key its values."));
             }
             for (id, light) in &owned.look().lights {
                 // The position and the direction of a light are no values for a table; the diamonds
@@ -171,7 +174,9 @@ fn add_value(ui: &mut Ui, shown: &KeySetView<'_>, known: &[Target], out: &mut Ve
         });
     })
     .response
-    .on_hover_text("Keys another value: it has its present one at every key until you change it");
+    .on_hover_text(tr!(
+        "Keys another value: it has its present one at every key until you change it"
+    ));
 }
 
 fn entry(

@@ -9,6 +9,7 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Button, ComboBox, DragValue, RichText, ScrollArea, Ui, vec2};
 
@@ -291,7 +292,7 @@ fn head(ui: &mut Ui, layer: &ProfileNode<'_>, out: &mut Vec<Command>) {
             .show_ui(ui, name);
         combo
             .response
-            .on_hover_text("The layer whose profile this is; selecting a layer shows its own")
+            .on_hover_text(tr!("The layer whose profile this is; selecting a layer shows its own"))
             .widget_info(|| {
                 egui::WidgetInfo::labeled(
                     egui::Role::ComboBox,
@@ -317,8 +318,9 @@ fn head(ui: &mut Ui, layer: &ProfileNode<'_>, out: &mut Vec<Command>) {
                 })
             });
             let button = Button::new(&preset.label).small().selected(is_it);
-            let response =
-                ui.add(button).on_hover_text("Sets offset, fall-off and cut-off to this shading's");
+            let response = ui
+                .add(button)
+                .on_hover_text(tr!("Sets offset, fall-off and cut-off to this shading's"));
             response.widget_info(|| {
                 let name = format!("Profile preset {}", preset.label);
                 egui::WidgetInfo::selected(egui::Role::Button, true, is_it, name)
@@ -350,7 +352,7 @@ fn numbers(ui: &mut Ui, layer: &ProfileNode<'_>, out: &mut Vec<Command>) {
             let help = part.explained();
             let label = ui.label(RichText::new(part.label).color(color)).on_hover_text(&help).id;
             if layer.wired[index] {
-                ui.label(RichText::new("by wire").color(theme::of(ui).dim));
+                ui.label(RichText::new(tr!("by wire")).color(theme::of(ui).dim));
                 continue;
             }
             let mut degrees = radians.to_degrees();

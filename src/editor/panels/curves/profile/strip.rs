@@ -4,6 +4,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::ecolor::gamma_from_linear;
 use eframe::egui::epaint::{Mesh, PathShape, Vertex};
@@ -67,11 +68,11 @@ impl Strip {
         paint(ui, bar, colors, inputs.space);
         bow(ui, pos2(rect.left() + 12.0, rect.top() + 10.0), 1.0);
         bow(ui, pos2(rect.left() + 12.0, rect.bottom() - 10.0), -1.0);
-        response.on_hover_text(
+        response.on_hover_text(tr!(
             "What the layer makes of the look's base color at each angle: above where the surface \
              bulges (convex), \
-             below where it is hollow (concave), with the warp that curvature gives.",
-        );
+             below where it is hollow (concave), with the warp that curvature gives."
+        ));
     }
 }
 

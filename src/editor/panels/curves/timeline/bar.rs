@@ -1,5 +1,6 @@
 //! Bar above the tracks: play, frame rate, range, values to key.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Button, ComboBox, DragValue, RichText, Role, Ui, WidgetInfo};
 
@@ -41,10 +42,14 @@ pub(super) fn show(
         }
         transport::place(timeline, ui, session);
         rate(timeline, ui);
-        ui.checkbox(&mut timeline.snaps, "Snap")
-            .on_hover_text("Keys and the playhead stay on frames");
+        ui.checkbox(&mut timeline.snaps, tr!("Snap"))
+            .on_hover_text(tr!("Keys and the playhead stay on frames"));
         range(timeline, ui);
-        if ui.button("Fit").on_hover_text("Brings all keys and the range into view").clicked() {
+        if ui
+            .button(tr!("Fit"))
+            .on_hover_text(tr!("Brings all keys and the range into view"))
+            .clicked()
+        {
             timeline.fit(session);
         }
         ui.separator();
@@ -65,14 +70,14 @@ fn rate(timeline: &mut Timeline, ui: &mut Ui) {
             }
         });
     combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Frame rate"));
-    combo.response.on_hover_text("Frames a second: what is played and snapped to");
+    combo.response.on_hover_text(tr!("Frames a second: what is played and snapped to"));
 }
 
 fn range(timeline: &mut Timeline, ui: &mut Ui) {
     let fps = timeline.fps;
     let before = timeline.range.map(|time| (time * fps * 100.0).round() / 100.0);
     let [mut first, mut last] = before;
-    ui.label(RichText::new("Frames").color(theme::of(ui).dim));
+    ui.label(RichText::new(tr!("Frames")).color(theme::of(ui).dim));
     for (frame, name) in [(&mut first, "Range from"), (&mut last, "Range to")] {
         // Whole frames are told without decimals.
         let text = |frame: f64, _| values::number_text(frame, 2);
@@ -93,7 +98,7 @@ fn range(timeline: &mut Timeline, ui: &mut Ui) {
 
 /// Shows the menu of values that can be keyed: inputs of the selected nodes, and the lights.
 fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-    let menu = ui.menu_button("Key a value", |ui| {
+    let menu = ui.menu_button(tr!("Key a value"), |ui| {
         egui::ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
             for id in &session.selection.nodes {
                 let kind =
@@ -108,7 +113,7 @@ fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
                 }
             }
             if session.selection.nodes.is_empty() {
-                hint(ui, "Select a node to key its values.");
+                hint(ui, tr!("Select a node to key its values."));
             }
             shot_tracks::menu(ui, session, out);
             for owned in super::owners(session) {
@@ -120,7 +125,8 @@ fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             }
         });
     });
-    menu.response.on_hover_text("Begins a track with the value that is seen now, at the playhead");
+    menu.response
+        .on_hover_text(tr!("Begins a track with the value that is seen now, at the playhead"));
 }
 
 fn entry(ui: &mut Ui, owned: OwnedKeys<'_>, target: &Target, out: &mut Vec<Command>) {

@@ -1,6 +1,7 @@
 //! Row of the timeline below the ruler while a flip book is open: how far each frame is from the
 //! other version's, and the ways to the frames that are wrong.
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Button, DragValue, Rect, RichText, Role, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2,
     vec2,
@@ -51,14 +52,15 @@ fn controls(ui: &mut Ui, flip: &mut FlipBook, timeline: &Timeline) -> Option<i32
     let mut chosen = None;
     let greatest = flip.greatest();
     let help = "Goes to the frame with the greatest difference";
-    let button = ui.add_enabled(greatest.is_some(), Button::new("Greatest")).on_hover_text(help);
+    let button =
+        ui.add_enabled(greatest.is_some(), Button::new(tr!("Greatest"))).on_hover_text(help);
     button.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Greatest difference"));
     if button.clicked() {
         chosen = greatest;
     }
     let count = flip.wrong().count();
     let lacking = flip.lacking(timeline.round().range());
-    let menu = ui.menu_button(format!("{count} differ"), |ui| {
+    let menu = ui.menu_button(tr!("{count} differ"), |ui| {
         ScrollArea::vertical().max_height(300.0).show(ui, |ui| {
             for (frame, kind) in flip.wrong().take(LISTED) {
                 if ui.button(format!("Frame {frame} {}", kind.text())).clicked() {
@@ -67,7 +69,7 @@ fn controls(ui: &mut Ui, flip: &mut FlipBook, timeline: &Timeline) -> Option<i32
                 }
             }
             for (frame, problem) in flip.failed().take(LISTED) {
-                ui.label(format!("Frame {frame}: {problem}"));
+                ui.label(tr!("Frame {frame}: {problem}"));
             }
             ui.label(match lacking {
                 0 => "Every frame of the range has another version".to_owned(),
@@ -76,9 +78,9 @@ fn controls(ui: &mut Ui, flip: &mut FlipBook, timeline: &Timeline) -> Option<i32
             });
         });
     });
-    menu.response.on_hover_text("Frames that differ by more than the threshold");
+    menu.response.on_hover_text(tr!("Frames that differ by more than the threshold"));
     let drag = DragValue::new(&mut flip.threshold).range(0..=254).prefix("> ").suffix("/255");
-    let response = ui.add(drag).on_hover_text("Differences up to this one count as none");
+    let response = ui.add(drag).on_hover_text(tr!("Differences up to this one count as none"));
     response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Threshold"));
     chosen
 }
@@ -118,7 +120,7 @@ fn strip(ui: &Ui, flip: &FlipBook, timeline: &Timeline, axis: Axis, lane: Rect) 
         let found = flip.deltas().find(|(of, _)| *of == frame);
         let text = found.map_or("is not compared yet".to_owned(), |(_, kind)| kind.text());
         response.on_hover_ui_at_pointer(|ui| {
-            ui.label(RichText::new(format!("Frame {frame} {text}")));
+            ui.label(RichText::new(tr!("Frame {frame} {text}")));
         });
     }
     clicked.map(|at| frame_at(at.x))

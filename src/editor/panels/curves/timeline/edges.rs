@@ -1,5 +1,6 @@
 //! Edges of the selected keys, which scale them in time.
 
+use chiaro_locale::tr;
 use eframe::egui::{CursorIcon, Rect, Stroke, Ui, pos2, vec2};
 
 use super::axis::Axis;
@@ -50,8 +51,8 @@ pub(super) fn show(
         let edge = Rect::from_center_size(at, vec2(4.0, 12.0));
         ui.painter().rect(edge, 1.0, color, Stroke::NONE, eframe::egui::StrokeKind::Inside);
         focus_ring(ui, &handled.response, at, 6.0);
-        handled.response.on_hover_cursor(CursorIcon::ResizeHorizontal).on_hover_text(
-            "Drag to stretch the selected keys about the other end; with Alt about the playhead",
-        );
+        handled.response.on_hover_cursor(CursorIcon::ResizeHorizontal).on_hover_text(tr!(
+            "Drag to stretch the selected keys about the other end; with Alt about the playhead"
+        ));
     }
 }

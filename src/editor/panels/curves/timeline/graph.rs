@@ -1,5 +1,6 @@
 //! Curves of an opened track: its values over time, number by number, with keys and handles.
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Align2, Color32, FontId, Pos2, Rect, Shape, Stroke, Ui, epaint::PathShape, pos2, vec2,
 };
@@ -321,9 +322,9 @@ impl Graph<'_> {
         painter.line_segment([from, end], Stroke::new(1.0, color.gamma_multiply(0.8)));
         painter.add(Shape::circle_filled(end, 3.5, color));
         focus_ring(ui, &handled.response, end, 4.0);
-        handled.response.on_hover_text(
-            "Drag it to shape the curve. Handles: automatic, aligned or free, in the row below",
-        );
+        handled.response.on_hover_text(tr!(
+            "Drag it to shape the curve. Handles: automatic, aligned or free, in the row below"
+        ));
     }
 }
 

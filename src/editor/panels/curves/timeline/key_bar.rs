@@ -1,6 +1,7 @@
 //! Row of the selected keys: time and value of one, interpolation, handles, what holds beyond the
 //! keys, and their length.
 
+use chiaro_locale::tr;
 use eframe::egui::{Button, DragValue, RichText, Role, Ui, WidgetInfo};
 
 use super::sheet::PickedTrack;
@@ -50,13 +51,13 @@ pub(super) fn show(
         if picked.is_empty() {
             let is_any = super::times(session).next().is_some();
             if is_any {
-                hint(ui, "Press a key, or drag a box around keys, to change them.");
+                hint(ui, tr!("Press a key, or drag a box around keys, to change them."));
             }
             return;
         }
         one_key(timeline, ui, session, &picked, out);
         interpolation(timeline, ui, session, &picked, out);
-        ui.menu_button("Handles", |ui| {
+        ui.menu_button(tr!("Handles"), |ui| {
             for (pair, text, help) in HANDLES {
                 if ui.button(text).on_hover_text(help).clicked() {
                     let change = |it: &PickedTrack| retime::with_handles(&it.track, &it.keys, pair);
@@ -110,7 +111,7 @@ fn one_key(
             let widget = Some(response.id);
             timeline.sheet.retime(session, held, (1.0, &|_| time), widget, out);
         }
-        response.on_hover_text("When");
+        response.on_hover_text(tr!("When"));
     }
     let Some(port) = owned.keys.base.port_at(&track.target) else { return };
     let space = session.look().color_space;
@@ -128,7 +129,7 @@ fn interpolation(
     picked: &[PickedTrack],
     out: &mut Vec<Command>,
 ) {
-    let menu = ui.menu_button("Interpolation", |ui| {
+    let menu = ui.menu_button(tr!("Interpolation"), |ui| {
         for (choice, text, help) in INTERPOLATIONS {
             let is_it = picked
                 .iter()
@@ -139,7 +140,7 @@ fn interpolation(
             }
         }
     });
-    menu.response.on_hover_text("How values go from these keys to the next");
+    menu.response.on_hover_text(tr!("How values go from these keys to the next"));
 }
 
 /// Shows the menu of what holds before and after the keys of the tracks.
@@ -150,7 +151,7 @@ fn beyond(
     picked: &[PickedTrack],
     out: &mut Vec<Command>,
 ) {
-    let menu = ui.menu_button("Beyond", |ui| {
+    let menu = ui.menu_button(tr!("Beyond"), |ui| {
         for (side, is_before) in [("Before", true), ("After", false)] {
             for (choice, text, help) in BEYOND {
                 let of = |ends: TrackEnds| if is_before { ends.before } else { ends.after };
@@ -170,7 +171,7 @@ fn beyond(
             }
         }
     });
-    menu.response.on_hover_text("Values before the first key and after the last");
+    menu.response.on_hover_text(tr!("Values before the first key and after the last"));
 }
 
 /// Shows the length of several keys in frames.
@@ -189,7 +190,7 @@ fn length(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec
         let scale = frames / fps / (end - start);
         timeline.scale(session, held, (start, scale), response.id, out);
     }
-    response.on_hover_text("Stretches the keys to so many frames; the first stays");
+    response.on_hover_text(tr!("Stretches the keys to so many frames; the first stays"));
 }
 
 /// Shows the factor by which several keys are scaled about the playhead.
@@ -206,7 +207,7 @@ fn scale(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec<
     if response.changed() && !held.is_empty() {
         timeline.scale(session, held, (playhead, percent / 100.0), response.id, out);
     }
-    response.on_hover_text("Scales the keys about the playhead");
+    response.on_hover_text(tr!("Scales the keys about the playhead"));
 }
 
 /// Times of the first and the last picked key.
@@ -226,19 +227,19 @@ fn commands(
     out: &mut Vec<Command>,
 ) {
     let now = timeline.snapped(session.view.time);
-    ui.menu_button("Edit keys", |ui| {
-        if ui.button("Copy keys").on_hover_text("Ctrl+C over this panel").clicked() {
+    ui.menu_button(tr!("Edit keys"), |ui| {
+        if ui.button(tr!("Copy keys")).on_hover_text(tr!("Ctrl+C over this panel")).clicked() {
             timeline.sheet.copy(session);
         }
         let help = "Puts the copied keys at the playhead (Ctrl+V): into their tracks, or keys of \
                     one track into that of the selected key";
         let can_paste = timeline.sheet.has_copies();
-        let paste = ui.add_enabled(can_paste, Button::new("Paste keys"));
+        let paste = ui.add_enabled(can_paste, Button::new(tr!("Paste keys")));
         if paste.on_hover_text(help).clicked() {
             timeline.sheet.paste(session, now, out);
         }
         let help = "Puts copies at the playhead (Ctrl+D)";
-        let duplicate = ui.button("Duplicate keys").on_hover_text(help);
+        let duplicate = ui.button(tr!("Duplicate keys")).on_hover_text(help);
         if duplicate.clicked() && timeline.sheet.copy(session) {
             timeline.sheet.active = None;
             timeline.sheet.paste(session, now, out);
@@ -246,7 +247,7 @@ fn commands(
     });
     let count: usize = picked.iter().map(|it| it.keys.len()).sum();
     let text = if count == 1 { "Delete time key" } else { "Delete time keys" };
-    if ui.button(text).on_hover_text("Takes them away (Delete)").clicked() {
+    if ui.button(text).on_hover_text(tr!("Takes them away (Delete)")).clicked() {
         timeline.sheet.delete(session, out);
     }
 }

@@ -3,6 +3,7 @@
 
 use std::path::Path;
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Align2, Color32, FontId, Id, Key, Pos2, Rect, Response, Role, Sense, Shape, Stroke, TextEdit,
     Ui, UiBuilder, Vec2, WidgetInfo, pos2, vec2,
@@ -187,7 +188,7 @@ pub(super) fn show(
             MarkerOwner::Shot(_) => "Names the frame at the playhead in the shot (M here)",
             _ => "Names the time at the playhead (M over this panel)",
         };
-        if ui.small_button("Add marker").on_hover_text(help).clicked() {
+        if ui.small_button(tr!("Add marker")).on_hover_text(help).clicked() {
             add(session, timeline.snapped(session.view.time), out);
         }
     });
@@ -276,7 +277,7 @@ impl ShownMarker<'_> {
         self.paint_flag(ui, &response, color);
         self.paint_name(ui, color);
         let place = self.place(timeline);
-        response.on_hover_text(format!(
+        response.on_hover_text(tr!(
             "{place}, of {of}, which the shot leaves as it is. Press to go there; open that file \
              to change it."
         ));
@@ -308,10 +309,10 @@ impl ShownMarker<'_> {
         }
         let mut is_deleted = pressed(ui, &response, Key::Delete);
         response.context_menu(|ui| {
-            if ui.button("Rename marker").clicked() {
+            if ui.button(tr!("Rename marker")).clicked() {
                 timeline.renaming = Some((owner, index, marker.name.clone()));
             }
-            is_deleted |= ui.button("Delete marker").clicked();
+            is_deleted |= ui.button(tr!("Delete marker")).clicked();
         });
         if is_deleted {
             let mut markers = self.markers.to_vec();
@@ -326,7 +327,7 @@ impl ShownMarker<'_> {
             _ => self.paint_name(ui, theme::of(ui).text),
         }
         let place = self.place(timeline);
-        response.on_hover_text(format!(
+        response.on_hover_text(tr!(
             "{place}. Press to go there, drag to move it, double-click to name it, Delete removes \
              it."
         ));

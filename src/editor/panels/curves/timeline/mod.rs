@@ -20,6 +20,7 @@ mod transport;
 
 use std::time::Duration;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Rect, ScrollArea, Sense, Stroke, Ui, pos2, vec2};
 
@@ -263,10 +264,10 @@ impl Timeline {
                 self.go(time, out);
             }
         }
-        response.on_hover_text(
+        response.on_hover_text(tr!(
             "Drag to scrub; with Shift choose the part that is played. The wheel zooms in time; a \
-             drag with the middle button pans.",
-        );
+             drag with the middle button pans."
+        ));
         for (end, name) in [(0, "Start of the range"), (1, "End of the range")] {
             let at = pos2(axis.x(self.range[end]), axis.lane.bottom() - 5.0);
             if !axis.lane.expand(2.0).contains(at) {
@@ -290,7 +291,7 @@ impl Timeline {
                     if end == 0 { time.min(other - gap) } else { time.max(other + gap) };
             }
             axis::flag(ui, at, end == 1, &handled.response);
-            handled.response.on_hover_text(format!("{name}: what is played"));
+            handled.response.on_hover_text(tr!("{name}: what is played"));
         }
     }
 

@@ -1,5 +1,6 @@
 //! Track: its name, its values over time, and its keys; opened, its curves.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::epaint::{Mesh, PathShape, Vertex};
 use eframe::egui::{
@@ -82,10 +83,10 @@ pub(super) fn show(
             out.extend(owned.once(owned.keys.set_in_time(index, time, value)));
         }
     }
-    response.on_hover_text(
+    response.on_hover_text(tr!(
         "Double-click adds a key; a drag selects keys in a box; with Alt or the middle button it \
-         pans. F brings the selected keys into view.",
-    );
+         pans. F brings the selected keys into view."
+    ));
     if is_open {
         graph::show(timeline, ui, owned, (axis, lane), index, out);
         return;
@@ -209,7 +210,7 @@ fn opener(
             timeline.sheet.open.insert(place);
         }
     }
-    response.on_hover_text("Shows the curves with their handles");
+    response.on_hover_text(tr!("Shows the curves with their handles"));
 }
 
 /// Draws the values over time: numbers as lines, colors as themselves.
@@ -370,7 +371,7 @@ pub(super) fn type_keys(timeline: &mut Timeline, ui: &Ui, handled: &HandleRespon
 pub(super) fn explain(timeline: &Timeline, response: Response, time: f64) {
     let frame = (time * timeline.fps * 100.0).round() / 100.0;
     let time = values::number_text(time, 3);
-    response.on_hover_text(format!(
+    response.on_hover_text(tr!(
         "{time} s, frame {frame}. Drag it, or arrow keys (a frame); Shift selects more; \
          double-click brings the playhead here; Delete removes it."
     ));

@@ -1,6 +1,7 @@
 //! Tracks of the shot that are no light's and no node's: the camera, objects, masters of groups.
 //! Their keys are overrides of the shot, in frames.
 
+use chiaro_locale::tr;
 use eframe::egui::{
     self, Key, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
@@ -255,7 +256,7 @@ fn key_menu(ui: &mut Ui, track: &ShotTrack<'_>, index: usize, out: &mut Vec<Comm
         }
     }
     ui.separator();
-    if ui.button(RichText::new("Delete key")).clicked() {
+    if ui.button(RichText::new(tr!("Delete key"))).clicked() {
         push(out, ShotCommand::Edit(without(track.keys, index)));
         ui.close();
     }

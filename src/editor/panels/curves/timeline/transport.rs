@@ -1,5 +1,6 @@
 //! Transport of the timeline: play, step, the ways to play, and the frames that are kept.
 
+use chiaro_locale::tr;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{
     Button, ComboBox, DragValue, Event, Key, Label, Modifiers, PointerButton, PopupCloseBehavior,
@@ -130,11 +131,11 @@ pub(super) fn ways(
         }
     });
     combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Speed"));
-    combo.response.on_hover_text("Speed, as a factor of the frame rate");
+    combo.response.on_hover_text(tr!("Speed, as a factor of the frame rate"));
     if clock.part.is_some() {
         let help = "Plays the whole range again. A drag on the ruler with Shift chooses a part; I \
                     and O over this panel set its ends";
-        if ui.button("Whole range").on_hover_text(help).clicked() {
+        if ui.button(tr!("Whole range")).on_hover_text(help).clicked() {
             clock.part = None;
         }
     }
@@ -145,7 +146,7 @@ pub(super) fn ways(
     let mut waits = clock.pace == PlayPace::EveryFrame;
     let help = "Shows every frame, later than its time where it is not drawn yet; else those are \
                 left out";
-    if ui.checkbox(&mut waits, "Every frame").on_hover_text(help).changed() {
+    if ui.checkbox(&mut waits, tr!("Every frame")).on_hover_text(help).changed() {
         clock.pace = if waits { PlayPace::EveryFrame } else { PlayPace::RealTime };
     }
     ui.separator();
@@ -157,7 +158,7 @@ pub(super) fn ways(
     let has_frames = playback.cache().frames().next().is_some();
     let help = "Keeps these frames, to compare later ones with: a flip book, for which the picture \
                 gets buttons";
-    let keep = ui.add_enabled(has_frames, Button::new("Keep"));
+    let keep = ui.add_enabled(has_frames, Button::new(tr!("Keep")));
     keep.widget_info(|| WidgetInfo::labeled(Role::Button, has_frames, "Keep version"));
     if keep.on_hover_text(help).clicked() {
         flip.keep(playback);
@@ -194,26 +195,26 @@ fn kept(ui: &mut Ui, playback: &mut Playback, out: &mut Vec<Command>) {
         ui.label(format!("{used} of {memory} MiB in use; {} frames drawn", playback.drawn()));
         let mut chosen = memory;
         for mib in MEMORIES {
-            ui.radio_value(&mut chosen, mib, format!("{mib} MiB"));
+            ui.radio_value(&mut chosen, mib, tr!("{mib} MiB"));
         }
         let other = ui.add(DragValue::new(&mut chosen).range(1..=1 << 20).suffix(" MiB"));
         other.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Memory of frames"));
         if chosen != memory {
             out.push(Command::KeepFrameMemory(chosen));
         }
-        if ui.button("Drop all frames").clicked() {
+        if ui.button(tr!("Drop all frames")).clicked() {
             playback.clear();
             ui.close();
         }
     });
     let name = format!("{count} of {all} kept");
     menu.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
-    menu.on_hover_text(
+    menu.on_hover_text(tr!(
         "Frames that are kept, and their memory: where it is short, those that are shown last go \
-         first",
-    );
+         first"
+    ));
     if let Some(problem) = playback.problems().first() {
-        let text = RichText::new("a frame failed").color(theme::of(ui).error);
+        let text = RichText::new(tr!("a frame failed")).color(theme::of(ui).error);
         ui.label(text).on_hover_text(&problem.message);
     }
 }
