@@ -44,8 +44,8 @@ fn unmarked(text: &str) -> String {
     let mut outside = String::new();
     for letter in text.chars() {
         match letter {
-            '⟦' => depth += 1,
-            '⟧' => depth = depth.saturating_sub(1),
+            '«' => depth += 1,
+            '»' => depth = depth.saturating_sub(1),
             _ if depth == 0 => outside.push(letter),
             _ => {}
         }
@@ -83,7 +83,7 @@ fn every_text_of_the_window_is_looked_up() {
     hand.app_mut().session_mut().select(vec!["layer".into()]);
     hand.harness.set_size([1920.0, 1080.0].into());
     let mut found = BTreeSet::new();
-    for panel in ROUNDS.as_flattened() {
+    for panel in ROUNDS.into_iter().flatten() {
         hand.key_with(Modifiers::COMMAND, Key::P);
         // English words find commands in every language.
         hand.type_text(&format!("panel {panel}"));
@@ -92,7 +92,7 @@ fn every_text_of_the_window_is_looked_up() {
         look(&hand, &mut found, panel);
     }
     for menu in MENUS {
-        let marked = format!("⟦{menu}⟧");
+        let marked = format!("«{menu}»");
         let button = hand.harness.get_all_by_label(&marked).next().expect("a menu of the bar");
         let at = button.rect().center();
         hand.click(at);
@@ -105,6 +105,6 @@ fn every_text_of_the_window_is_looked_up() {
 
 #[test]
 fn what_is_not_looked_up_is_found() {
-    assert!(is_missed("Add layer") && is_missed("⟦Opacity⟧ of layer"));
-    assert!(!is_missed("⟦Add {layer}⟧") && !is_missed("⟦a ⟦b⟧ c⟧") && !is_missed("12 ms, px, PNG"));
+    assert!(is_missed("Add layer") && is_missed("«Opacity» of layer"));
+    assert!(!is_missed("«Add {layer}»") && !is_missed("«a «b» c»") && !is_missed("12 ms, px, PNG"));
 }
