@@ -1,7 +1,7 @@
 //! Generated WGSL, with syntax highlighting and marks on the lines of the selected nodes; a click
 //! on a line selects its node.
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use std::ops::Range;
 use std::sync::Arc;
@@ -19,8 +19,8 @@ use crate::widgets::theme::{self, Colors};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::CODE,
-    "Code",
-    "The generated WGSL",
+    text!("Code"),
+    text!("The generated WGSL"),
     PanelPlace::BELOW_PICTURE,
     |bench, ui, PanelContext { session, .. }| {
         let is_alone = !session.view.solo.layers.is_empty();

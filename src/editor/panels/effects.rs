@@ -1,7 +1,7 @@
 //! Everything that the picture may cost: effects that run, those kept from before, those dropped,
 //! and the proof.
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 use std::sync::Arc;
@@ -15,8 +15,8 @@ use crate::widgets::theme::{self, Colors};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::EFFECTS,
-    "Effects",
-    "Everything that the picture costs, what was left out, and the proof",
+    text!("Effects"),
+    text!("Everything that the picture costs, what was left out, and the proof"),
     PanelPlace::BELOW_PICTURE,
     |bench, ui, _| {
         let effects = bench.picture.as_ref().map(|picture| &picture.effects);

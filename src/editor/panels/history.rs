@@ -1,6 +1,7 @@
 //! History of the document: every step by its name in undo; a click goes to the state after that
 //! step.
 
+use chiaro_locale::text;
 use eframe::egui;
 use eframe::egui::{
     EventFilter, FontId, Key, Modifiers, Role, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2,
@@ -17,8 +18,8 @@ use crate::widgets::theme;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::HISTORY,
-    "History",
-    "Everything that was done; a click goes there and back",
+    text!("History"),
+    text!("Everything that was done; a click goes there and back"),
     PanelPlace::WITH_DOCUMENT,
     |bench, ui, context| bench.memory.of::<History>().show(ui, context.session),
 );

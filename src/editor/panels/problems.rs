@@ -2,7 +2,7 @@
 //! button for the fix where one edit is enough. The status bar shows their number and the first of
 //! them.
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{
     Label, Pos2, Response, RichText, Role, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo, pos2,
@@ -21,8 +21,8 @@ use crate::widgets::theme::{self, Colors};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::PROBLEMS,
-    "Problems",
-    "What is wrong, where, and what mends it",
+    text!("Problems"),
+    text!("What is wrong, where, and what mends it"),
     PanelPlace::BELOW_PICTURE,
     |_, ui, context| show(ui, context.session),
 )

@@ -2,7 +2,7 @@
 
 mod interface;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{DragValue, RichText, ScrollArea, TextEdit, Ui};
 
@@ -32,8 +32,8 @@ const UNIT: f32 = 90.0;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::INSPECTOR,
-    "Inspector",
-    "The values of what is selected",
+    text!("Inspector"),
+    text!("The values of what is selected"),
     PanelPlace { stack: Some(PanelStack::Inspector), ..PanelPlace::CLOSED },
     |_, ui, context| show(ui, context.session),
 );

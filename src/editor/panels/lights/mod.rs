@@ -7,7 +7,7 @@ mod mixer;
 
 use std::collections::{BTreeSet, HashMap};
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{
@@ -37,8 +37,8 @@ pub(crate) use edit::{edit, groups_text, keep_within, read_groups, space_name, s
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LIGHTS,
-    "Lights",
-    "The lights that layers name: which shine, from where, how bright",
+    text!("Lights"),
+    text!("The lights that layers name: which shine, from where, how bright"),
     PanelPlace::WITH_DOCUMENT,
     |bench, ui, context| bench.memory.of::<Lights>().show(ui, context.session),
 );

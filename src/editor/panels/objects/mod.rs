@@ -8,7 +8,7 @@ mod outlines;
 mod parameters;
 mod words;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{
     Button, Id, Key, Label, Layout, Modifiers, Popup, Rect, RichText, Role, ScrollArea, Sense, Ui,
@@ -29,8 +29,8 @@ use crate::widgets::theme;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::OBJECTS,
-    "Objects",
-    "The objects of the scene: their meshes, their looks, where they stand",
+    text!("Objects"),
+    text!("The objects of the scene: their meshes, their looks, where they stand"),
     PanelPlace::WITH_DOCUMENT,
     |bench, ui, context| bench.memory.of::<Objects>().show(ui, context.session),
 );

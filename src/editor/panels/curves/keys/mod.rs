@@ -8,7 +8,7 @@ mod marks;
 mod sphere;
 mod table;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{
     Align2, Color32, ComboBox, CursorIcon, FontId, Rect, RichText, Role, ScrollArea, Sense, Stroke,
@@ -30,8 +30,8 @@ use sphere::{Globe, Ground};
 
 pub(crate) const PANEL: PanelRow = PanelRow::new(
     PanelId::KEYS,
-    "Keys",
-    "Values that change with the direction of a light or of the view",
+    text!("Keys"),
+    text!("Values that change with the direction of a light or of the view"),
     PanelPlace::BELOW_PICTURE_WITH_CURVES,
     |bench, ui, context| bench.memory.of::<Keys>().show(ui, context.session),
 );

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{Button, ComboBox, DragValue, RichText, ScrollArea, Ui, vec2};
 
@@ -30,8 +30,8 @@ use sample::{Bend, Sampler, Shape};
 
 pub(crate) const PANEL: PanelRow = PanelRow::new(
     PanelId::PROFILE,
-    "Profile",
-    "How a layer's tone falls with the angle: drag offset, fall-off and cut-off",
+    text!("Profile"),
+    text!("How a layer's tone falls with the angle: drag offset, fall-off and cut-off"),
     PanelPlace::BELOW_PICTURE_WITH_CURVES,
     |bench, ui, context| bench.memory.of::<Profile>().show(ui, context.session),
 );

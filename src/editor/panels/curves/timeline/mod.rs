@@ -20,7 +20,7 @@ mod transport;
 
 use std::time::Duration;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{Rect, ScrollArea, Sense, Stroke, Ui, pos2, vec2};
 
@@ -42,8 +42,8 @@ use sheet::KeySheet;
 
 pub(crate) const PANEL: PanelRow = PanelRow::new(
     PanelId::TIMELINE,
-    "Timeline",
-    "Values that change with time: keys, play, scrub",
+    text!("Timeline"),
+    text!("Values that change with time: keys, play, scrub"),
     PanelPlace::BELOW_GRAPH,
     |bench, ui, context| bench.memory.of::<Timeline>().show(ui, context.session, &mut bench.tools),
 )
