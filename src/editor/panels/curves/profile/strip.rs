@@ -55,7 +55,7 @@ impl Strip {
         let (rect, response) =
             ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::hover());
         response.widget_info(|| {
-            WidgetInfo::labeled(Role::Image, true, "Colors from convex to concave")
+            WidgetInfo::labeled(Role::Image, true, tr!("Colors from convex to concave"))
         });
         let inputs = inputs(layer);
         let is_same = |own: &Rows| own.iter().zip(rows).all(|(a, b)| Arc::ptr_eq(a, b));
