@@ -46,7 +46,7 @@ pub(super) fn show(
             .on_hover_text(tr!("Keys and the playhead stay on frames"));
         range(timeline, ui);
         if ui
-            .button(tr!("Fit"))
+            .button(tr!("timeline" => "Fit"))
             .on_hover_text(tr!("Brings all keys and the range into view"))
             .clicked()
         {
