@@ -313,7 +313,7 @@ const REACH: [LinkRow; 2] = [
         label: text!("Reached by"),
         help: text!(
             "Lights that reach it, and what is in it; {source} are those that reach the group \
-               around it. * is every light; key | group:rim - group:set says more"
+             around it. * is every light; key | group:rim - group:set says more"
         ),
         set: |links| &mut links.layered,
     },
@@ -328,8 +328,8 @@ const FILTER: [LinkRow; 2] = [
     LinkRow {
         label: text!("Filters lights"),
         help: text!(
-            "Lights that it filters; others pass as if it were not there. * is every light; \
-               key | group:rim - group:set says more"
+            "Lights that it filters; others pass as if it were not there. * is every light; key | \
+             group:rim - group:set says more"
         ),
         set: |links| &mut links.filtered,
     },

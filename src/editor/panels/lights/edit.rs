@@ -27,8 +27,8 @@ const MOST_BY_SLIDER: f64 = 4.0;
 /// Text for a light that is aimed at no object.
 const NOTHING: Text = text!("Nothing");
 const AIM_HELP: Text = text!(
-    "An object that it shines at from its position, wherever either goes. \
-                        Point lights shine everywhere"
+    "An object that it shines at from its position, wherever either goes. Point lights shine \
+     everywhere"
 );
 /// Text for a distance of 0.
 const OFF: Text = text!("Off");

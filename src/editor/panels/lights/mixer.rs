@@ -23,7 +23,7 @@ pub(super) fn show(ui: &mut Ui, mix: SceneMix<'_>, space: ColorSpace, out: &mut 
         tr!("Groups"),
         tr!(
             "Masters: every light of a group is multiplied by them. A light tells its groups below \
-         its other fields"
+             its other fields"
         ),
     );
     for group in &groups {

@@ -15,8 +15,8 @@ use crate::widgets::text::{self, hint};
 
 /// Words on how such a set is written, for tooltips.
 const SETS: Text = text!(
-    "{source} is what the look says: {source} - group:rim takes lights away, \
-                    {source} | eye adds one. * is every light"
+    "{source} is what the look says: {source} - group:rim takes lights away, {source} | eye adds \
+     one. * is every light"
 );
 
 /// Row for a set of lights of a node.

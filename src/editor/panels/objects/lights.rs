@@ -13,14 +13,14 @@ use crate::widgets::text;
 
 /// Words on how a set is written, for tooltips.
 const SETS: Text = text!(
-    "* is every light. key | group:rim - group:set says more: ids, \"names\" and \
-                    groups, with | for either, - for without, & for both, and ( )"
+    "* is every light. key | group:rim - group:set says more: ids, \"names\" and groups, with | \
+     for either, - for without, & for both, and ( )"
 );
 
 /// Words on how a set of objects is written, for tooltips.
 const OBJECTS: Text = text!(
-    "* is every object. floor | wall-* says more: ids, with | for either, - for \
-                       without, & for both, and ( )"
+    "* is every object. floor | wall-* says more: ids, with | for either, - for without, & for \
+     both, and ( )"
 );
 
 /// Row for a set of an object.

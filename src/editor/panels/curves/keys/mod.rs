@@ -308,8 +308,8 @@ impl Keys {
         marks::names_of_places(ui, rect, globe, is_view);
         response.on_hover_cursor(CursorIcon::Move).on_hover_text(tr!(
             "Every direction of the light or the view, colored by the key that weighs there. Drag \
-             a key; drag beside \
-             the keys to turn the sphere, double-click to turn it back. Keys behind are rings."
+             a key; drag beside the keys to turn the sphere, double-click to turn it back. Keys \
+             behind are rings."
         ));
         for is_front in [false, true] {
             for (index, key) in shown.keys.keys.iter().enumerate() {
@@ -367,8 +367,8 @@ fn nothing(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         ui,
         tr!(
             "Direction keys change a look, or the lights of a scene, with where the light, or the \
-         view, is: a rim light that turns violet as it comes around, a highlight that goes out \
-         from behind. Begin with what decides, or with the diamond beside any value."
+             view, is: a rim light that turns violet as it comes around, a highlight that goes out \
+             from behind. Begin with what decides, or with the diamond beside any value."
         ),
     );
     add_menu(ui, session, tr!("Add direction keys"), out);

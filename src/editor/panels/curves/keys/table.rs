@@ -30,10 +30,8 @@ pub(super) fn show(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) 
     if targets.is_empty() {
         hint(
             ui,
-            tr!(
-                "These keys change nothing yet: add a value, or press the diamond beside one in the \
-             inspector or in Lights."
-            ),
+            tr!("These keys change nothing yet: add a value, or press the diamond beside one in \
+                 the inspector or in Lights."),
         );
     }
     add_value(ui, shown, &targets, out);

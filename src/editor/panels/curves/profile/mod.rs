@@ -206,7 +206,7 @@ impl Profile {
                 ui,
                 tr!(
                     "Nothing here has a profile yet. Add a Light layer: its tone over the angle is \
-                 drawn here."
+                     drawn here."
                 ),
             );
             return commands;

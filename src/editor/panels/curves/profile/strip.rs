@@ -70,8 +70,8 @@ impl Strip {
         bow(ui, pos2(rect.left() + 12.0, rect.bottom() - 10.0), -1.0);
         response.on_hover_text(tr!(
             "What the layer makes of the look's base color at each angle: above where the surface \
-             bulges (convex), \
-             below where it is hollow (concave), with the warp that curvature gives."
+             bulges (convex), below where it is hollow (concave), with the warp that curvature \
+             gives."
         ));
     }
 }

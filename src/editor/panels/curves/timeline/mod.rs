@@ -191,12 +191,9 @@ impl Timeline {
             ui.add_space(6.0);
             hint(
                 ui,
-                tr!(
-                    "Nothing changes with time yet. Press the diamond beside a value in the inspector \
-                 and choose \"Key in \
-                 time\", or add a value above; then move the playhead and set it to something \
-                 else."
-                ),
+                tr!("Nothing changes with time yet. Press the diamond beside a value in the \
+                     inspector and choose \"Key in time\", or add a value above; then move the \
+                     playhead and set it to something else."),
             );
         } else {
             // The row of the selected keys is below, so that no key moves as it is pressed.

@@ -176,10 +176,8 @@ fn kept(ui: &mut Ui, playback: &mut Playback, out: &mut Vec<Command>) {
         false => (
             tr!("Cache"),
             tr!("Cache range"),
-            tr!(
-                "Draws the frames of the range ahead, so that they play in real time; after a first \
-             round this begins by itself, and an edit ends it"
-            ),
+            tr!("Draws the frames of the range ahead, so that they play in real time; after a \
+                 first round this begins by itself, and an edit ends it"),
         ),
     };
     let fill = ui.button(text);
