@@ -95,7 +95,11 @@ impl App {
             for row in 0..rows {
                 for panel in [PANELS.get(row), PANELS.get(row + rows)].into_iter().flatten() {
                     let mut is_there = self.dock.has(panel.id);
-                    if ui.checkbox(&mut is_there, panel.label).on_hover_text(panel.help).changed() {
+                    if ui
+                        .checkbox(&mut is_there, panel.label.tr())
+                        .on_hover_text(panel.help.tr())
+                        .changed()
+                    {
                         self.start = None;
                         if is_there { self.dock.open(panel.id) } else { self.dock.close(panel.id) }
                     }

@@ -1,7 +1,7 @@
 //! Sheet of all shortcuts, and command palette: both list rows of the table of commands. The
 //! palette finds nodes of the open graph too, however many there are.
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, tr};
 use eframe::egui;
 use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
@@ -276,8 +276,8 @@ fn found(query: &str) -> Vec<&'static CommandRow> {
 /// Panels, where the query has words of their names.
 fn found_panels(query: &str) -> impl Iterator<Item = Entry> {
     let query = query.trim().to_lowercase();
-    let fits = move |label: &str| {
-        let text = format!("panel {label}").to_lowercase();
+    let fits = move |label: Text| {
+        let text = format!("panel {label} {}", label.english()).to_lowercase();
         !query.is_empty() && query.split_whitespace().all(|word| text.contains(word))
     };
     PANELS.iter().filter(move |panel| fits(panel.label)).map(|panel| Entry {

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{Align, Button, ComboBox, Layout, RichText, ScrollArea, Ui, vec2};
 
@@ -24,8 +24,8 @@ use crate::widgets::theme;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::EXPORT,
-    "Export",
-    "The look for other programs and for pages: what each needs, refuses and weighs",
+    text!("Export"),
+    text!("The look for other programs and for pages: what each needs, refuses and weighs"),
     PanelPlace::BELOW_GRAPH,
     |bench, ui, context| bench.export.show(ui, context.session),
 )

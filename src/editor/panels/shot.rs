@@ -1,7 +1,7 @@
 //! Shot over the scene: its frames and its step, what lies under it, and every value that it
 //! changes.
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui::{
     Align, Button, ComboBox, DragValue, Label, Layout, RichText, Role, ScrollArea, Sense, TextEdit,
     Ui, WidgetInfo,
@@ -20,8 +20,8 @@ use crate::widgets::theme;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::SHOT,
-    "Shot",
-    "The open shot: its frames, what it lies over, and every value that it changes",
+    text!("Shot"),
+    text!("The open shot: its frames, what it lies over, and every value that it changes"),
     PanelPlace::WITH_DOCUMENT.closed(),
     |_, ui, context| show(ui, context.session),
 );

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui::{
     Button, Color32, Frame, Label, Margin, Popup, Response, RichText, Role, ScrollArea, Sense, Ui,
     WidgetInfo, vec2,
@@ -23,8 +23,8 @@ use crate::widgets::theme;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::SNAPSHOTS,
-    "Snapshots",
-    "States of the look that were kept with it: restored, compared, begun anew from",
+    text!("Snapshots"),
+    text!("States of the look that were kept with it: restored, compared, begun anew from"),
     PanelPlace::WITH_DOCUMENT.closed(),
     |bench, ui, context| bench.memory.of::<Snapshots>().show(ui, context.session, &bench.thumbs),
 );

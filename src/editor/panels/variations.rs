@@ -4,7 +4,7 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui::{
     Button, Color32, ComboBox, DragValue, FontId, Rect, RichText, Role, ScrollArea, Sense, Slider,
     Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
@@ -27,8 +27,10 @@ use crate::widgets::theme;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::VARIATIONS,
-    "Variations",
-    "Small pictures of a value, a color, a light or the mesh as it could be; a click takes one",
+    text!("Variations"),
+    text!(
+        "Small pictures of a value, a color, a light or the mesh as it could be; a click takes one"
+    ),
     PanelPlace::WITH_DOCUMENT.closed(),
     |bench, ui, context| bench.memory.of::<Variations>().show(ui, context.session, &bench.thumbs),
 );

@@ -1,6 +1,6 @@
 //! Table of measured figures.
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
@@ -18,9 +18,9 @@ use crate::widgets::theme;
 
 pub(in crate::panels) const PANEL: PanelRow = PanelRow::new(
     PanelId::COST,
-    "Cost and accuracy",
-    "What the picture costs, why it needs its passes, and what each tier costs and how far it is \
-     from the truth",
+    text!("Cost and accuracy"),
+    text!("What the picture costs, why it needs its passes, and what each tier costs and how far it is \
+     from the truth"),
     PanelPlace::BELOW_PICTURE,
     |bench, ui, context| {
         let rect = bench.viewport.rect();

@@ -9,7 +9,7 @@ mod progress;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui::{Button, RichText, ScrollArea, Ui};
 
 use crate::clock::Clock;
@@ -28,8 +28,8 @@ use document::{document_of, is_unsaved};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::FRAMES,
-    "Render",
-    "Frames of what is open, rendered beside the window, and jobs of render farms",
+    text!("Render"),
+    text!("Frames of what is open, rendered beside the window, and jobs of render farms"),
     PanelPlace::WITH_DOCUMENT.closed(),
     |bench, ui, context| bench.frames.show(ui, context),
 )

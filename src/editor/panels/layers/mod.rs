@@ -11,7 +11,7 @@ mod row;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{
     EventFilter, Key, Modifiers, Popup, Rect, Response, RichText, ScrollArea, Stroke, Ui, pos2,
@@ -41,8 +41,8 @@ use row::{FolderRow, ROW, Row};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LAYERS,
-    "Layers",
-    "The look as a stack of layers: another view of the same graph",
+    text!("Layers"),
+    text!("The look as a stack of layers: another view of the same graph"),
     PanelPlace::WITH_DOCUMENT,
     |bench, ui, context| bench.memory.of::<Layers>().show(ui, context.session, &bench.thumbs),
 )

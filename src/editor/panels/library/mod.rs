@@ -12,7 +12,7 @@ mod words;
 
 use std::path::PathBuf;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{Rect, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
@@ -27,8 +27,8 @@ pub(crate) use examples::{ExampleContent, example};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LIBRARY,
-    "Library",
-    "Nodes to drag onto the canvas, saved parts, and finished looks to begin with",
+    text!("Library"),
+    text!("Nodes to drag onto the canvas, saved parts, and finished looks to begin with"),
     PanelPlace::WITH_DOCUMENT,
     |bench, ui, PanelContext { session, safety }| {
         let library = bench.memory.of::<LibraryPanel>();

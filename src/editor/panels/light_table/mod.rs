@@ -20,7 +20,7 @@ mod typed;
 
 use std::collections::BTreeMap;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{Align, Id, Layout, RichText, Role, TextEdit, Ui, WidgetInfo};
 
@@ -40,8 +40,8 @@ use sheet::{Row, Sheet};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LIGHT_TABLE,
-    "Light table",
-    "All lights and groups as a table: set, key and compare any field of many at once",
+    text!("Light table"),
+    text!("All lights and groups as a table: set, key and compare any field of many at once"),
     PanelPlace::BELOW_GRAPH,
     |bench, ui, context| {
         let table = bench.memory.of::<LightTable>();

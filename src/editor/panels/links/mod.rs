@@ -10,7 +10,7 @@ mod relation;
 
 use std::collections::BTreeSet;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{
     Button, Id, Label, Layout, RichText, Role, TextEdit, Ui, UiBuilder, WidgetInfo, vec2,
@@ -32,8 +32,8 @@ use relation::{LinkChange, Relation};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LINKS,
-    "Links",
-    "Which lights light which objects and cast their shadows, by which rule: link and unlink them",
+    text!("Links"),
+    text!("Which lights light which objects and cast their shadows, by which rule: link and unlink them"),
     PanelPlace::BELOW_GRAPH,
     |bench, ui, context| bench.links.show(ui, context.session),
 )

@@ -6,7 +6,7 @@ mod varied;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui::{
     Button, Color32, ColorImage, Image, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke,
     StrokeKind, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
@@ -28,8 +28,8 @@ use varied::{DrawnWedge, color_of};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::WEDGE,
-    "Wedge",
-    "Values tried side by side on a sheet; a click takes the values of a cell",
+    text!("Wedge"),
+    text!("Values tried side by side on a sheet; a click takes the values of a cell"),
     PanelPlace::WITH_DOCUMENT.closed(),
     |bench, ui, context| bench.wedge.show(ui, context.session),
 )
