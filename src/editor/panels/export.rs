@@ -312,7 +312,7 @@ fn named_passes(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
     if aovs.is_empty() {
         let text =
             tr!("No output of this look is named as a pass (AOV) for film. A right click on an \
-                    output of the graph names it");
+                 output of the graph names it");
         return hint(ui, text);
     }
     ui.label(RichText::new(tr!("Passes (AOVs) that the look names")).strong()).on_hover_text(tr!(

@@ -52,7 +52,7 @@ fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
             let under = under.file_name().unwrap_or_default().to_string_lossy();
             let text =
                 tr!("A new shot over {under}, in no file yet: what you change is kept here, and \
-                 {under} stays as it is.");
+                     {under} stays as it is.");
             hint(ui, &text);
         }
         about(ui, session, shot, &mut out);
@@ -119,7 +119,7 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
     });
     size(ui, shot, out);
     let help = tr!("Looks, lights and values of objects are held for so many frames; cameras and \
-                objects move on every one");
+                    objects move on every one");
     labelled(ui, tr!("Shading on"), help, |ui, _| {
         ui.spacing_mut().item_spacing.x = 2.0;
         for (step, text) in STEPS {
@@ -134,9 +134,10 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
     });
     ui.horizontal_wrapped(|ui| {
         let follows = session.follows_shot();
-        let help =
-            tr!("The picture as `chiaro render` draws it at this frame; a turn of the view \
-                    leaves the camera");
+        let help = tr!(
+            "The picture as `chiaro render` draws it at this frame; a turn of the view leaves the \
+             camera"
+        );
         let look = ui.add_enabled(!follows, Button::new(tr!("Shot's camera")));
         look.widget_info(|| {
             WidgetInfo::labeled(Role::Button, !follows, tr!("Look through the shot's camera"))
@@ -146,7 +147,7 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
         }
         let help =
             tr!("The camera, the turn of the lights and the backdrop of the picture become the \
-                    shot's: at this frame where they are keyed");
+                 shot's: at this frame where they are keyed");
         let keep = ui.add_enabled(!follows, Button::new(tr!("Keep view")));
         keep.widget_info(|| WidgetInfo::labeled(Role::Button, !follows, tr!("Keep this view")));
         if keep.on_hover_text(help).clicked() {

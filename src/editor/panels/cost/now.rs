@@ -24,9 +24,9 @@ const LEAST_SHARE: f64 = 0.01;
 
 /// Help on the time of the picture.
 pub(super) const TIMED: Text = text!(
-    "From when the picture was handed to the GPU until the GPU was \
-                                done, by the clock on the wall: other work of the GPU counts, \
-                                too. Measure tells more, by the GPU's own clock if there is one."
+    "From when the picture was handed to the GPU until the GPU was done, by the clock on the \
+     wall: other work of the GPU counts, too. Measure tells more, by the GPU's own clock if there \
+     is one."
 );
 
 impl Cost {

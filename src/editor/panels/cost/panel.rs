@@ -21,8 +21,8 @@ pub(in crate::panels) const PANEL: PanelRow = PanelRow::new(
     PanelId::COST,
     text!("Cost and accuracy"),
     text!(
-        "What the picture costs, why it needs its passes, and what each tier costs and how far \
-           it is from the truth"
+        "What the picture costs, why it needs its passes, and what each tier costs and how far it \
+         is from the truth"
     ),
     PanelPlace::BELOW_PICTURE,
     |bench, ui, context| {
@@ -131,7 +131,7 @@ impl Cost {
             }
             let help =
                 tr!("Draws the look and each of its nodes in each tier, and holds them against \
-                        the truth in f64");
+                     the truth in f64");
             if ui.button(tr!("Measure")).on_hover_text(help).clicked() {
                 self.start(session, size);
             }

@@ -244,7 +244,7 @@ fn layers(ui: &mut Ui, choices: &mut FrameChoices, context: PanelContext<'_>) {
             response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
             let help =
                 tr!("How layers of lights are called: nuke light_key, karma C_key, blender \
-                        Combined_key, arnold RGBA_key");
+                     Combined_key, arnold RGBA_key");
             if response.on_hover_text(help).clicked() {
                 choices.naming = word;
             }

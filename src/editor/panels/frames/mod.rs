@@ -277,7 +277,7 @@ impl FrameRenders {
             let button = ui.add_enabled(line.is_ok(), Button::new(text));
             let help =
                 tr!("Beside the window, which stays free. Frames of a run before that are whole \
-                        and the same are kept");
+                     and the same are kept");
             if button.on_hover_text(help).clicked() {
                 out.push(Command::Film(FilmCommand::Render));
             }

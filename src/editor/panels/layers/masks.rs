@@ -78,9 +78,10 @@ pub(super) fn menu(
     }
     ui.add_enabled_ui(is_free, |ui| {
         let shown = ui.menu_button(tr!("Mask by"), |ui| {
-            let help =
-                tr!("Hides the layer; what is painted on the model with a brush shows it. Kept \
-                        in a picture beside the look's file, by the mesh's UVs");
+            let help = tr!(
+                "Hides the layer; what is painted on the model with a brush shows it. Kept in a \
+                 picture beside the look's file, by the mesh's UVs"
+            );
             let unsaved = tr!("Save the look first: the mask is a picture beside its file");
             let is_saved = session.path().is_some();
             let button = ui.add_enabled(is_saved, Button::new(tr!("Paint on the model")));

@@ -195,7 +195,7 @@ impl Layers {
                         ui.separator();
                         let help =
                             tr!("An empty folder for layers: they are hidden, masked, faded and \
-                                    moved together");
+                                 moved together");
                         if ui.button(tr!("New folder")).on_hover_text(help).clicked() {
                             let place = place_for_new(&self.tree, session);
                             let (id, edit) = self.tree.add_folder(session.look(), &place);
@@ -214,9 +214,9 @@ impl Layers {
                 let text = trn!(count, "{count} layer", "{count} layers");
                 let help =
                     tr!("The uppermost is laid on last, as in a painting program.\nDrag rows to \
-                            reorder, or into a folder; Alt and an arrow key move the one with the \
-                            keyboard. Ctrl and Shift select several, which are hidden, faded, \
-                            moved and deleted together.");
+                         reorder, or into a folder; Alt and an arrow key move the one with the \
+                         keyboard. Ctrl and Shift select several, which are hidden, faded, moved \
+                         and deleted together.");
                 ui.label(RichText::new(text).color(theme::of(ui).dim)).on_hover_text(help);
             });
         });
@@ -327,7 +327,7 @@ impl Layers {
         ui.separator();
         let help =
             tr!("They lie on what is below as before, and are hidden, masked and faded together \
-                    (Ctrl+G)");
+                 (Ctrl+G)");
         if entry(ui, tr!("Put into a new folder"), help, true) {
             self.group(session, id, out);
         }

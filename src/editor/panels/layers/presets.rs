@@ -88,7 +88,7 @@ pub(super) static PRESETS: [LayerPreset; 9] = [
         name: text!("Bands"),
         help: text!(
             "Flat colors from the light to the dark, as many as you like, with one softness; \
-               edges are dragged on the object"
+             edges are dragged on the object"
         ),
         kind: "band_layer",
         profile: None,
@@ -119,7 +119,7 @@ pub(super) static PRESETS: [LayerPreset; 9] = [
         name: text!("Cast shadow"),
         help: text!(
             "Shadows that things throw onto one another and onto themselves, in a color: seen in \
-               scenes that have something to throw them"
+             scenes that have something to throw them"
         ),
         kind: "shadow_layer",
         profile: None,
@@ -141,8 +141,8 @@ pub(super) static PRESETS: [LayerPreset; 9] = [
     LayerPreset {
         name: text!("Cut highlight"),
         help: text!(
-            "A highlight with a shape: move, turn, stretch and split it on the object; square \
-               it, or make it a star. It stands upright on any mesh"
+            "A highlight with a shape: move, turn, stretch and split it on the object; square it, \
+             or make it a star. It stands upright on any mesh"
         ),
         kind: "highlight_layer",
         profile: None,
@@ -161,7 +161,7 @@ pub(super) static PRESETS: [LayerPreset; 9] = [
         name: text!("Back-light"),
         help: text!(
             "A rim: a cool edge by a light behind the object as it is seen now, which is added \
-               where there is none"
+             where there is none"
         ),
         kind: LIGHT_LAYER,
         profile: None,

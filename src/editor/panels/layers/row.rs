@@ -36,10 +36,9 @@ const INDENT: f32 = 14.0;
 const PASS_LABEL: Text = text!("Pass through");
 /// Explanation of the modes of folders.
 const FOLDER_MODES: Text = text!(
-    "Pass through: its layers lie on what is below as if they were not in a \
-                            folder, and its opacity and mask count for all of them.\nAny other: \
-                            isolated. Its layers are blended among themselves first, over nothing, \
-                            and then laid over what is below as one layer in this mode."
+    "Pass through: its layers lie on what is below as if they were not in a folder, and its \
+     opacity and mask count for all of them.\nAny other: isolated. Its layers are blended among \
+     themselves first, over nothing, and then laid over what is below as one layer in this mode."
 );
 
 /// Node shown as a row.
@@ -184,7 +183,7 @@ impl Row<'_> {
         help += if help.is_empty() { "" } else { "\n" };
         help += tr!(
             "Click selects its node too, with Ctrl or Shift several · drag to reorder · right \
-                 click for more"
+             click for more"
         );
         let whole = if whole.dragged() { whole } else { whole.on_hover_text(help) };
         RowResponse { whole, more, is_fold_toggled }
@@ -316,7 +315,7 @@ impl Row<'_> {
         let is_on = solo.layers.contains(self.id);
         let help =
             tr!("Solo: shows this layer alone over what the stack lies on; Ctrl-click adds to \
-                    others.\nOnly in this window: nothing of it is saved.");
+                 others.\nOnly in this window: nothing of it is saved.");
         if icon(ui, Icon::Solo, is_on, &tr!("Solo {title}"), help).clicked() {
             let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
             out.push(Command::Solo(match self.acting.len() > 1 && !adds {
@@ -331,8 +330,10 @@ impl Row<'_> {
         let (rect, response) = ui.allocate_exact_size(vec2(PICTURE, PICTURE), Sense::hover());
         response.on_hover_ui(|ui| {
             let stand = ThumbObject::of(self.session).help();
-            ui.label(tr!("What it paints alone. What only adds a little is shown brighter than \
-                              it is. {stand}"));
+            ui.label(tr!(
+                "What it paints alone. What only adds a little is shown brighter than it is. \
+                 {stand}"
+            ));
         });
         let tint = if is_faint { Color32::WHITE.gamma_multiply(0.35) } else { Color32::WHITE };
         ui.painter().rect_filled(rect, 3.0, theme::of(ui).canvas);
@@ -481,8 +482,8 @@ impl Row<'_> {
     fn mask(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
         let Some((id, _)) = mask::of(self.session.look(), self.id) else { return };
         let help =
-            tr!("Has a mask: white shows the layer, black hides it. A click selects the mask, \
-                    to set it in the inspector; the layer's menu inverts it and takes it away.");
+            tr!("Has a mask: white shows the layer, black hides it. A click selects the mask, to \
+                 set it in the inspector; the layer's menu inverts it and takes it away.");
         if icon(ui, Icon::Mask, true, &tr!("Mask of {title}"), help).clicked() {
             super::select(self.session, vec![id.clone()], out);
         }

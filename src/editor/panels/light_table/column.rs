@@ -107,7 +107,7 @@ impl Column {
             Self::Id => tr!("Id"),
             Self::Kind => tr!("Type"),
             Self::Groups => tr!("Groups"),
-            Self::Space => tr!("Frame"),
+            Self::Space => tr!("light" => "Frame"),
             Self::Exposure => tr!("Exposure"),
             Self::Field(field) => chiaro_locale::tr(field.label()),
         }

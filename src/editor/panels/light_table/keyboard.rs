@@ -178,9 +178,10 @@ impl CellGrid {
             out.extend(owned.and_then(|owned| owned.once(Edit::Group { edits })));
         }
         if count == 0 {
-            let text =
-                tr!("None of these cells can be keyed in time: keys move lights of the scene, \
-                        and of the look that is open");
+            let text = tr!(
+                "None of these cells can be keyed in time: keys move lights of the scene, and of \
+                 the look that is open"
+            );
             return vec![Command::Tell(text.to_owned())];
         }
         out.push(Command::Tell(trn!(

@@ -165,9 +165,9 @@ impl LightTable {
                 WidgetInfo::labeled(Role::TextInput, true, tr!("Filter of lights"))
             });
             let help =
-                tr!("Lists the lights of a set: * is every light. key | group:rim - \"Sun\" \
-                        says more: ids, groups and names, with | for either, - for without, & \
-                        for both, and ( )");
+                tr!("Lists the lights of a set: * is every light. key | group:rim - \"Sun\" says \
+                     more: ids, groups and names, with | for either, - for without, & for both, \
+                     and ( )");
             match wrong {
                 Some(why) => {
                     ui.label(RichText::new(why.to_string()).small().color(colors.error));

@@ -388,7 +388,7 @@ impl<'s> Sheet<'s> {
                 match cell.origin {
                     Origin::Own => tr!("Set here, in the scene.\nLights of {group}: {names}"),
                     _ => tr!("The scene has no master of it yet: an edit makes one.\nLights of \
-                         {group}: {names}"),
+                              {group}: {names}"),
                 }
             }
             (Row::Light(id), Origin::Keyed, Column::Field(field)) => self

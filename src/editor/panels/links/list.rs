@@ -454,7 +454,7 @@ impl PaneLine<'_> {
         let click = match self.fold {
             FoldMark::Below => {
                 tr!("A click selects: the lights' marks are its own then. Its sets are changed in \
-                 Objects, under Lights of its layers, or at the node itself")
+                     Objects, under Lights of its layers, or at the node itself")
             }
             _ => tr!("A click selects; Ctrl adds, Shift selects all between"),
         };

@@ -34,8 +34,8 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LINKS,
     text!("Links"),
     text!(
-        "Which lights light which objects and cast their shadows, by which rule: link and \
-           unlink them"
+        "Which lights light which objects and cast their shadows, by which rule: link and unlink \
+         them"
     ),
     PanelPlace::BELOW_GRAPH,
     |bench, ui, context| bench.links.show(ui, context.session),
@@ -161,7 +161,7 @@ impl Links {
         self.chosen_lights.retain(|row| rows.contains(row));
         if matrix.is_too_large {
             let text = tr!("There are too many lights and objects to list what lights what here: \
-                        chiaro lights --matrix does. Links can be changed.");
+                            chiaro lights --matrix does. Links can be changed.");
             ui.label(RichText::new(text).color(theme::of(ui).warning));
         } else if matrix.has_no_layers {
             hint(
@@ -365,7 +365,7 @@ impl Links {
             Err(why) => why.to_string(),
             Ok(_) => {
                 tr!("A set of lights, for Append and Replace; without a text the selected lights. \
-                      * is every light. key | group:rim - \"Sun\" says more.")
+                     * is every light. key | group:rim - \"Sun\" says more.")
                 .to_owned()
             }
         });

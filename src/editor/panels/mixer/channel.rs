@@ -133,9 +133,9 @@ fn slide(ui: &mut Ui, name: &str, master: &mut GroupMaster, height: f32) -> Opti
         response.widget_info(|| WidgetInfo::slider(true, master.intensity, &label));
         marks(ui, response.rect);
         let twice = response.interact(Sense::click()).double_clicked();
-        let help =
-            tr!("Intensity of the group: drag, or use the arrow keys. A double click puts it \
-                    back to 1.");
+        let help = tr!(
+            "Intensity of the group: drag, or use the arrow keys. A double click puts it back to 1."
+        );
         let id = response.id;
         let is_moved = response.changed();
         response.on_hover_text(help);

@@ -44,7 +44,7 @@ impl Mixer {
             hint(
                 ui,
                 tr!("No light is of a group yet. Give lights groups in the light table, and each \
-                 group has a channel here."),
+                     group has a channel here."),
             );
             add::panels(ui, &mut out);
             return out;
