@@ -45,8 +45,8 @@ pub(super) const SHEET: PanelRow = PanelRow::new(
     PanelId::SHEET,
     text!("Sheet"),
     text!(
-        "All of what is painted and filled in one picture, as the thesis lays it out; tells what lies \
-     where"
+        "All of what is painted and filled in one picture, as the thesis lays it out; tells what \
+         lies where"
     ),
     PanelPlace { beside: &[PanelId::PAINT, PanelId::GRAPH], ..PanelPlace::CLOSED },
     |bench, ui, context| bench.painting.show_sheet(ui, context.session),

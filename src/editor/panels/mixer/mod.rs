@@ -43,8 +43,8 @@ impl Mixer {
             mix.solo_note(ui, &mut out);
             hint(
                 ui,
-                "No light is of a group yet. Give lights groups in the light table, and each \
-                 group has a channel here.",
+                tr!("No light is of a group yet. Give lights groups in the light table, and each \
+                     group has a channel here."),
             );
             add::panels(ui, &mut out);
             return out;
