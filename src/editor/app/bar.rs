@@ -190,8 +190,9 @@ impl App {
         }
         let open_scene_of_shot = session.shot().is_some();
         // A look that only shows the painting goes without saying.
-        let is_bare =
-            |work: &OpenPainting| session.path().is_none() && session.look().name == work.name();
+        let is_bare = |work: &OpenPainting| {
+            session.path().is_none() && session.look().name == work.kept_name()
+        };
         if open_scene_of_shot {
             // Its look is told.
         } else if is_look_dirty
