@@ -1,6 +1,6 @@
 //! Paths of pictures and HCBTFs.
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr};
 use eframe::egui::{Id, TextEdit, Ui};
 
 use crate::document::Value;
@@ -8,12 +8,12 @@ use crate::frame::MESH_PREFIX;
 use crate::geometry::MaterialMap;
 
 /// Maps of a mesh's own materials, as artists name them.
-const MESH_MAPS: [(&str, MaterialMap); 5] = [
-    ("Base color", MaterialMap::BaseColor),
-    ("Normal", MaterialMap::Normal),
-    ("Occlusion", MaterialMap::Occlusion),
-    ("Emissive", MaterialMap::Emissive),
-    ("Roughness and metalness", MaterialMap::MetallicRoughness),
+const MESH_MAPS: [(Text, MaterialMap); 5] = [
+    (text!("Base color"), MaterialMap::BaseColor),
+    (text!("Normal"), MaterialMap::Normal),
+    (text!("Occlusion"), MaterialMap::Occlusion),
+    (text!("Emissive"), MaterialMap::Emissive),
+    (text!("Roughness and metalness"), MaterialMap::MetallicRoughness),
 ];
 
 /// Shows a menu of the maps that a mesh's own material has. Returns the path of the chosen one.
@@ -21,7 +21,7 @@ fn mesh_map(ui: &mut Ui) -> Option<String> {
     let mut chosen = None;
     let menu = ui.menu_button(tr!("Mesh"), |ui| {
         for (name, map) in MESH_MAPS {
-            if ui.button(name).clicked() {
+            if ui.button(name.tr()).clicked() {
                 chosen = Some(format!("{MESH_PREFIX}{}", map.name()));
                 ui.close();
             }
