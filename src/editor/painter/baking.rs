@@ -229,7 +229,7 @@ fn light(ui: &mut Ui, session: &Session, chosen: &mut Option<LightId>) {
     };
     let name = |id: &LightId| name(id).unwrap_or_else(|| id.to_string());
     let first = moving().next().map(|(id, _)| id);
-    let shown = chosen.as_ref().or(first).map_or_else(|| tr!("none").to_owned(), name);
+    let shown = chosen.as_ref().or(first).map_or_else(|| tr!("light" => "none").to_owned(), name);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
         lead(ui, tr!("Light"), grid::LEAD);

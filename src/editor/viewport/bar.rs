@@ -250,7 +250,7 @@ const MESHES: f32 = 420.0;
 const MOST_SIDE: u32 = 8192;
 
 fn mesh_choice(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-    let label = ui.label(tr!("On"));
+    let label = ui.label(tr!("mesh" => "On"));
     let mesh = session.view.orbit.mesh.clone();
     let shape = SHAPES.iter().find(|shape| mesh.strip_prefix("shape:") == Some(shape.name));
     let file = Path::new(&mesh)

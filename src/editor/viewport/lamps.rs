@@ -48,12 +48,12 @@ impl LampHandle {
     /// Name of the handle, without its light.
     pub(super) fn label(self) -> &'static str {
         match self {
-            Self::Place => tr!("Place"),
+            Self::Place => tr!("lamp" => "Place"),
             Self::Aim => tr!("Aim"),
             Self::Cone(LightField::Inner) => tr!("Full cone"),
             Self::Cone(_) => tr!("Whole cone"),
             Self::Distance(LightField::HalfDistance) => tr!("Half distance"),
-            Self::Distance(_) => tr!("Range"),
+            Self::Distance(_) => tr!("lamp" => "Range"),
         }
     }
 

@@ -280,7 +280,7 @@ fn fields(ui: &mut Ui, work: &OpenPainting, rule: &mut Rule) -> Option<Id> {
         Rule::Lambert { shadow, amount } => {
             let help = tr!("0 leaves everything as it is, 1 is Lambert's law");
             rgb(ui, tr!("Shadow"), shadow)
-                .or_else(|| number(ui, tr!("Amount"), help, amount, 0.0..=1.0))
+                .or_else(|| number(ui, tr!("rule" => "Amount"), help, amount, 0.0..=1.0))
         }
         Rule::Strokes(strokes) => strokes::fields(ui, strokes),
         Rule::Relief(relief) => relief::fields(ui, work, relief),

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use chiaro_locale::{tr, tr_in};
+use chiaro_locale::{Text, text, tr, tr_in};
 use eframe::egui::{Button, CollapsingHeader, Id, Role, Slider, Ui, WidgetInfo};
 
 use super::{LEAD, OpenPainting};
@@ -13,10 +13,11 @@ use crate::widgets::rows::lead;
 /// Shows the fields of a relief. Returns the id of the widget that changed one.
 pub(super) fn fields(ui: &mut Ui, work: &OpenPainting, relief: &mut Relief) -> Option<Id> {
     let mut fields = Fields { changed: presets(ui, work, relief) };
-    let section = |ui: &mut Ui, title: &str, is_open: bool, add: &mut dyn FnMut(&mut Ui)| {
-        CollapsingHeader::new(title).default_open(is_open).show(ui, |ui| add(ui));
+    let section = |ui: &mut Ui, title: Text, is_open: bool, add: &mut dyn FnMut(&mut Ui)| {
+        let header = CollapsingHeader::new(title.tr()).id_salt(title.english());
+        header.default_open(is_open).show(ui, |ui| add(ui));
     };
-    section(ui, tr!("Pattern"), true, &mut |ui| {
+    section(ui, text!("Pattern"), true, &mut |ui| {
         fields.number(
             ui,
             tr!("Depth"),
@@ -36,9 +37,9 @@ pub(super) fn fields(ui: &mut Ui, work: &OpenPainting, relief: &mut Relief) -> O
         );
         fields.pattern(ui, work, &mut relief.pattern);
     });
-    section(ui, tr!("Light"), false, &mut |ui| fields.light(ui, &mut relief.light));
-    section(ui, tr!("Glint"), false, &mut |ui| fields.glint(ui, &mut relief.glint));
-    section(ui, tr!("Finish"), false, &mut |ui| fields.finish(ui, &mut relief.finish));
+    section(ui, text!("Light"), false, &mut |ui| fields.light(ui, &mut relief.light));
+    section(ui, text!("Glint"), false, &mut |ui| fields.glint(ui, &mut relief.glint));
+    section(ui, text!("Finish"), false, &mut |ui| fields.finish(ui, &mut relief.finish));
     fields.changed
 }
 
@@ -153,9 +154,9 @@ impl Fields {
         self.changed = self.changed.or(changed);
     }
 
-    fn sample(&mut self, ui: &mut Ui, work: &OpenPainting, label: &str, from: &mut Address) {
-        ui.label(label);
-        let changed = ui.push_id(label, |ui| super::sample(ui, work, from)).inner;
+    fn sample(&mut self, ui: &mut Ui, work: &OpenPainting, label: Text, from: &mut Address) {
+        ui.label(label.tr());
+        let changed = ui.push_id(label.english(), |ui| super::sample(ui, work, from)).inner;
         self.changed = self.changed.or(changed);
     }
 
@@ -168,7 +169,7 @@ impl Fields {
     fn pattern(&mut self, ui: &mut Ui, work: &OpenPainting, pattern: &mut Pattern) {
         match pattern {
             Pattern::Painted { heights, channel, is_inverted, colors } => {
-                self.sample(ui, work, tr!("Heights from"), heights);
+                self.sample(ui, work, text!("Heights from"), heights);
                 let mut is_alpha = *channel == Channel::Alpha;
                 self.check(
                     ui,
@@ -178,7 +179,7 @@ impl Fields {
                 );
                 *channel = if is_alpha { Channel::Alpha } else { Channel::Luminance };
                 self.check(ui, tr!("Upside down"), tr!("High and low change places"), is_inverted);
-                self.sample(ui, work, tr!("Colors from"), colors);
+                self.sample(ui, work, text!("Colors from"), colors);
             }
             Pattern::Bricks {
                 columns,
@@ -195,7 +196,7 @@ impl Fields {
                 self.count(ui, tr!("Rows"), tr!("Courses"), rows, 1..=24);
                 self.part(
                     ui,
-                    tr!("Shift"),
+                    tr!("relief" => "Shift"),
                     tr!("By which part of a brick every second course is moved"),
                     shift,
                 );
@@ -214,7 +215,12 @@ impl Fields {
             }
             Pattern::Stones { count, share, grit, roundness, colors: [first, second], binder } => {
                 self.count(ui, tr!("Stones"), tr!("Large stones along the tile"), count, 1..=32);
-                self.part(ui, tr!("Share"), tr!("How many of the large stones there are"), share);
+                self.part(
+                    ui,
+                    tr!("relief" => "Share"),
+                    tr!("How many of the large stones there are"),
+                    share,
+                );
                 self.part(ui, tr!("Grit"), tr!("How many small stones lie between them"), grit);
                 self.part(
                     ui,
@@ -235,10 +241,16 @@ impl Fields {
                     count,
                     0..=32,
                 );
-                self.number(ui, tr!("Bend"), tr!("How much they bend"), bend, 0.0..=4.0);
+                self.number(
+                    ui,
+                    tr!("relief" => "Bend"),
+                    tr!("How much they bend"),
+                    bend,
+                    0.0..=4.0,
+                );
                 self.part(ui, tr!("Roughness"), tr!("Between the ripples"), roughness);
-                self.color(ui, tr!("Low"), low);
-                self.color(ui, tr!("High"), high);
+                self.color(ui, tr!("relief" => "Low"), low);
+                self.color(ui, tr!("relief" => "High"), high);
             }
         }
     }
@@ -278,7 +290,7 @@ impl Fields {
                     lit,
                 );
                 self.color(ui, tr!("Wall"), wall);
-                self.color(ui, tr!("Trim"), trim);
+                self.color(ui, tr!("relief" => "Trim"), trim);
                 self.color(ui, tr!("Glass"), glass);
                 self.color(ui, tr!("Light within"), lit_color);
             }
@@ -306,7 +318,7 @@ impl Fields {
                 self.part(ui, tr!("Roughness"), tr!("Of the stone"), roughness);
                 self.color(ui, tr!("Wall"), wall);
                 self.color(ui, tr!("Ring stones"), trim);
-                self.color(ui, tr!("Inside"), inside);
+                self.color(ui, tr!("relief" => "Inside"), inside);
             }
             _ => {}
         }

@@ -191,7 +191,7 @@ fn form(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
     by(angle(ui, tr!("Lean"), tr!("0 stands, 90 lies"), &mut bundle.lean, 0.0..=180.0));
     by(angle(
         ui,
-        tr!("Bend"),
+        tr!("strokes" => "Bend"),
         tr!("How much more it leans at the tip"),
         &mut bundle.bend,
         -180.0..=180.0,
