@@ -70,7 +70,7 @@ impl App {
                 |row: &CommandRow| (!is_open && row.needs_painting).then(|| NOTHING_PAINTED.tr());
             let help =
                 tr!("Light on the picture; surfaces that change with the light and the eye, \
-                        painted by hand");
+                     painted by hand");
             menu_with(
                 ui,
                 (tr!("Paint"), help),

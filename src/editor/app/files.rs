@@ -395,7 +395,8 @@ impl App {
                      over it, frame by frame."
                 ),
                 false => tr!("Save the scene first, and its look beside it: the shot shows them as \
-                          their files have them, and changes values over them, frame by frame.")
+                              their files have them, and changes values over them, frame by \
+                              frame.")
                     .to_owned(),
             });
                 ui.add_space(8.0);

@@ -85,7 +85,7 @@ impl Safety {
                 row(ui, Tone::Warning, &text, |ui| {
                     let help =
                         tr!("Takes the scene as it is in the file now, as one step: Undo brings \
-                                your version back");
+                             your version back");
                     ask(
                         ui,
                         tr!("Load the file's version"),
@@ -201,9 +201,10 @@ fn held(ui: &mut Ui, suspect: &Suspect, out: &mut Vec<RecoveryCommand>) {
         }
     };
     row(ui, Tone::Warning, &text, |ui| {
-        let help =
-            tr!("Compiles and draws it as ever. If Chiaro ends over it again, the next start \
-                    asks again");
+        let help = tr!(
+            "Compiles and draws it as ever. If Chiaro ends over it again, the next start asks \
+             again"
+        );
         ask(ui, tr!("Try again"), help, RecoveryCommand::TryAgain, out);
     });
 }

@@ -48,7 +48,7 @@ impl App {
                 if self.session.frame_without_camera(self.bench.viewport.aspect()) {
                     let text =
                         tr!("The scene has no camera of its own, so that the picture shows all \
-                                objects; Keep this view in Objects gives it this one");
+                             objects; Keep this view in Objects gives it this one");
                     self.message = Some(text.to_owned());
                 }
             }
@@ -250,9 +250,10 @@ impl App {
         }
         let path = open_scene.path_of(name);
         if examples::file(&path).is_some() {
-            let text =
-                tr!("This object wears an example: open that from the start page to change it, \
-                        or choose another look");
+            let text = tr!(
+                "This object wears an example: open that from the start page to change it, or \
+                 choose another look"
+            );
             self.message = Some(text.to_owned());
             return;
         }

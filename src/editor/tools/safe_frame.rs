@@ -15,9 +15,10 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
     |_| Box::new(SafeFrame { is_on: true }),
     |tools| tools.of::<SafeFrame>().is_on,
     |tools, ui, _| {
-        let help =
-            tr!("Frames what the shot shows in its own size, and dims what lies outside; for \
-                    shots that say a size");
+        let help = tr!(
+            "Frames what the shot shows in its own size, and dims what lies outside; for shots \
+             that say a size"
+        );
         let is_on = &mut tools.of_mut::<SafeFrame>().is_on;
         ui.checkbox(is_on, tr!("Frame of the shot")).on_hover_text(help);
     },

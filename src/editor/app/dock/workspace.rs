@@ -36,7 +36,7 @@ impl Workspace {
         match self {
             Self::Look => {
                 tr!("Where the panels lie while nothing is painted: it comes with every look that \
-                 shows no open painting")
+                     shows no open painting")
             }
             Self::Painting => {
                 tr!("Where the panels lie while you paint: it comes and goes with what is painted")

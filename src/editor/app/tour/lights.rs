@@ -27,17 +27,17 @@ pub(super) static TOUR: TourRow = TourRow {
             let count = scene(session).map_or(0, |scene| scene.lights.len());
             trn!(
                 count,
-                "{count} light of the scene: each by itself, in groups, on the objects that it \
-                 is for. Probe pixel and then Why lit so tells for any pixel which lights arrive \
+                "{count} light of the scene: each by itself, in groups, on the objects that it is \
+                 for. Probe pixel and then Why lit so tells for any pixel which lights arrive \
                  there, and by which rule.",
-                "{count} lights of the scene: each by itself, in groups, on the objects that it \
-                 is for. Probe pixel and then Why lit so tells for any pixel which lights arrive \
+                "{count} lights of the scene: each by itself, in groups, on the objects that it is \
+                 for. Probe pixel and then Why lit so tells for any pixel which lights arrive \
                  there, and by which rule."
             )
         },
         more: text!(
             "Look through a light with O. Filters such as Blocker and Gobo have handles in the \
-               picture. Shadows and outlines are values on wires: the graph draws them."
+             picture. Shadows and outlines are values on wires: the graph draws them."
         ),
         next: &NEXT,
     },
@@ -70,7 +70,7 @@ static STEPS: [Step; 8] = [
         task: text!("In Lights, press Add scene light and choose In place of Key."),
         reason: text!(
             "A light of the scene shines in all of its looks. The three objects wear one gray \
-                 look, which runs once for each light."
+             look, which runs once for each light."
         ),
         panels: &[PanelId::PICTURE, PanelId::LIGHTS],
         spots: |_| vec![Spot::AddSceneLight, Spot::Panel(PanelId::LIGHTS)],
@@ -85,7 +85,7 @@ static STEPS: [Step; 8] = [
         task: text!("Press Place light above the picture, then click high on the ball."),
         reason: text!(
             "The light goes where it is brightest there. Its shadow or its terminator can say \
-                 where it stands, too (Shift+H, S, T over the picture). Esc leaves."
+             where it stands, too (Shift+H, S, T over the picture). Esc leaves."
         ),
         panels: &[PanelId::PICTURE],
         spots: |_| vec![Spot::PlaceLight, Spot::Picture],
@@ -98,13 +98,13 @@ static STEPS: [Step; 8] = [
     Step {
         title: text!("A rim from behind"),
         task: text!(
-            "Press Add scene light and choose Directional. Then double-click the end of its \
-               needle in the picture: the light goes behind the figure."
+            "Press Add scene light and choose Directional. Then double-click the end of its needle \
+             in the picture: the light goes behind the figure."
         ),
         reason: text!(
-            "Every directional light has a needle around what is lit, to be dragged; past the \
-                 rim and back it goes behind, too. Point and spot lights stand in the picture \
-                 themselves, with handles for cones and distances."
+            "Every directional light has a needle around what is lit, to be dragged; past the rim \
+             and back it goes behind, too. Point and spot lights stand in the picture themselves, \
+             with handles for cones and distances."
         ),
         panels: &[PanelId::PICTURE, PanelId::LIGHTS],
         spots: |session| match scene(session).is_some_and(|scene| scene.lights.len() > 1) {
@@ -144,7 +144,7 @@ static STEPS: [Step; 8] = [
         ),
         reason: text!(
             "Sets of lights name groups: group:rim is every light of it. Many cells can be \
-                 selected and changed at once: 0.5, *1.2, +0.1."
+             selected and changed at once: 0.5, *1.2, +0.1."
         ),
         panels: &[PanelId::PICTURE, PanelId::LIGHT_TABLE],
         spots: |_| vec![Spot::Panel(PanelId::LIGHT_TABLE)],
@@ -161,11 +161,11 @@ static STEPS: [Step; 8] = [
         title: text!("A light that goes along"),
         task: text!(
             "Add a scene light once more, a Point. Unfold it in Lights and choose Object as its \
-               frame."
+             frame."
         ),
         reason: text!(
-            "Each object then has it for itself, at the same place beside it: an eye light \
-                 that goes wherever the character goes."
+            "Each object then has it for itself, at the same place beside it: an eye light that \
+             goes wherever the character goes."
         ),
         panels: &[PanelId::PICTURE, PanelId::LIGHTS],
         spots: |_| vec![Spot::AddSceneLight, Spot::Panel(PanelId::LIGHTS)],
@@ -194,12 +194,12 @@ static STEPS: [Step; 8] = [
     Step {
         title: text!("For the figure alone"),
         task: text!(
-            "In Links, choose that light at the left. Then click the dots of ball and floor: \
-               they are not linked any more."
+            "In Links, choose that light at the left. Then click the dots of ball and floor: they \
+             are not linked any more."
         ),
         reason: text!(
             "Links say which lights reach what, with the rule that decides. Over the picture J \
-                 links the chosen lights to the object at the pointer, Shift+J unlinks them."
+             links the chosen lights to the object at the pointer, Shift+J unlinks them."
         ),
         panels: &[PanelId::PICTURE, PanelId::LINKS],
         spots: |_| vec![Spot::Panel(PanelId::LINKS)],
@@ -224,12 +224,12 @@ static STEPS: [Step; 8] = [
     Step {
         title: text!("Its shadow, by pointing"),
         task: text!(
-            "Choose Key in Lights. Press Shift+S over the picture, click on the ball, then on \
-               the floor where its shadow shall fall."
+            "Choose Key in Lights. Press Shift+S over the picture, click on the ball, then on the \
+             floor where its shadow shall fall."
         ),
         reason: text!(
             "The light goes on the line through both places. What casts shadows onto what is a \
-                 matter of links, too: Shadows in Links."
+             matter of links, too: Shadows in Links."
         ),
         panels: &[PanelId::PICTURE, PanelId::LIGHTS],
         spots: |_| vec![Spot::PlaceLight, Spot::Picture],
@@ -243,8 +243,8 @@ static STEPS: [Step; 8] = [
         title: text!("The mixer"),
         task: text!("In Mixer, drag the fader of the group rim down, or solo it with S."),
         reason: text!(
-            "Masters of groups multiply all of their lights: a mood is a few faders. They are \
-                 the scene's, and undo takes them back like anything else."
+            "Masters of groups multiply all of their lights: a mood is a few faders. They are the \
+             scene's, and undo takes them back like anything else."
         ),
         panels: &[PanelId::PICTURE, PanelId::MIXER],
         spots: |_| vec![Spot::Panel(PanelId::MIXER)],

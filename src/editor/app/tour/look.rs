@@ -49,8 +49,8 @@ pub(super) static TOUR: TourRow = TourRow {
             )
         },
         more: text!(
-            "Drop a mesh of yours on the window to see it there. Copy as, above, takes the \
-               picture or the shader with you."
+            "Drop a mesh of yours on the window to see it there. Copy as, above, takes the picture \
+             or the shader with you."
         ),
         next: &NEXT,
     },
@@ -83,8 +83,8 @@ static STEPS: [Step; 7] = [
         title: text!("The base"),
         task: text!("Click Base in the stack of layers, then change its color."),
         reason: text!(
-            "It is what is seen where no light falls. Painters begin dark and leave room for \
-                 the light."
+            "It is what is seen where no light falls. Painters begin dark and leave room for the \
+             light."
         ),
         panels: &[PanelId::PICTURE, PanelId::LAYERS, PanelId::INSPECTOR],
         spots: |session| match ground(session) {
@@ -107,8 +107,7 @@ static STEPS: [Step; 7] = [
         task: text!("Press Add layer and choose Diffuse."),
         reason: text!(
             "A layer is a light, the way it moves over the surface, a profile and two colors. \
-                 Diffuse light stays \
-                 where it falls; a highlight follows the eye."
+             Diffuse light stays where it falls; a highlight follows the eye."
         ),
         panels: &[PanelId::PICTURE, PanelId::LAYERS],
         spots: |_| vec![Spot::AddLayer, Spot::Panel(PanelId::LAYERS)],
@@ -119,9 +118,8 @@ static STEPS: [Step; 7] = [
         title: text!("Its profile"),
         task: text!("Drag the handles of the curve: offset, fall-off and cut-off."),
         reason: text!(
-            "Up to the offset the tone is full, at the cut-off it is gone. Bring them together \
-                 for the edge of a \
-                 cartoon, apart for something soft."
+            "Up to the offset the tone is full, at the cut-off it is gone. Bring them together for \
+             the edge of a cartoon, apart for something soft."
         ),
         panels: &[PanelId::PICTURE, PanelId::PROFILE, PanelId::INSPECTOR],
         spots: |_| vec![Spot::Panel(PanelId::PROFILE), Spot::Input("offset".into())],
@@ -136,9 +134,9 @@ static STEPS: [Step; 7] = [
         title: text!("Turn the light"),
         task: text!("Drag on the object, beside its colored lines."),
         reason: text!(
-            "The light turns with your hand, and so do all lights of the look: they hang in \
-                 one frame. A drag on \
-                 a line shapes the layer, and a drag beside the object turns the camera."
+            "The light turns with your hand, and so do all lights of the look: they hang in one \
+             frame. A drag on a line shapes the layer, and a drag beside the object turns the \
+             camera."
         ),
         panels: &[PanelId::PICTURE],
         spots: |_| vec![Spot::Picture],
@@ -153,9 +151,8 @@ static STEPS: [Step; 7] = [
         title: text!("A rim from behind"),
         task: text!("Press Add layer again and choose Back-light."),
         reason: text!(
-            "It brings a light of its own, behind the object as you see it now: its cool rim \
-                 parts the object from \
-                 what is behind."
+            "It brings a light of its own, behind the object as you see it now: its cool rim parts \
+             the object from what is behind."
         ),
         panels: &[PanelId::PICTURE, PanelId::LAYERS],
         spots: |_| vec![Spot::AddLayer, Spot::Panel(PanelId::LAYERS)],
@@ -166,8 +163,8 @@ static STEPS: [Step; 7] = [
         title: text!("How layers meet"),
         task: text!("In a layer's row, choose another blending or drag its opacity."),
         reason: text!(
-            "Add brightens what is below, multiply darkens it, alpha covers it. The order \
-                 counts too: drag rows."
+            "Add brightens what is below, multiply darkens it, alpha covers it. The order counts \
+             too: drag rows."
         ),
         panels: &[PanelId::PICTURE, PanelId::LAYERS],
         spots: |session| {
@@ -188,8 +185,8 @@ static STEPS: [Step; 7] = [
         title: text!("Keep it"),
         task: text!("Press Save and choose where."),
         reason: text!(
-            "A look is a small text file, and Recent will have it. What is not saved is kept \
-                 too, until you are back."
+            "A look is a small text file, and Recent will have it. What is not saved is kept too, \
+             until you are back."
         ),
         panels: &[PanelId::PICTURE],
         spots: |_| vec![Spot::Save],

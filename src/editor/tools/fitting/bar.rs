@@ -18,7 +18,7 @@ impl FitTool {
     pub(crate) fn toggle(&self, ui: &mut Ui, out: &mut Vec<Command>) {
         let help =
             tr!("Paint on the picture where it should be lighter or darker, and fit the look to \
-                    that (L)");
+                 that (L)");
         if sun(ui, self.is_on).on_hover_text(help).clicked() {
             out.push(Command::Fit(FitCommand::Turn(Switch::Toggle)));
         }
@@ -55,8 +55,7 @@ impl FitTool {
             }
             ui.separator();
             let help =
-                tr!("The brush's diameter, in percent of the picture's height ([ and ] change \
-                        it)");
+                tr!("The brush's diameter, in percent of the picture's height ([ and ] change it)");
             percent(ui, true, tr!("Size"), help, &mut self.tools.size, SIZES);
             percent(
                 ui,
@@ -71,9 +70,8 @@ impl FitTool {
             let has_amount = matches!(self.tools.kind, LightBrush::Light | LightBrush::Dark);
             let help =
                 tr!("How much lighter or darker Light and Dark make it, as an eye sees it: from \
-                        black to white is 100%. A \
-                        stroke that crosses itself makes no more of it; another stroke goes on \
-                        from there");
+                     black to white is 100%. A stroke that crosses itself makes no more of it; \
+                     another stroke goes on from there");
             percent(ui, has_amount, tr!("Amount"), help, &mut self.tools.amount, 0.01..=1.0);
         });
     }

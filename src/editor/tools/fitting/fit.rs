@@ -144,9 +144,9 @@ impl FitTool {
                     && (fitted.look == *done.look || gains_nothing(&fitted.report)) =>
             {
                 self.told = Some(
-                    tr!("No light of its own brings it nearer where you painted: paint larger spots, \
-                     or fit the whole look")
-                        .to_owned(),
+                    tr!("No light of its own brings it nearer where you painted: paint larger \
+                         spots, or fit the whole look")
+                    .to_owned(),
                 );
             }
             Ok(fitted) if fitted.look == *done.look || gains_nothing(&fitted.report) => {
@@ -209,8 +209,7 @@ fn why(problems: &[Diagnostic]) -> String {
         "stopped" => STOPPED.tr().to_owned(),
         "fit-nothing" => {
             tr!("The look has no light, profile or color that may change: keep less, or fit new \
-             layers. What is \
-                          wired or keyed stays as it is.")
+                 layers. What is wired or keyed stays as it is.")
             .to_owned()
         }
         "fit-target" => {

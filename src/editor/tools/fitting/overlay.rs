@@ -120,10 +120,8 @@ impl FitTool {
         self.hint = match is_reading {
             true => tr!("Reading the picture: a stroke waits until it is read"),
             _ => {
-                tr!(
-                    "Drag to paint · [ and ] change the brush · Ctrl-click takes a color · Alt-drag \
-                 turns the camera · Esc ends it"
-                )
+                tr!("Drag to paint · [ and ] change the brush · Ctrl-click takes a color · \
+                     Alt-drag turns the camera · Esc ends it")
             }
         };
         if self.obstacle(session).is_some() {

@@ -31,11 +31,9 @@ impl FitTool {
             }
             hint(
                 ui,
-                tr!(
-                    "Paint on the picture where it should be lighter, darker or of a color (L). The \
-                 lights, profiles and \
-                 colors of the look are then fitted to that, and stay an ordinary look."
-                ),
+                tr!("Paint on the picture where it should be lighter, darker or of a color (L). \
+                     The lights, profiles and colors of the look are then fitted to that, and stay \
+                     an ordinary look."),
             );
             return out;
         }
@@ -83,8 +81,7 @@ impl FitTool {
             let [width, height] = self.size(session);
             let help = tr!(
                 "It is fitted at {width} by {height} pixels. Errors are RMS of a channel over what \
-                 is painted, as the \
-                 picture shows it now"
+                 is painted, as the picture shows it now"
             );
             ui.label(text).on_hover_text(help);
         });
@@ -92,7 +89,7 @@ impl FitTool {
             ui.toggle_value(&mut self.shows.strokes, tr!("Strokes"))
                 .on_hover_text(tr!("Shows what the strokes wish"));
             let help = tr!("Where the picture is not as painted: black where it is, over red and \
-                        yellow to white");
+                            yellow to white");
             ui.toggle_value(&mut self.shows.misses, tr!("Misses")).on_hover_text(help);
             let help = tr!("Takes all strokes away; undo brings them back");
             if ui.add_enabled(!is_empty, Button::new(tr!("Clear"))).on_hover_text(help).clicked() {
@@ -122,10 +119,11 @@ impl FitTool {
             }
         });
         ui.horizontal_wrapped(|ui| {
-            let help =
-                tr!("How far what is not painted stays as it is: at 0% only strokes count, and \
-                        the rest becomes what it \
-                        will; at 100% it moves only where strokes cannot be met otherwise");
+            let help = tr!(
+                "How far what is not painted stays as it is: at 0% only strokes count, and the \
+                 rest becomes what it will; at 100% it moves only where strokes cannot be met \
+                 otherwise"
+            );
             let label = ui.label(tr!("Keep the rest")).on_hover_text(help);
             let mut percent = self.how.keep_rest * 100.0;
             let slider = Slider::new(&mut percent, 0.0..=100.0).max_decimals(0).suffix("%");
@@ -144,7 +142,7 @@ impl FitTool {
             let text = match outcome.what {
                 FitGoal::Local => {
                     tr!("Layers over the look found nothing nearer: Misses shows where it is off. \
-                     {advice}")
+                         {advice}")
                 }
                 FitGoal::ThisLook | FitGoal::Layers(_) => tr!(
                     "Turning {tried} found nothing nearer: Misses shows where it is off. {advice}",
@@ -203,7 +201,7 @@ impl FitTool {
         ui.horizontal_wrapped(|ui| {
             let help =
                 tr!("Lays new layers over the look, with lights of their own, where you painted \
-                        (Ctrl+Enter). All else stays as it is");
+                     (Ctrl+Enter). All else stays as it is");
             if ui.button(tr!("Light it there")).on_hover_text(help).clicked() {
                 out.push(Command::Fit(FitCommand::Fit(FitGoal::Local)));
             }
@@ -214,13 +212,13 @@ impl FitTool {
         ui.horizontal_wrapped(|ui| {
             let help =
                 tr!("Turns lights, profiles and colors of this look until it shows what is \
-                        painted. Its nodes and wires stay");
+                     painted. Its nodes and wires stay");
             if ui.button(tr!("Fit this look")).on_hover_text(help).clicked() {
                 out.push(Command::Fit(FitCommand::Fit(FitGoal::ThisLook)));
             }
             let help =
-                tr!("Begins from nothing: light layers over a base, as many as help, in place \
-                        of all nodes of this look");
+                tr!("Begins from nothing: light layers over a base, as many as help, in place of \
+                     all nodes of this look");
             if ui.button(tr!("Fit new layers")).on_hover_text(help).clicked() {
                 out.push(Command::Fit(FitCommand::Fit(FitGoal::Layers(self.how.layers))));
             }

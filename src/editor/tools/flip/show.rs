@@ -56,9 +56,10 @@ impl FlipBook {
                 FlipView::Wipe => {}
             }
             if let (Some(mut form), Some(_)) = (playback.form(), session.open_scene()) {
-                let help =
-                    tr!("Draws the frames from the scene's own camera, as chiaro render does, \
-                            and not from the window's");
+                let help = tr!(
+                    "Draws the frames from the scene's own camera, as chiaro render does, and not \
+                     from the window's"
+                );
                 let by_scene = ui.checkbox(&mut form.by_scene, tr!("Scene's camera"));
                 if by_scene.on_hover_text(help).changed() {
                     playback.share(Some(form));

@@ -63,8 +63,8 @@ pub(super) fn carry_out(assets: &mut Assets, request: MaskRequest) -> MaskAnswer
             let mut worn = objects.iter().filter(|object| !object.worn.is_empty());
             if worn.all(|object| !object.mesh.has_uvs) {
                 return Err(tr!(
-                    "This mesh has no UVs to paint a mask by: unwrap it in a 3D program, or \
-                            mask by vertex colors, a tone or noise"
+                    "This mesh has no UVs to paint a mask by: unwrap it in a 3D program, or mask \
+                     by vertex colors, a tone or noise"
                 )
                 .to_owned());
             }

@@ -31,7 +31,7 @@ impl PlacingTool {
         });
         let help =
             tr!("The light that is placed: that of the selected layer, unless another is chosen \
-                    here");
+                 here");
         list.response.labelled_by(label.id).on_hover_text(help);
         ui.label(tr!("placing a light" => "by its"));
         for mark in LightMark::ALL {

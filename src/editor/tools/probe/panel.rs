@@ -31,10 +31,8 @@ impl Probe {
         if !self.is_on {
             hint(
                 ui,
-                tr!(
-                    "Turn on the probe (I) and point at the picture: every wire's value at that pixel \
-                 is listed here."
-                ),
+                tr!("Turn on the probe (I) and point at the picture: every wire's value at that \
+                     pixel is listed here."),
             );
             return commands;
         }
@@ -110,8 +108,8 @@ impl Probe {
             (
                 true,
                 tr!("Why lit so"),
-                tr!("Each light with its strength there, and the rule by \
-                              which it reaches the object or does not"),
+                tr!("Each light with its strength there, and the rule by which it reaches the \
+                     object or does not"),
             ),
         ];
         for (lists_lights, label, help) in lists {

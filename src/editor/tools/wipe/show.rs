@@ -89,9 +89,10 @@ fn states(
             chosen = Some(Some(picture));
         }
     }
-    let help =
-        tr!("Another look (JSON) in this view, or a reference picture (PNG, JPEG, EXR, HDR) \
-                fitted into it");
+    let help = tr!(
+        "Another look (JSON) in this view, or a reference picture (PNG, JPEG, EXR, HDR) fitted \
+         into it"
+    );
     if ui
         .selectable_label(false, tr!("A look or picture in a file..."))
         .on_hover_text(help)
@@ -114,7 +115,7 @@ fn frames(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Command>) -> bool
     let keep = ui.add_enabled(has_frames, egui::Button::selectable(false, tr!("Frames kept now")));
     let help =
         tr!("A flip book against the frames that the timeline has now, such as those before an \
-                edit");
+             edit");
     let keep = keep.on_hover_text(help).on_disabled_hover_text(tr!(
         "The timeline has no frames yet: play it, or press Cache range there"
     ));
@@ -124,11 +125,12 @@ fn frames(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Command>) -> bool
     }
     let help =
         tr!("A flip book against frames that were rendered, as by chiaro render: choose one of \
-                them");
+             them");
     let files = ui.selectable_label(false, tr!("Rendered frames...")).on_hover_text(help);
-    let help =
-        tr!("A flip book against another look, scene or shot, which is drawn frame by frame in \
-                the same size");
+    let help = tr!(
+        "A flip book against another look, scene or shot, which is drawn frame by frame in the \
+         same size"
+    );
     let document = ui.selectable_label(false, tr!("Another document...")).on_hover_text(help);
     if files.clicked() || document.clicked() {
         out.push(Command::CompareFrames(None));
