@@ -61,7 +61,7 @@ impl App {
             ui.separator();
             commands.extend(recent.map(|path| Command::Open(Some(path))));
             ui.menu_button(tr!("menu" => "View"), |ui| {
-                menu::scrolling(ui, |ui| self.view_menu(ui))
+                menu::scrolling(ui, |ui| self.view_menu(ui));
             })
             .response
             .on_hover_text(tr!("Panels, theme and scale"));

@@ -101,7 +101,7 @@ impl FitTool {
     fn how_rows(&mut self, ui: &mut Ui) {
         ui.horizontal_wrapped(|ui| {
             ui.label(tr!("Keep"))
-                .on_hover_text(tr!("FitGoal of this look stays as it is; all else is turned"));
+                .on_hover_text(tr!("What of this look stays as it is; all else is turned"));
             let keep = &mut self.how.keep;
             for (kept, label, help) in [
                 (&mut keep.lights, tr!("Lights"), tr!("Directions of directional lights stay")),

@@ -281,7 +281,7 @@ impl PlacingTool {
         match placed.kept {
             Some(KeptDistance::FromPoint) => said += tr!(", at the light's distance as before"),
             Some(KeptDistance::FromCaster) => {
-                said += tr!(", at its distance from the caster as before")
+                said += tr!(", at its distance from the caster as before");
             }
             None => {}
         }
