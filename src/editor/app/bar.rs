@@ -135,7 +135,7 @@ impl App {
             for (choice, label) in [
                 (Dark, tr!("theme" => "Dark")),
                 (Light, tr!("theme" => "Light")),
-                (System, tr!("theme" => "As the system")),
+                (System, tr!("As the system")),
             ] {
                 if ui.selectable_value(&mut theme, choice, label).changed() {
                     ui.ctx().set_theme(theme);
@@ -157,6 +157,7 @@ impl App {
                 }
             }
         });
+        ui.menu_button(tr!("Language"), |ui| self.language_menu(ui));
     }
 
     pub(super) fn status(&self, ui: &mut Ui) -> Option<Command> {
@@ -321,10 +322,10 @@ fn menu_with(
 ) {
     let entry = |ui: &mut Ui, row: &CommandRow, commands: &mut Vec<Command>| {
         let why = why(row);
-        let button = egui::Button::new(&*row.label).shortcut_text(row.text());
+        let button = egui::Button::new(row.label.tr()).shortcut_text(row.text());
         let button = ui.add_enabled(why.is_none(), button);
         button.widget_info(|| {
-            egui::WidgetInfo::labeled(egui::Role::MenuItem, why.is_none(), &*row.label)
+            egui::WidgetInfo::labeled(egui::Role::MenuItem, why.is_none(), row.label)
         });
         if button.on_disabled_hover_text(why.unwrap_or_default()).clicked() {
             commands.push(row.command.clone());
