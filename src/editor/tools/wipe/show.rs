@@ -194,7 +194,7 @@ impl Wipe {
         for (mode, text, help) in [
             (M::Wipe, tr!("Wipe"), tr!("Both pictures: drag the divider")),
             (M::Flicker, tr!("Flicker"), tr!("One at a time: twice a second, or while V is held")),
-            (M::Beside, tr!("Beside"), tr!("Both pictures, side by side")),
+            (M::Beside, tr!("comparison" => "Beside"), tr!("Both pictures, side by side")),
             (M::Over, tr!("comparison" => "Over"), tr!("The other picture over this one")),
         ] {
             if ui.selectable_label(self.mode == mode, text).on_hover_text(help).clicked() {
