@@ -100,7 +100,7 @@ fn word(removal: &Removal) -> Option<&'static str> {
         Proof::ZeroWeight | Proof::NoEffect => Some("no effect"),
         // Bounds also prove that a value is the same everywhere; the node then still gives that
         // value.
-        Proof::Ranges if !removal.reason.contains("everywhere") => Some("no effect"),
+        Proof::Ranges if !removal.still_gives => Some("no effect"),
         _ => None,
     }
 }

@@ -1,6 +1,7 @@
 //! Descriptions of the rules for people, in one list: help on the command line, the table of
 //! docs/format.md, the window.
 
+use chiaro_locale::tr;
 use serde_json::Value;
 
 use super::Rule;
@@ -161,7 +162,7 @@ fn told(value: &Value) -> Option<String> {
             Some(items?.join(", "))
         }
         Value::Object(fields) if fields.contains_key("light") && fields.contains_key("view") => {
-            Some("straight above".to_owned())
+            Some(tr!("straight above").to_owned())
         }
         _ => None,
     }
