@@ -5,7 +5,7 @@
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use indexmap::IndexMap;
 use petgraph::graph::{DiGraph, NodeIndex};
 
@@ -726,7 +726,12 @@ impl<'a> Typer<'a> {
         };
         let problem = Diagnostic::error("unknown-light", message)
             .suggest(&id, self.look.lights.keys().map(AsRef::as_ref))
-            .hint(r#"add it to the look: "lights": {"key": {"direction": [-0.5, 0.7, 0.5]}}"#);
+            .hint(
+                text!(
+                    "add it to the look: \"lights\": {\"key\": {\"direction\": [-0.5, 0.7, 0.5]}}"
+                )
+                .tr(),
+            );
         self.problem(flat, Some(input), problem);
         None
     }

@@ -201,7 +201,7 @@ impl fmt::Display for Diagnostic {
             write!(f, " ({})", context.join(", "))?;
         }
         for hint in &self.hints {
-            write!(f, "\n  help: {hint}")?;
+            write!(f, "\n  {}", tr!("help: {hint}"))?;
         }
         Ok(())
     }

@@ -100,7 +100,7 @@ pub(super) fn show(
     ui.horizontal(|ui| {
         ui.menu_button(tr!("+ Add a rule"), |ui| {
             for rule in fresh(work) {
-                let (name, help) = (rule.about().label, tip(&rule));
+                let (name, help) = (rule.about().label.tr(), tip(&rule));
                 let button = ui.button(name);
                 button.widget_info(|| WidgetInfo::labeled(Role::MenuItem, true, name));
                 if button.on_hover_text(help).clicked() {
@@ -181,7 +181,7 @@ fn card(
     count: usize,
     out: &mut Vec<Command>,
 ) {
-    let (name, help) = (rule.about().label, help(rule));
+    let (name, help) = (rule.about().label.tr(), help(rule));
     let rules = &work.hcbtf().rules;
     let frame =
         eframe::egui::Frame::new().fill(theme::of(ui).node).corner_radius(4.0).inner_margin(8.0);

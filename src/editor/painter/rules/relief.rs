@@ -39,7 +39,7 @@ pub(super) fn fields(ui: &mut Ui, work: &OpenPainting, relief: &mut Relief) -> O
 fn presets(ui: &mut Ui, work: &OpenPainting, relief: &mut Relief) -> Option<Id> {
     let mut changed = None;
     ui.horizontal_wrapped(|ui| {
-        for (name, preset) in PRESETS {
+        for (name, preset) in PRESETS.map(|(name, preset)| (name.tr(), preset)) {
             let label = format!("Make it {name}");
             let button = ui.add(Button::new(name).small());
             button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
