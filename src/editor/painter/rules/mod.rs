@@ -6,7 +6,7 @@ mod strokes;
 
 use std::f64::consts::PI;
 
-use chiaro_locale::{Text, text, tr, tr_in};
+use chiaro_locale::{Text, text, tr};
 use eframe::egui::{
     Checkbox, ComboBox, DragValue, Id, ProgressBar, RichText, Role, ScrollArea, Slider, Ui,
     WidgetInfo,
