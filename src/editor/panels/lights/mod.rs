@@ -262,8 +262,8 @@ impl Lights {
                 let count =
                     self.mixed.shared().get(owned_light.id).map_or(0, |shared| shared.looks);
                 let none =
-                    tr!("No look of the scene has a light of this id, or runs for each light, \
-                            so it lights nothing: let it stand in for one");
+                    tr!("No look of the scene has a light of this id, or runs for each light, so \
+                         it lights nothing: let it stand in for one");
                 let drawn = self.drawn.get(owned_light.id).copied().unwrap_or(0);
                 let help = match count {
                     0 => tr!("So many looks run for each light, and for this one among them"),
