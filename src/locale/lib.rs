@@ -51,7 +51,7 @@ impl Language {
     }
 }
 
-/// Tag of the language for tests: English with every text that was looked up within ⟦ and ⟧.
+/// Tag of the language for tests: English with every text that was looked up within « and ».
 pub const MARKED: &str = "qps";
 
 fn one_or_many(count: u64) -> usize {
@@ -64,7 +64,7 @@ pub static LANGUAGES: [Language; 2] = [
     Language::new("de", "Deutsch", include_str!("de.po"), one_or_many),
 ];
 
-static MARKED_LANGUAGE: Language = Language::new(MARKED, "⟦English⟧", "", one_or_many);
+static MARKED_LANGUAGE: Language = Language::new(MARKED, "«English»", "", one_or_many);
 
 /// Index of the language that is spoken; that of the marked one is beyond the list.
 static SPOKEN: AtomicUsize = AtomicUsize::new(0);
@@ -158,9 +158,9 @@ mod tests {
         assert_eq!(tr!("{name} has {n:.1}", n = 2.25), "Ada has 2.2");
         assert_eq!(trn!(n = 1, "{n} layer", "{n} layers"), "1 layer");
         speak(MARKED);
-        assert_eq!(tr!("Cancel"), "⟦Cancel⟧");
-        assert_eq!(tr!("{name} has {n:.1}", n = 2.25), "⟦Ada has 2.2⟧");
-        assert_eq!(trn!(n = 3, "{n} layer", "{n} layers"), "⟦3 layers⟧");
+        assert_eq!(tr!("Cancel"), "«Cancel»");
+        assert_eq!(tr!("{name} has {n:.1}", n = 2.25), "«Ada has 2.2»");
+        assert_eq!(trn!(n = 3, "{n} layer", "{n} layers"), "«3 layers»");
         speak("de");
         assert_eq!(spoken().name, "Deutsch");
         assert_eq!(tr("no catalog has this"), "no catalog has this");
