@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::tr;
 use eframe::egui::{self, Ui};
 
 use super::App;
@@ -38,6 +39,7 @@ fn keeps_message(command: &Command) -> bool {
         | Command::OpenGraph(_)
         | Command::OpenPalette
         | Command::Scale(_)
+        | Command::Speak(_)
         | Command::OpenShortcuts
         | Command::CopyShader(..)
         | Command::Graph(_)
@@ -80,6 +82,7 @@ impl App {
                 self.tell(|session| session.apply(edit, Some(gesture)));
             }
             Command::Scale(scale) => scale.apply(ui.ctx()),
+            Command::Speak(tag) => self.speak(tag),
             Command::Select(ids) => self.session.select(ids),
             Command::Reveal(id) => {
                 self.session.select(vec![id.clone()]);
@@ -333,9 +336,9 @@ impl App {
         let told = match shader {
             Some(wgsl) => {
                 ui.ctx().copy_text(wgsl);
-                "The shader is in the clipboard, as WGSL"
+                tr!("The shader is in the clipboard, as WGSL")
             }
-            None => "There is no shader to copy until the look compiles: Problems tells why",
+            None => tr!("There is no shader to copy until the look compiles: Problems tells why"),
         };
         self.message = Some(told.to_owned());
     }

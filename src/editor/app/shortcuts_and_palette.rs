@@ -1,7 +1,7 @@
 //! Sheet of all shortcuts, and command palette: both list rows of the table of commands. The
 //! palette finds nodes of the open graph too, however many there are.
 
-use chiaro_locale::{Text, tr};
+use chiaro_locale::{Text, tr, tr_in};
 use eframe::egui;
 use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
@@ -105,45 +105,47 @@ fn show_shortcuts(ui: &mut Ui, height: f32) {
     ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
         ui.columns(3, |columns| {
             let [left, middle, right] = columns else { return };
-            let graph: Vec<(String, &str)> = rows(KeyScope::Graph).collect();
+            let graph: Vec<(String, String)> = rows(KeyScope::Graph).collect();
             let (first, second) = graph.split_at(graph.len().div_ceil(2));
             list(left, KeyScope::Graph.label(), first);
             list(middle, " ", second);
             list(left, KeyScope::Painting.label(), &rows(KeyScope::Painting).collect::<Vec<_>>());
-            let told = |rows: &[(&str, &'static str)]| -> Vec<(String, &'static str)> {
-                rows.iter().map(|(key, what)| ((*key).to_owned(), *what)).collect()
+            let told = |rows: &[(Text, Text)]| -> Vec<(String, String)> {
+                rows.iter().map(|(key, what)| (key.to_string(), what.to_string())).collect()
             };
-            list(middle, "With the pointer, on the tile", &told(PAINTING_POINTER));
-            list(middle, "In the light table", &told(LIGHT_TABLE));
+            list(middle, tr!("With the pointer, on the tile"), &told(PAINTING_POINTER));
+            list(middle, tr!("In the light table"), &told(LIGHT_TABLE));
             for place in [KeyScope::Window, KeyScope::Picture, KeyScope::Light] {
                 list(right, place.label(), &rows(place).collect::<Vec<_>>());
             }
-            list(right, "With the pointer, in the graph", &told(POINTER));
+            list(right, tr!("With the pointer, in the graph"), &told(POINTER));
         });
     });
 }
 
 /// Rows of a place; the nine bookmarks are listed as one.
-fn rows(place: KeyScope) -> impl Iterator<Item = (String, &'static str)> {
+fn rows(place: KeyScope) -> impl Iterator<Item = (String, String)> {
     let rows = table::rows().filter(move |row| row.place == place && !row.keys.is_empty());
     rows.filter_map(|row| match row.command {
-        Command::Graph(GraphCommand::GoTo(1)) => Some(("1 … 9".to_owned(), "Go to a bookmark")),
+        Command::Graph(GraphCommand::GoTo(1)) => {
+            Some(("1 … 9".to_owned(), tr!("Go to a bookmark").to_owned()))
+        }
         Command::Graph(GraphCommand::Remember(1)) => {
-            Some(("Ctrl+1 … 9".to_owned(), "Bookmark this view"))
+            Some((tr!("Ctrl+1 … 9").to_owned(), tr!("Bookmark this view").to_owned()))
         }
         Command::Graph(GraphCommand::GoTo(_) | GraphCommand::Remember(_)) => None,
-        _ => Some((row.text(), &*row.label)),
+        _ => Some((row.text(), row.label.to_string())),
     })
 }
 
-fn list(ui: &mut Ui, title: &str, rows: &[(String, &str)]) {
+fn list(ui: &mut Ui, title: &str, rows: &[(String, String)]) {
     ui.add_space(6.0);
     if !title.is_empty() {
         ui.label(RichText::new(title).strong().color(theme::of(ui).accent));
     }
     for (key, what) in rows {
         ui.horizontal(|ui| {
-            ui.label(*what);
+            ui.label(what);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 ui.add_space(10.0);
                 ui.label(RichText::new(key).color(theme::of(ui).dim));
@@ -184,7 +186,7 @@ fn show_commands(
         .desired_width(f32::INFINITY);
     let response = ui.add(edit.id(egui::Id::unique("command query")));
     response.widget_info(|| {
-        WidgetInfo::labeled(egui::Role::SearchInput, true, "Find a command or a node")
+        WidgetInfo::labeled(egui::Role::SearchInput, true, tr!("Find a command or a node"))
     });
     if std::mem::replace(is_new, false) {
         response.request_focus();
@@ -239,13 +241,13 @@ fn entries(session: &Session, query: &str) -> Vec<Entry> {
     let command = |row: &CommandRow| Entry {
         label: row.label.to_string(),
         aside: row.text(),
-        name: format!("Command: {}", row.label),
+        name: tr!("Command: {label}", label = row.label),
         command: row.command.clone(),
     };
     let node = |(id, title): (&NodeId, String)| Entry {
-        name: format!("Node: {title}"),
+        name: tr!("Node: {title}"),
         label: title,
-        aside: format!("node {id}"),
+        aside: tr!("node {id}"),
         command: Command::Reveal(id.clone()),
     };
     found(query)
@@ -257,19 +259,14 @@ fn entries(session: &Session, query: &str) -> Vec<Entry> {
         .collect()
 }
 
-/// Commands whose label has all words of the query, those that begin with the first word first.
+/// Commands whose label has all words of the query, as it is shown or in English; those that begin
+/// with the first word come first.
 fn found(query: &str) -> Vec<&'static CommandRow> {
     let query = query.to_lowercase();
     let words: Vec<&str> = query.split_whitespace().collect();
-    let fits = |row: &&CommandRow| {
-        let label = row.label.to_lowercase();
-        words.iter().all(|word| label.contains(word))
-    };
-    let mut found: Vec<&CommandRow> =
-        table::rows().filter(|row| row.command != Command::OpenPalette).filter(fits).collect();
-    found.sort_by_key(|row| {
-        !words.first().is_some_and(|word| row.label.to_lowercase().starts_with(word))
-    });
+    let rows = table::rows().filter(|row| row.command != Command::OpenPalette);
+    let mut found: Vec<&CommandRow> = rows.filter(|row| row.label.has(&words)).collect();
+    found.sort_by_key(|row| !words.first().is_some_and(|word| row.label.begins_with(word)));
     found
 }
 
@@ -277,13 +274,14 @@ fn found(query: &str) -> Vec<&'static CommandRow> {
 fn found_panels(query: &str) -> impl Iterator<Item = Entry> {
     let query = query.trim().to_lowercase();
     let fits = move |label: Text| {
-        let text = format!("panel {label} {}", label.english()).to_lowercase();
+        let shown = tr!("Panel {panel}", panel = label);
+        let text = format!("{shown} panel {}", label.english()).to_lowercase();
         !query.is_empty() && query.split_whitespace().all(|word| text.contains(word))
     };
     PANELS.iter().filter(move |panel| fits(panel.label)).map(|panel| Entry {
-        label: format!("Panel {}", panel.label),
+        label: tr!("Panel {panel}", panel = panel.label),
         aside: String::new(),
-        name: format!("Panel: {}", panel.label),
+        name: tr!("Panel: {panel}", panel = panel.label),
         command: Command::ShowPanel(panel.id),
     })
 }
@@ -293,15 +291,15 @@ fn found_passes(session: &Session, query: &str) -> Vec<Entry> {
     let query = query.trim().to_lowercase();
     let words: Vec<&str> = query.split_whitespace().collect();
     let fits = |name: &str, title: &str| {
-        let text = format!("pass aov {name} {title}").to_lowercase();
+        let text = format!("{} pass aov {name} {title}", tr!("Pass")).to_lowercase();
         !words.is_empty() && words.iter().all(|word| text.contains(word))
     };
     let entry = |aov: &crate::document::NamedAov| {
         let title = passes::title_of(session, &aov.from);
         fits(aov.name.as_str(), &title).then(|| Entry {
-            label: format!("Pass {}", aov.name),
+            label: tr!("Pass {pass}", pass = aov.name),
             aside: title,
-            name: format!("Pass: {}", aov.name),
+            name: tr!("Pass: {pass}", pass = aov.name),
             command: Command::Show(aov.from.node.clone()),
         })
     };
@@ -317,13 +315,13 @@ fn found_nodes<'s>(session: &'s Session, query: &str) -> Vec<(&'s NodeId, String
     }
     let words: Vec<&str> = query.split_whitespace().collect();
     let named = session.graph().nodes.iter().filter_map(|(id, node)| {
-        let kind = || session.project.catalog.of(node).map(|kind| kind.label.to_string());
-        let title = if node.name.is_empty() {
-            kind().unwrap_or_else(|| id.to_string())
-        } else {
-            node.name.clone()
+        let kind = session.project.catalog.of(node).map(|kind| &*kind.label);
+        let english = if node.name.is_empty() { kind.unwrap_or(id.as_str()) } else { &node.name };
+        let title = match node.name.is_empty() {
+            true => tr_in("node", english).to_owned(),
+            false => node.name.clone(),
         };
-        let text = format!("{title} {id}").to_lowercase();
+        let text = format!("{title} {english} {id}").to_lowercase();
         words.iter().all(|word| text.contains(word)).then_some((id, title))
     });
     let mut found: Vec<(&NodeId, String)> = named.collect();

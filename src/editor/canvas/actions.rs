@@ -1,12 +1,13 @@
 //! Actions of keys, menus and the command palette on the canvas.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Event, Id, Pos2, Rect, Ui, Vec2, pos2};
 
 use super::arrange::{self, Link, Side};
 use super::inplace::Item;
 use super::palette::Palette;
-use super::{Canvas, edits};
+use super::{Canvas, READ_ONLY, edits};
 use crate::commands::table::{self, KeyScope};
 use crate::commands::{Command, GraphCommand, Heading, keyboard};
 use crate::document::{Bookmark, Edit, grouping};
@@ -129,9 +130,7 @@ impl Canvas {
         out: &mut Vec<Command>,
     ) {
         if session.graph_view().is_read_only() && changes(command) {
-            out.push(Command::Tell(
-                "This group is of the library: make it the look's own to change it".to_owned(),
-            ));
+            out.push(Command::Tell(READ_ONLY.tr().to_owned()));
             return;
         }
         let chosen = Self::chosen(session);
@@ -151,8 +150,11 @@ impl Canvas {
             GraphCommand::ShowSelected => self.fit_selected(session),
             GraphCommand::SnapGrid => {
                 self.snaps_to_grid = !self.snaps_to_grid;
-                let what =
-                    if self.snaps_to_grid { "Nodes snap to the grid" } else { "Nodes move freely" };
+                let what = if self.snaps_to_grid {
+                    tr!("Nodes snap to the grid")
+                } else {
+                    tr!("Nodes move freely")
+                };
                 out.push(Command::Tell(what.to_owned()));
             }
             GraphCommand::Minimap => self.hides_minimap = !self.hides_minimap,
@@ -185,7 +187,7 @@ impl Canvas {
             }
             _ if !chosen.is_empty() => self.run_on(command, &chosen, session, out),
             GraphCommand::NamePass => {
-                let text = "Select the node of which an output is to be a pass";
+                let text = tr!("Select the node of which an output is to be a pass");
                 out.push(Command::Tell(text.to_owned()));
             }
             GraphCommand::Connect => self.fit(),
@@ -258,7 +260,7 @@ impl Canvas {
             }
             GraphCommand::Ungroup => match edits::ungroup(session, chosen) {
                 Ok(Some((ids, edit))) => out.extend([Command::Edit(edit), Command::Select(ids)]),
-                Ok(None) => out.push(Command::Tell("No group is selected".to_owned())),
+                Ok(None) => out.push(Command::Tell(tr!("No group is selected").to_owned())),
                 Err(problem) => out.push(Command::Tell(problem)),
             },
             GraphCommand::OpenGroup => {

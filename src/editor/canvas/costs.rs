@@ -4,6 +4,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::{Align2, Context, FontId, Ui, vec2};
 
 use super::Canvas;
@@ -117,19 +118,21 @@ impl Costs {
         if parts.iter().all(|costs| costs.operations == TierOperations::default()) {
             return None;
         }
-        let mut text = format!("{own} ops");
-        for (other, word) in
-            [(Tier::Exact, "exact"), (Tier::Balanced, "balanced"), (Tier::Fast, "fast")]
-        {
+        let mut told = vec![tr!("{own} ops")];
+        for other in [Tier::Exact, Tier::Balanced, Tier::Fast] {
             let there: u64 = parts.iter().map(|costs| costs.operations.of(other)).sum();
             if there != own {
-                text += &format!(", {word} {there}");
+                told.push(match other {
+                    Tier::Exact => tr!("exact {there}"),
+                    Tier::Balanced => tr!("balanced {there}"),
+                    Tier::Fast => tr!("fast {there}"),
+                });
             }
         }
         if let Some(share) = self.shares.get(node).filter(|_| groups.is_empty()) {
-            text += &format!(", {:.0}% of the time when exact", 100.0 * share);
+            told.push(tr!("{share:.0}% of the time when exact", share = 100.0 * share));
         }
-        Some(text)
+        Some(told.join(", "))
     }
 }
 

@@ -4,6 +4,7 @@
 //! Zoom above 0.4: everything. 0.25 to 0.4: titles and sockets. 0.1 to 0.25: boxes in two tones.
 //! Below 0.1: plain boxes. Selection and errors show at every level.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use std::sync::Arc;
 
@@ -263,8 +264,10 @@ impl Canvas {
     fn draw_text(&mut self, mesh: &mut Mesh, pen: &Pen<'_>, index: usize) {
         let look = pen.session.look();
         let row = &self.table.nodes[index];
-        let tag =
-            if row.is_muted { "muted" } else { self.idle_of(row).map_or("", |idle| idle.word) };
+        let tag = match row.is_muted {
+            true => tr!("node" => "muted"),
+            false => self.idle_of(row).map_or("", |idle| idle.word.tr()),
+        };
         let id = row.id.clone();
         let each_of = row.each_of.clone();
         let value = if tag.is_empty() {

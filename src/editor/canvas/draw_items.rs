@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::epaint::Mesh;
 use eframe::egui::{Color32, FontId, Galley, Painter, Pos2, Rect, Ui, pos2, vec2};
 
@@ -70,7 +71,8 @@ impl Canvas {
             // Titles of frames stop shrinking at zoom 0.7, so that they can be read from afar.
             let half_points = ((TEXT_SIZE + 1.0) * pen.zoom.max(0.7) * 2.0).round() as i32;
             if frame.text.as_ref().is_none_or(|(size, _)| *size != half_points) {
-                let title = if frame.title.is_empty() { "Frame" } else { &frame.title };
+                let title =
+                    if frame.title.is_empty() { tr!("node" => "Frame") } else { &frame.title };
                 let text =
                     one_line(pen.painter, title, half_points, r.width() - 20.0, pen.colors.text);
                 frame.text = Some((half_points, text));

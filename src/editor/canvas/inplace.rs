@@ -1,5 +1,6 @@
 //! Names and notes that are edited in place, on the canvas.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Area, Id, Key, Modifiers, Order, Rect, TextEdit, Ui, WidgetInfo, vec2};
 
@@ -110,10 +111,10 @@ impl Canvas {
         let area =
             Area::new(Id::unique("edit in place")).order(Order::Foreground).fixed_pos(place.min);
         let label = match &editing.item {
-            Item::Node(_) => "Name of the node",
-            Item::Frame(_) => "Title of the frame",
-            Item::Note(_) => "Text of the note",
-            Item::Pass(..) => "Name of the pass",
+            Item::Node(_) => tr!("Name of the node"),
+            Item::Frame(_) => tr!("Title of the frame"),
+            Item::Note(_) => tr!("Text of the note"),
+            Item::Pass(..) => tr!("Name of the pass"),
         };
         let problem = Self::changed(session, editing.item.clone(), editing.text.clone()).err();
         let colors = theme::of(ui);

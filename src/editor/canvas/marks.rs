@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use chiaro_locale::{Text, text, tr};
+
 use crate::compile::{Proof, Removal};
 use crate::diag::Severity;
 use crate::ids::NodeId;
@@ -19,8 +21,19 @@ pub(super) struct Mark {
 /// Reason why a node adds nothing to the result.
 pub(super) struct IdleReason {
     /// Reason in one or two words, shown on the node.
-    pub(super) word: &'static str,
-    pub(super) reason: String,
+    pub(super) word: Text,
+    /// Finding of the compiler; `None` where no wire leads to the output.
+    why: Option<String>,
+}
+
+impl IdleReason {
+    /// Reason in a sentence.
+    pub(super) fn text(&self) -> String {
+        match &self.why {
+            Some(why) => tr!("Adds nothing: {why}."),
+            None => tr!("Nothing that reaches the output uses it.").to_owned(),
+        }
+    }
 }
 
 /// Worst problem of each node of the open graph, with the texts of all its problems.
@@ -78,10 +91,7 @@ pub(super) fn idle(session: &Session) -> HashMap<NodeId, IdleReason> {
         if let Some(removal) = removal
             && let Some(word) = word(removal)
         {
-            found.insert(
-                id.clone(),
-                IdleReason { word, reason: format!("Adds nothing: {}.", removal.reason) },
-            );
+            found.insert(id.clone(), IdleReason { word, why: Some(removal.reason.clone()) });
         }
     }
     // Nodes that drive keys are evaluated before the shader runs, and so count as used.
@@ -91,21 +101,20 @@ pub(super) fn idle(session: &Session) -> HashMap<NodeId, IdleReason> {
     found
 }
 
-const UNUSED: &str = "unused";
+const UNUSED: Text = text!("unused");
+const NO_EFFECT: Text = text!("no effect");
 
 /// Short word for a proof, shown on a node; `None` where the node still gives its value.
-fn word(removal: &Removal) -> Option<&'static str> {
+fn word(removal: &Removal) -> Option<Text> {
     match removal.proof {
         Proof::Unreachable => Some(UNUSED),
-        Proof::ZeroWeight | Proof::NoEffect => Some("no effect"),
+        Proof::ZeroWeight | Proof::NoEffect => Some(NO_EFFECT),
         // Bounds also prove that a value is the same everywhere; the node then still gives that
         // value.
-        Proof::Ranges if !removal.reason.contains("everywhere") => Some("no effect"),
+        Proof::Ranges if !removal.still_gives => Some(NO_EFFECT),
         _ => None,
     }
 }
 
 /// Reason of a node from which no wire leads to the output.
-pub(super) fn unwired() -> IdleReason {
-    IdleReason { word: UNUSED, reason: "Nothing that reaches the output uses it.".to_owned() }
-}
+pub(super) static UNWIRED: IdleReason = IdleReason { word: UNUSED, why: None };

@@ -16,6 +16,7 @@ mod gesture;
 mod inplace;
 mod marks;
 mod mesh;
+pub(crate) mod names;
 mod overlay;
 mod palette;
 mod passes;
@@ -28,6 +29,7 @@ mod view;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
+use chiaro_locale::{Text, text, tr};
 use eframe::egui;
 use eframe::egui::epaint::Mesh;
 use eframe::egui::{Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
@@ -55,7 +57,7 @@ const MAX_NAMED: usize = 120;
 const MAX_WITH_SOCKETS: usize = 30;
 
 /// Message for attempts to change a group of the library.
-const READ_ONLY: &str = "This group is of the library: make it the look's own to change it";
+const READ_ONLY: Text = text!("This group is of the library: make it the look's own to change it");
 
 /// The canvas and its state between frames.
 #[derive(Default)]
@@ -101,7 +103,7 @@ impl Canvas {
     /// Shows the canvas in all available space.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
-        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Node canvas"));
+        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, tr!("Node canvas")));
         self.view.screen = rect;
         self.sync(ui, session);
         let mut commands = Vec::new();
@@ -139,7 +141,7 @@ impl Canvas {
             commands.retain(|command| !is_edit(command) || owns(command));
             if commands.len() < count {
                 self.table.forget();
-                commands.push(Command::Tell(READ_ONLY.to_owned()));
+                commands.push(Command::Tell(READ_ONLY.tr().to_owned()));
             }
         }
         commands
@@ -151,8 +153,9 @@ impl Canvas {
     }
 
     fn sync(&mut self, ui: &Ui, session: &Session) {
-        let key =
-            (session.revisions().document, session.revision(), session.selection.graph_number());
+        let revisions = (session.revisions().document, session.revision());
+        let language = chiaro_locale::spoken().tag;
+        let key = (revisions.0, revisions.1, session.selection.graph_number(), language);
         let group = match session.selection.graph_id() {
             GraphId::Look => None,
             GraphId::Definition(id) => Some(id.as_str()),
@@ -245,30 +248,17 @@ impl Canvas {
             let rect = self.view.rect_to_screen(row.rect).intersect(self.view.screen);
             let response = ui.interact(rect, ui.scope_id().with(("node", &row.id)), Sense::hover());
             response.widget_info(|| {
-                let problem = self.marks.get(&row.id).map(|mark| format!(", {}", mark.text));
-                let selected =
-                    if session.selection.nodes.contains(&row.id) { ", selected" } else { "" };
-                let muted = if row.is_muted { ", muted" } else { "" };
-                let each = row.each_of.as_ref().map(|each| format!(", {each}")).unwrap_or_default();
-                let idle =
-                    self.idle_of(row).map(|idle| format!(", {}", idle.word)).unwrap_or_default();
-                let changed = match self.shot_marks.contains_key(&row.id) {
-                    true => ", changed by the shot",
-                    false => "",
-                };
-                let name = format!(
-                    "Node {}{selected}{muted}{each}{idle}{changed}{}",
-                    row.title,
-                    problem.unwrap_or_default()
-                );
-                WidgetInfo::labeled(Role::Label, true, name)
+                let is_selected = session.selection.nodes.contains(&row.id);
+                WidgetInfo::labeled(Role::Label, true, self.node_name(row, is_selected))
             });
         }
         if in_view().nth(MAX_WITH_SOCKETS).is_none() && self.view.zoom > 0.25 {
             self.name_sockets(ui, visible);
         }
-        let frames = self.table.frames.iter().map(|row| (row.rect, format!("Frame {}", row.title)));
-        let notes = self.table.notes.iter().map(|row| (row.rect, format!("Note {}", row.content)));
+        let frames =
+            self.table.frames.iter().map(|row| (row.rect, tr!("Frame {title}", title = row.title)));
+        let notes =
+            self.table.notes.iter().map(|row| (row.rect, tr!("Note {text}", text = row.content)));
         for (index, (rect, name)) in frames.chain(notes).enumerate().take(MAX_NAMED) {
             let rect = self.view.rect_to_screen(rect).intersect(self.view.screen);
             if rect.is_positive() {
@@ -277,6 +267,21 @@ impl Canvas {
                 response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
             }
         }
+    }
+
+    /// Name of a node with all that its marks say.
+    fn node_name(&self, row: &table::NodeRow, is_selected: bool) -> String {
+        let is_changed = self.shot_marks.contains_key(&row.id);
+        let parts = [
+            Some(tr!("Node {title}", title = row.title)),
+            is_selected.then(|| tr!("node" => "selected").to_owned()),
+            row.is_muted.then(|| tr!("node" => "muted").to_owned()),
+            row.each_of.clone(),
+            self.idle_of(row).map(|idle| idle.word.tr().to_owned()),
+            is_changed.then(|| tr!("node" => "changed by the shot").to_owned()),
+            self.marks.get(&row.id).map(|mark| mark.text.clone()),
+        ];
+        parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
     }
 
     /// Gives the sockets of nodes in view names, by which wires can be drawn between them.
@@ -294,16 +299,19 @@ impl Canvas {
             let id = ui.scope_id().with(("socket", &row.id, socket.port, socket.is_output));
             ui.interact(rect, id, Sense::hover()).widget_info(|| {
                 let kind = &row.kind;
-                let (way, port) = match socket.is_output {
-                    true => ("Output", &kind.outputs[socket.port]),
-                    false => ("Input", &kind.inputs[socket.port]),
+                let node = &row.title;
+                let name = if socket.is_output {
+                    let port = row.shown(&kind.outputs[socket.port].label);
+                    tr!("Output {port} of {node}")
+                } else {
+                    let port = row.shown(&kind.inputs[socket.port].label);
+                    tr!("Input {port} of {node}")
                 };
-                let pass = self.pass_at(socket).map(|name| format!(", pass {name}"));
-                WidgetInfo::labeled(
-                    Role::Label,
-                    true,
-                    format!("{way} {} of {}{}", port.label, row.title, pass.unwrap_or_default()),
-                )
+                let name = match self.pass_at(socket) {
+                    Some(pass) => tr!("{name}, pass {pass}"),
+                    None => name,
+                };
+                WidgetInfo::labeled(Role::Label, true, name)
             });
         }
     }
@@ -341,15 +349,19 @@ impl Canvas {
     }
 
     fn socket_text(&self, socket: Socket) -> Option<String> {
-        let kind = &self.table.nodes[socket.node].kind;
-        let port =
-            if socket.is_output { &kind.outputs[socket.port] } else { &kind.inputs[socket.port] };
+        let row = &self.table.nodes[socket.node];
+        let ports = if socket.is_output { &row.kind.outputs } else { &row.kind.inputs };
+        let port = &ports[socket.port];
         let ty = self.table.socket_type(socket);
-        let help = if port.help.is_empty() { String::new() } else { format!("\n{}", port.help) };
-        let pass = self
-            .pass_at(socket)
-            .map(|name| format!("\nThe pass (AOV) \"{name}\": chiaro render --aov {name}"));
-        Some(format!("{} ({ty}){help}{}", port.label, pass.unwrap_or_default()))
+        let mut lines = vec![format!("{} ({})", row.shown(&port.label), names::of_type(&ty))];
+        if !port.help.is_empty() {
+            lines.push(row.shown(&port.help).to_owned());
+        }
+        lines.extend(
+            self.pass_at(socket)
+                .map(|name| tr!("The pass (AOV) \"{name}\": chiaro render --aov {name}")),
+        );
+        Some(lines.join("\n"))
     }
 
     /// Problem of a node, or the reason why it adds nothing, and what the open shot changes of it.
@@ -363,74 +375,79 @@ impl Canvas {
     fn problem_text(&self, index: usize) -> Option<String> {
         let row = &self.table.nodes[index];
         if let Some(mark) = self.marks.get(&row.id) {
-            let fixes = mark.fixes.iter().map(|fix| format!("\nRight-click to fix: {}", fix.label));
-            return Some(mark.text.clone() + &fixes.collect::<String>());
+            let fixes = mark.fixes.iter();
+            let fixes = fixes.map(|fix| tr!("Right-click to fix: {fix}", fix = fix.label));
+            let lines: Vec<String> = std::iter::once(mark.text.clone()).chain(fixes).collect();
+            return Some(lines.join("\n"));
         }
         if row.is_muted {
-            return Some("Muted: what comes in goes out as it is. M unmutes".to_owned());
+            return Some(tr!("Muted: what comes in goes out as it is. M unmutes").to_owned());
         }
-        self.idle_of(row).map(|idle| idle.reason.clone())
+        self.idle_of(row).map(IdleReason::text)
     }
 
     /// Reason why a node adds nothing: the compiler's finding, or that no output depends on the
     /// node.
     fn idle_of(&self, row: &table::NodeRow) -> Option<&IdleReason> {
-        static UNWIRED: std::sync::LazyLock<IdleReason> = std::sync::LazyLock::new(marks::unwired);
-        if row.is_unused { Some(&UNWIRED) } else { self.idle.get(&row.id) }
+        if row.is_unused { Some(&marks::UNWIRED) } else { self.idle.get(&row.id) }
     }
 
     /// Conversion of a wire's value: its type, the type that it becomes, and any loss.
     fn wire_text(&self, index: usize) -> Option<String> {
         let wire = self.table.wires.get(index)?;
         let becomes = wire.becomes.as_ref()?;
-        let loses = if wire.ty.converts_without_loss(becomes) {
-            ""
-        } else {
-            "; something is lost on the way"
-        };
-        Some(format!("{} becomes {becomes} here{loses}", wire.ty))
+        let [from, to] = [&wire.ty, becomes].map(names::of_type);
+        Some(match wire.ty.converts_without_loss(becomes) {
+            true => tr!("{from} becomes {to} here"),
+            false => tr!("{from} becomes {to} here; something is lost on the way"),
+        })
     }
 
     fn hint_text(&self) -> &'static str {
         match (&self.gesture, self.hovered) {
             (Gesture::Wire(_), _) => {
-                "Let go on a bright socket to wire it, on nothing to add a node that fits"
+                tr!("Let go on a bright socket to wire it, on nothing to add a node that fits")
             }
             (Gesture::Move(drag), _) if drag.into.is_some() => {
-                "Let go to put the node into this wire · Esc puts back"
+                tr!("Let go to put the node into this wire · Esc puts back")
             }
-            (Gesture::Move(drag), _) if drag.joins.is_some() => "Let go to wire it to its neighbor",
-            (Gesture::Move(drag), _) if drag.frame.is_some() => "Let go to put it into the frame",
+            (Gesture::Move(drag), _) if drag.joins.is_some() => {
+                tr!("Let go to wire it to its neighbor")
+            }
+            (Gesture::Move(drag), _) if drag.frame.is_some() => {
+                tr!("Let go to put it into the frame")
+            }
             (Gesture::Move(_), _) => {
-                "Let go to put down · Alt wires to a neighbor, Ctrl does not snap · Esc puts back"
+                tr!("Let go to put down · Alt wires to a neighbor, Ctrl does not snap · Esc puts \
+                     back")
             }
-            (Gesture::Note { .. }, _) => "Let go to put down · the right edge sets the width",
-            (Gesture::Cut { .. }, _) => "Let go to cut the wires that are crossed",
-            (Gesture::Lasso { .. }, _) => "Let go to select what is inside",
-            (Gesture::Box { .. }, _) => "Let go to select what is inside · Shift adds",
-            (Gesture::Pan, _) => "Moving the view",
+            (Gesture::Note { .. }, _) => tr!("Let go to put down · the right edge sets the width"),
+            (Gesture::Cut { .. }, _) => tr!("Let go to cut the wires that are crossed"),
+            (Gesture::Lasso { .. }, _) => tr!("Let go to select what is inside"),
+            (Gesture::Box { .. }, _) => tr!("Let go to select what is inside · Shift adds"),
+            (Gesture::Pan, _) => tr!("Moving the view"),
             (_, Some(CanvasItem::Socket(Socket { is_output: true, .. }))) => {
-                "Drag to an input to wire it"
+                tr!("Drag to an input to wire it")
             }
             (_, Some(CanvasItem::Socket(_))) => {
-                "Drag to an output to wire it; a wire that is there is picked up"
+                tr!("Drag to an output to wire it; a wire that is there is picked up")
             }
             (_, Some(CanvasItem::Node(_))) => {
-                "Click to select, drag to move · Del removes · Ctrl+D duplicates · Ctrl+G groups · \
-                 M mutes · S swaps"
+                tr!("Click to select, drag to move · Del removes · Ctrl+D duplicates · Ctrl+G \
+                     groups · M mutes · S swaps")
             }
             (_, Some(CanvasItem::Wire(_))) => {
-                "Double-click adds a reroute · Alt-click removes it · Ctrl+right-drag cuts"
+                tr!("Double-click adds a reroute · Alt-click removes it · Ctrl+right-drag cuts")
             }
             (_, Some(CanvasItem::Frame(_))) => {
-                "Drag to move all of it · double-click renames · right-click colors"
+                tr!("Drag to move all of it · double-click renames · right-click colors")
             }
             (_, Some(CanvasItem::Note(_))) => {
-                "Drag to move · double-click edits · right-click colors"
+                tr!("Drag to move · double-click edits · right-click colors")
             }
             _ => {
-                "Double-click or Tab adds a node · drag selects · wheel zooms · right or middle \
-                 drag moves · F shows all · ? lists keys"
+                tr!("Double-click or Tab adds a node · drag selects · wheel zooms · right or \
+                     middle drag moves · F shows all · ? lists keys")
             }
         }
     }
@@ -470,7 +487,7 @@ impl Canvas {
     /// Word for the reason why a node adds nothing; for tests.
     pub fn idle_word(&self, id: &str) -> Option<&'static str> {
         let row = &self.table.nodes[self.table.index_of(&id.into())?];
-        self.idle_of(row).map(|idle| idle.word)
+        self.idle_of(row).map(|idle| idle.word.english())
     }
 
     /// Brings a node into view in the next frame.

@@ -1,6 +1,6 @@
 //! Overlays of the canvas: the path into groups, the map of the whole graph, and the context menu.
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr};
 use eframe::egui;
 use eframe::egui::epaint::Mesh;
 use eframe::egui::{
@@ -9,6 +9,7 @@ use eframe::egui::{
 
 use super::inplace::Item;
 use super::mesh::{plain, rounded};
+use super::names;
 use super::table::{CanvasItem, Socket};
 use super::{Canvas, edits};
 use crate::commands::{Command, GraphCommand, table};
@@ -23,14 +24,14 @@ use crate::widgets::theme;
 const MAP: egui::Vec2 = vec2(168.0, 112.0);
 
 /// Colors for frames and notes: name, straight RGB.
-const TINTS: [(&str, [f64; 3]); 7] = [
-    ("Red", [0.72, 0.28, 0.26]),
-    ("Orange", [0.78, 0.5, 0.22]),
-    ("Yellow", [0.72, 0.66, 0.26]),
-    ("Green", [0.32, 0.58, 0.34]),
-    ("Teal", [0.22, 0.56, 0.56]),
-    ("Blue", [0.3, 0.42, 0.74]),
-    ("Violet", [0.54, 0.36, 0.7]),
+const TINTS: [(Text, [f64; 3]); 7] = [
+    (text!("Red"), [0.72, 0.28, 0.26]),
+    (text!("Orange"), [0.78, 0.5, 0.22]),
+    (text!("Yellow"), [0.72, 0.66, 0.26]),
+    (text!("Green"), [0.32, 0.58, 0.34]),
+    (text!("Teal"), [0.22, 0.56, 0.56]),
+    (text!("Blue"), [0.3, 0.42, 0.74]),
+    (text!("Violet"), [0.54, 0.36, 0.7]),
 ];
 
 impl Canvas {
@@ -54,30 +55,34 @@ impl Canvas {
                         if is_here { text.strong() } else { text.color(theme::of(ui).accent) };
                     let response = ui.add(egui::Button::new(text).frame(false));
                     response.widget_info(|| {
-                        WidgetInfo::labeled(egui::Role::Button, !is_here, format!("Go to {name}"))
+                        WidgetInfo::labeled(egui::Role::Button, !is_here, tr!("Go to {name}"))
                     });
                     if response.clicked() && !is_here {
                         out.push(Command::OpenGraph(path[..depth].to_vec()));
                     }
                 };
-                crumb(ui, "Look", 0);
+                crumb(ui, tr!("Look"), 0);
                 for (depth, name) in crumb_names(session, path).iter().enumerate() {
                     ui.label(RichText::new("›").color(theme::of(ui).dim));
                     crumb(ui, name, depth + 1);
                 }
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                     if session.graph_view().is_read_only() {
-                        let help = "Puts this group into the look's file, for all its nodes in the \
-                                    look. Then it can be changed";
+                        let help = tr!(
+                            "Puts this group into the look's file, for all its nodes in the look. \
+                             Then it can be changed"
+                        );
                         if ui.button(tr!("Make it the look's own")).on_hover_text(help).clicked() {
                             out.extend(session.graph_view().own_group().map(Command::Edit));
                         }
                         let (from, help) = origin(session);
-                        let text = format!("{from}: look, don't touch");
+                        let text = format!("{from}: {}", tr!("look, don't touch"));
                         ui.label(RichText::new(text).color(theme::of(ui).dim)).on_hover_text(help);
                     } else if let GraphId::Definition(id) = session.selection.graph_id() {
-                        let help = "Puts this group into the nodes folder beside the look, where \
-                                    every look of the folder has it";
+                        let help = tr!(
+                            "Puts this group into the nodes folder beside the look, where every \
+                             look of the folder has it"
+                        );
                         if ui.button(tr!("Share with the project")).on_hover_text(help).clicked() {
                             out.push(Command::ShareGroup(id.clone()));
                         }
@@ -99,7 +104,8 @@ impl Canvas {
         }
         let place = Rect::from_min_size(screen.max - MAP - vec2(12.0, 12.0), MAP);
         let response = ui.interact(place, ui.scope_id().with("minimap"), Sense::click_and_drag());
-        response.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, "Map of the graph"));
+        response
+            .widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, tr!("Map of the graph")));
         // The view may lie outside of all nodes.
         let world = all.union(visible).expand(40.0);
         let scale = (place.width() / world.width()).min(place.height() / world.height());
@@ -194,7 +200,9 @@ impl Canvas {
         let fixes = self.marks.get(&row.id).map_or(&[][..], |mark| &mark.fixes);
         for fix in fixes {
             if ui
-                .button(RichText::new(format!("Fix: {}", fix.label)).color(theme::of(ui).accent))
+                .button(
+                    RichText::new(tr!("Fix: {fix}", fix = fix.label)).color(theme::of(ui).accent),
+                )
                 .clicked()
             {
                 out.push(Command::Edit(fix.edit.clone()));
@@ -290,10 +298,10 @@ impl Canvas {
             for (name, rgb) in TINTS {
                 let (rect, response) = ui.allocate_exact_size(vec2(20.0, 20.0), Sense::click());
                 response.widget_info(|| {
-                    WidgetInfo::labeled(egui::Role::Button, true, format!("Color {name}"))
+                    WidgetInfo::labeled(egui::Role::Button, true, tr!("Color {name}"))
                 });
                 ui.painter().rect_filled(rect.shrink(1.0), 4.0, color(rgb));
-                if response.on_hover_text(name).clicked() {
+                if response.on_hover_text(name.tr()).clicked() {
                     tint = Some(rgb.to_vec());
                     ui.close();
                 }
@@ -311,11 +319,12 @@ impl Canvas {
             out.extend(edit.map(Command::Edit));
         }
         ui.separator();
-        let (what, graph) = (
-            if matches!(item, Item::Frame(_)) { "frame" } else { "note" },
-            session.selection.graph_id().clone(),
-        );
-        if ui.button(tr!("Remove the {what}")).clicked() {
+        let graph = session.selection.graph_id().clone();
+        let remove = match item {
+            Item::Frame(_) => tr!("Remove the frame"),
+            _ => tr!("Remove the note"),
+        };
+        if ui.button(remove).clicked() {
             out.push(Command::Edit(match item {
                 Item::Frame(id) => crate::document::Edit::RemoveFrame { graph, id },
                 Item::Note(id) => crate::document::Edit::RemoveNote { graph, id },
@@ -344,9 +353,9 @@ fn rows(ui: &mut Ui, blocks: &[&[GraphCommand]]) -> Option<GraphCommand> {
             .iter()
             .filter_map(|command| Some((*command, table::row_of(&Command::Graph(*command))?)));
         for (command, row) in found {
-            let button = egui::Button::new(&*row.label).shortcut_text(row.text());
+            let button = egui::Button::new(row.label.tr()).shortcut_text(row.text());
             let response = ui.add(button);
-            response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &*row.label));
+            response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, row.label));
             if response.clicked() {
                 chosen = Some(command);
                 ui.close();
@@ -365,7 +374,7 @@ fn crumb_names(session: &Session, path: &[NodeId]) -> Vec<String> {
         let kind = node.and_then(|node| session.project.catalog.of(node));
         names.push(match (node, kind) {
             (Some(node), _) if !node.name.is_empty() => node.name.clone(),
-            (_, Some(kind)) => kind.label.to_string(),
+            (_, Some(kind)) => names::of(&kind.id, &kind.label).to_owned(),
             _ => id.to_string(),
         });
         graph = node
@@ -380,9 +389,9 @@ fn origin(session: &Session) -> (&'static str, &'static str) {
     let is_own = |id: &str| Library::built_in().groups.contains_key(id);
     match session.selection.graph_id() {
         GraphId::Definition(id) if !is_own(id.as_str()) => (
-            "Shared by the project",
-            "It lies in the nodes folder beside the look, and every look of the folder has it",
+            tr!("Shared by the project"),
+            tr!("It lies in the nodes folder beside the look, and every look of the folder has it"),
         ),
-        _ => ("From the library", "It comes with Chiaro, and is the same in every look"),
+        _ => (tr!("From the library"), tr!("It comes with Chiaro, and is the same in every look")),
     }
 }

@@ -1,6 +1,6 @@
 //! Search for a node to add.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, tr_in};
 use eframe::egui;
 use std::sync::Arc;
 
@@ -8,6 +8,7 @@ use eframe::egui::{
     Align2, Area, Id, Key, Modifiers, Order, Pos2, RichText, ScrollArea, TextEdit, Ui, pos2, vec2,
 };
 
+use super::names;
 use crate::catalog::{Catalog, NodeKind, Port};
 use crate::document::Endpoint;
 use crate::ids::NodeId;
@@ -146,9 +147,9 @@ impl Palette {
 
     fn show_query(&mut self, ui: &mut Ui) {
         let hint = match (&self.loose, &self.swaps) {
-            (Some(_), _) => "Search for what fits this wire",
-            (_, Some(_)) => "Swap for: search for a node",
-            _ => "Search for a node",
+            (Some(_), _) => tr!("Search for what fits this wire"),
+            (_, Some(_)) => tr!("Swap for: search for a node"),
+            _ => tr!("Search for a node"),
         };
         let edit =
             TextEdit::singleline(&mut self.query).hint_text(hint).desired_width(f32::INFINITY);
@@ -183,7 +184,7 @@ impl Palette {
                         egui::WidgetInfo::labeled(
                             egui::Role::Button,
                             true,
-                            format!("Add {}", kind.label),
+                            tr!("Add {node}", node = names::of(&kind.id, &kind.label)),
                         )
                     });
                     if is_current && ui.input(|input| input.keys_down.len()) > 0 {
@@ -192,7 +193,10 @@ impl Palette {
                     if ui.is_rect_visible(rect) {
                         paint_row(ui, rect, kind, is_current, response.hovered());
                     }
-                    if response.on_hover_text(first_sentence(&kind.help)).clicked() {
+                    if response
+                        .on_hover_text(first_sentence(names::of(&kind.id, &kind.help)))
+                        .clicked()
+                    {
                         chosen = Some(kind.clone());
                     }
                 }
@@ -259,14 +263,14 @@ fn paint_row(ui: &Ui, rect: egui::Rect, kind: &NodeKind, is_current: bool, is_ho
     painter.text(
         rect.left_center() + vec2(16.0, 0.0),
         Align2::LEFT_CENTER,
-        &kind.label,
+        names::of(&kind.id, &kind.label),
         font.clone(),
         theme::of(ui).text,
     );
     painter.text(
         rect.right_center() - vec2(8.0, 0.0),
         Align2::RIGHT_CENTER,
-        &kind.category,
+        tr_in("node", &kind.category),
         font,
         theme::of(ui).dim,
     );
@@ -279,32 +283,58 @@ fn first_sentence(text: &str) -> &str {
 
 /// Score of a kind for a query; `None` unless every word of the query is found in the kind.
 fn score(query: &str, kind: &NodeKind) -> Option<f32> {
-    let label = kind.label.to_lowercase();
+    let languages = [Words::english(kind), Words::shown(kind)];
     let mut sum = 0.0;
     for word in query.to_lowercase().split_whitespace() {
-        sum += word_score(word, &label, kind)?;
+        let scores = languages.iter().filter_map(|words| words.score(word, &kind.id));
+        sum += scores.reduce(f32::max)?;
     }
     // Of two equal kinds the one with the shorter name is nearer to the query.
-    Some(sum - label.len() as f32 * 0.01 * f32::from(u8::from(!query.is_empty())))
+    let length = languages[1].label.chars().count() as f32;
+    Some(sum - length * 0.01 * f32::from(u8::from(!query.is_empty())))
 }
 
-fn word_score(word: &str, label: &str, kind: &NodeKind) -> Option<f32> {
-    if label.starts_with(word) {
-        return Some(10.0);
+/// Texts of a kind in one language, by which it is found.
+struct Words<'a> {
+    /// In lower case.
+    label: String,
+    category: String,
+    help: &'a str,
+}
+
+impl<'a> Words<'a> {
+    fn english(kind: &'a NodeKind) -> Self {
+        let (label, category) = (kind.label.to_lowercase(), kind.category.clone());
+        Self { label, category, help: &kind.help }
     }
-    if label.split([' ', '-']).any(|part| part.starts_with(word)) {
-        return Some(8.0);
+
+    fn shown(kind: &'a NodeKind) -> Self {
+        Self {
+            label: names::of(&kind.id, &kind.label).to_lowercase(),
+            category: tr_in("node", &kind.category).to_lowercase(),
+            help: names::of(&kind.id, &kind.help),
+        }
     }
-    if label.contains(word) || kind.id.contains(word) {
-        return Some(6.0);
+
+    fn score(&self, word: &str, id: &str) -> Option<f32> {
+        let label = &self.label;
+        if label.starts_with(word) {
+            return Some(10.0);
+        }
+        if label.split([' ', '-']).any(|part| part.starts_with(word)) {
+            return Some(8.0);
+        }
+        if label.contains(word) || id.contains(word) {
+            return Some(6.0);
+        }
+        if self.category.starts_with(word) {
+            return Some(5.0);
+        }
+        if is_subsequence(word, label) {
+            return Some(3.0);
+        }
+        (word.len() > 2 && self.help.to_lowercase().contains(word)).then_some(1.0)
     }
-    if kind.category.starts_with(word) {
-        return Some(5.0);
-    }
-    if is_subsequence(word, label) {
-        return Some(3.0);
-    }
-    (word.len() > 2 && kind.help.to_lowercase().contains(word)).then_some(1.0)
 }
 
 fn is_subsequence(word: &str, text: &str) -> bool {

@@ -49,7 +49,8 @@ impl Canvas {
             output.is_some_and(|output| can_be_named(session, &output))
         };
         let outputs = (0..row.kind.outputs.len()).filter(nameable);
-        outputs.map(|index| (index, row.kind.outputs[index].label.to_string())).collect()
+        let label = |index: usize| row.shown(&row.kind.outputs[index].label).to_owned();
+        outputs.map(|index| (index, label(index))).collect()
     }
 
     /// Shows the menu's entries about passes: of the output that was pressed, or of all outputs of
@@ -91,11 +92,13 @@ impl Canvas {
         let id = row.id.clone();
         let name = self.pass_at(Socket { node, port: index, is_output: true }).cloned();
         let text = match &name {
-            Some(name) => format!("Rename the pass \"{name}\"..."),
-            None => "Name as a pass (AOV)...".to_owned(),
+            Some(name) => tr!("Rename the pass \"{name}\"..."),
+            None => tr!("Name as a pass (AOV)...").to_owned(),
         };
-        let help = "Films ask for it by this name: chiaro render --aov NAME, or --aov named for \
-                    all. It costs nothing where nobody asks";
+        let help = tr!(
+            "Films ask for it by this name: chiaro render --aov NAME, or --aov named for all. It \
+             costs nothing where nobody asks"
+        );
         if ui.button(text).on_hover_text(help).clicked() {
             self.edit_when_there = Some(Item::Pass(id.clone(), index));
             ui.close();
@@ -118,10 +121,10 @@ impl Canvas {
         };
         match outputs.iter().find(is_unnamed).or(outputs.first()) {
             Some((index, _)) => self.edit_when_there = Some(Item::Pass(id.clone(), *index)),
-            None => out.push(Command::Tell(format!(
-                "{} gives nothing that can be a pass: numbers, vectors, colors, angles and \
+            None => out.push(Command::Tell(tr!(
+                "{node} gives nothing that can be a pass: numbers, vectors, colors, angles and \
                  lights can",
-                self.table.nodes[node].title
+                node = self.table.nodes[node].title
             ))),
         }
     }

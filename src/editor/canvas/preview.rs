@@ -5,6 +5,7 @@
 //! nodes in view first, and only once nothing was changed for a moment. So neither the window nor
 //! the renderer waits for previews.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use std::collections::HashMap;
 use std::path::PathBuf;
@@ -241,7 +242,10 @@ fn show(ctx: &Context, path: &NodePath, values: &[[f64; 4]], ty: &Type) -> Previ
     {
         let text = match ty {
             Type::Angle => format!("{}°", number_text(number(first).to_degrees(), 1)),
-            Type::Bool => if first[0] > 0.5 { "on" } else { "off" }.to_owned(),
+            Type::Bool => {
+                if first[0] > 0.5 { tr!("switch" => "on") } else { tr!("switch" => "off") }
+                    .to_owned()
+            }
             _ if width == 1 => number_text(first[0], 3),
             _ => first[..width].iter().map(|x| number_text(*x, 2)).collect::<Vec<_>>().join(", "),
         };

@@ -7,8 +7,10 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
+use chiaro_locale::{tr, tr_in};
 use eframe::egui::{Galley, Pos2, Rect, Vec2, pos2, vec2};
 
+use super::names;
 use super::text::NodeText;
 use crate::catalog::{Catalog, NodeKind};
 use crate::document::{Graph, LightSet};
@@ -61,16 +63,28 @@ pub(crate) struct NodeRow {
     pub(crate) each_of: Option<String>,
     /// True for the two ends of a group, which are no nodes of the document.
     pub(crate) is_end: bool,
+    /// True if the labels of its kind are Chiaro's own, and so in the user's language.
+    pub(crate) is_own: bool,
     /// True if no output of the graph depends on the node.
     pub(crate) is_unused: bool,
     pub(crate) text: NodeText,
 }
 
+/// What a table is made from: document, revision, open graph, and tag of the language.
+type TableKey = (DocumentNumber, LookRevision, GraphNumber, &'static str);
+
+impl NodeRow {
+    /// Text of the node's kind as it is shown.
+    pub(crate) fn shown<'a>(&self, text: &'a str) -> &'a str {
+        names::shown(self.is_own, text)
+    }
+}
+
 /// Words on the lights that a group runs for.
 fn each_of(set: &LightSet) -> String {
     match set.text() {
-        "*" => "each light".to_owned(),
-        text => format!("each of {text}"),
+        "*" => tr!("each light").to_owned(),
+        lights => tr!("each of {lights}"),
     }
 }
 
@@ -121,7 +135,7 @@ pub(crate) struct WireRow {
 /// Nodes, wires, frames and notes of a graph; nodes and wires in document order.
 #[derive(Default)]
 pub(crate) struct Table {
-    key: Option<(DocumentNumber, LookRevision, GraphNumber)>,
+    key: Option<TableKey>,
     pub(crate) nodes: Vec<NodeRow>,
     pub(crate) wires: Vec<WireRow>,
     /// Frames, the largest first.
@@ -131,11 +145,11 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// Makes the table again if `key` (document, revision, open graph) differs from the last;
+    /// Makes the table again if `key` differs from the last;
     /// `group` is the kind whose graph is open. Returns true if the table was made again.
     pub(crate) fn sync(
         &mut self,
-        key: (DocumentNumber, LookRevision, GraphNumber),
+        key: TableKey,
         graph: &Graph,
         catalog: &Catalog,
         group: Option<&str>,
@@ -153,8 +167,11 @@ impl Table {
             let height = if node.collapsed { TITLE_HEIGHT } else { height(&kind) };
             // A position may be any finite number, and nothing beyond f32 can be drawn.
             let [x, y] = node.position.map(|x| (x as f32).clamp(-1e7, 1e7));
-            let title =
-                if node.name.is_empty() { kind.label.to_string() } else { node.name.clone() };
+            let is_own = names::is_own(&kind.id);
+            let title = match node.name.as_str() {
+                "" => names::shown(is_own, &kind.label).to_owned(),
+                name => name.to_owned(),
+            };
             self.nodes.push(NodeRow {
                 id: id.clone(),
                 title,
@@ -167,12 +184,13 @@ impl Table {
                 is_muted: node.muted,
                 each_of: node.for_each.as_ref().map(each_of),
                 is_end: false,
+                is_own,
                 is_unused: false,
                 text: NodeText::default(),
             });
         }
         if let Some(ends) = group.and_then(|group| catalog.ends(group)) {
-            self.add_ends(ends);
+            self.add_ends(ends, group.is_some_and(names::is_own));
         }
         self.by_id =
             self.nodes.iter().enumerate().map(|(index, row)| (row.id.clone(), index)).collect();
@@ -184,7 +202,7 @@ impl Table {
     }
 
     /// Adds the ends of a group, left and right of all its nodes.
-    fn add_ends(&mut self, ends: [NodeKind; 2]) {
+    fn add_ends(&mut self, ends: [NodeKind; 2], is_own: bool) {
         let bounds = self.nodes.iter().fold(Rect::NOTHING, |bounds, row| bounds.union(row.rect));
         let bounds = if bounds.is_positive() {
             bounds
@@ -201,7 +219,7 @@ impl Table {
             let corner = pos2(x, (bounds.center().y - size.y / 2.0).round());
             self.nodes.push(NodeRow {
                 id: kind.id.as_str().into(),
-                title: kind.label.to_string(),
+                title: tr_in("node", &kind.label).to_owned(),
                 rect: Rect::from_min_size(corner, size),
                 is_wired: vec![false; kind.inputs.len()],
                 named: Vec::new(),
@@ -211,6 +229,7 @@ impl Table {
                 is_muted: false,
                 each_of: None,
                 is_end: true,
+                is_own,
                 is_unused: false,
                 text: NodeText::default(),
             });

@@ -71,7 +71,7 @@ pub(crate) fn lay_out(
         return;
     }
     for (index, port) in row.kind.outputs.iter().enumerate() {
-        let label = line(&port.label, NODE_WIDTH - 24.0, colors.text);
+        let label = line(row.shown(&port.label), NODE_WIDTH - 24.0, colors.text);
         let mut x = NODE_WIDTH - 12.0 - label.size().x / zoom;
         let label_x = x;
         if let Some((_, name)) = row.named.iter().find(|(named, _)| *named == index) {
@@ -109,7 +109,8 @@ pub(crate) fn lay_out(
                 room -= width + 8.0;
             }
         }
-        let label = line(&port.label, room, if is_wired { colors.text } else { colors.dim });
+        let color = if is_wired { colors.text } else { colors.dim };
+        let label = line(row.shown(&port.label), room, color);
         text.lines.push((vec2(12.0, centered(&label, y)), label));
     }
     row.text = text;

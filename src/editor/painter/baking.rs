@@ -1,7 +1,7 @@
 //! Baking of the open look to an HCBTF: a dialog asks for the grid and for the light that goes
 //! around the tile, then for the file.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui::{
     self, Button, CollapsingHeader, Color32, ComboBox, Id, Modal, RichText, Sense, Ui, WidgetInfo,
     vec2,
@@ -9,7 +9,7 @@ use eframe::egui::{
 
 use super::making::{Bake, MakeRequest, told_seconds};
 use super::preview::{self, Preview, PreviewInputs};
-use super::{counted, grid, memory};
+use super::{grid, memory};
 use crate::commands::{Command, PaintCommand};
 use crate::document::{Grid, LightKind};
 use crate::frame::{SetupLook, moving_light};
@@ -88,9 +88,10 @@ pub(super) fn show(
         ui.set_width(460.0);
         let enters = confirm::enters(ui);
         ui.label(RichText::new(tr!("Bake this look onto a tile")).heading());
-        let text = "Every texel is painted as the look shows it on a flat tile, from every view \
-                    and under one light that goes \
-                    around; all its other lights stay where they are.";
+        let text = tr!(
+            "Every texel is painted as the look shows it on a flat tile, from every view and under \
+             one light that goes around; all its other lights stay where they are."
+        );
         ui.label(RichText::new(text).color(theme::of(ui).dim));
         ui.add_space(6.0);
         grid::fields(ui, &mut state.grid);
@@ -108,7 +109,7 @@ pub(super) fn show(
             before_baking(ui, preview, session, &state.grid, light);
         }
         ui.add_space(6.0);
-        let title = format!("Memory: {}", memory::in_short(&state.grid));
+        let title = tr!("Memory: {memory}", memory = memory::in_short(&state.grid));
         CollapsingHeader::new(title).id_salt("memory of a bake").show(ui, |ui| {
             memory::table(ui, &state.grid, None, device);
         });
@@ -125,9 +126,9 @@ pub(super) fn show(
         ui.horizontal(|ui| {
             let is_ready = refused.is_ok() && !is_filling;
             let button = ui.add_enabled(is_ready, Button::new(tr!("Bake to...")));
-            let button = button
-                .on_hover_text(tr!("Asks which .hcbtf file to write, and opens it when \
-                                               it is done"));
+            let button = button.on_hover_text(tr!(
+                "Asks which .hcbtf file to write, and opens it when it is done"
+            ));
             if button.clicked() || enters && is_ready {
                 out = Some(Command::Paint(PaintCommand::Bake { to: None }));
             }
@@ -171,12 +172,15 @@ fn before_baking(
         Ok(seen) => Ok((seen.tiles.clone(), seen.seconds_of(grid, crate::threads::cores()))),
         Err(problem) => Err(sentence(problem)),
     });
-    let samples = counted(grid.sample_count() as usize, "sample");
+    let count = grid.sample_count();
     let text = match &made {
-        None => format!("{samples} will be painted"),
-        Some(Ok((_, seconds))) => {
-            format!("{samples} will be painted, in about {}", told_seconds(*seconds))
-        }
+        None => trn!(count, "{count} sample will be painted", "{count} samples will be painted"),
+        Some(Ok((_, seconds))) => trn!(
+            count,
+            "{count} sample will be painted, in about {time}",
+            "{count} samples will be painted, in about {time}",
+            time = told_seconds(*seconds)
+        ),
         Some(Err(why)) => {
             ui.label(RichText::new(why).color(theme::of(ui).error));
             return;
@@ -186,7 +190,7 @@ fn before_baking(
     ui.horizontal(|ui| {
         let tiles = made.and_then(Result::ok).map(|(tiles, _)| tiles);
         for (index, name) in
-            ["Lit from straight above", "Lit from halfway down"].into_iter().enumerate()
+            [tr!("Lit from straight above"), tr!("Lit from halfway down")].into_iter().enumerate()
         {
             let tile = tiles.as_ref().map(|tiles| &tiles[index]);
             let texture = tile.map(|tile| {
@@ -209,8 +213,10 @@ fn before_baking(
             ));
         }
     });
-    let text = "Seen from straight above, lit from straight above and from halfway down. What is \
-                finer than a texel is lost.";
+    let text = tr!(
+        "Seen from straight above, lit from straight above and from halfway down. What is finer \
+         than a texel is lost."
+    );
     ui.label(RichText::new(text).color(theme::of(ui).dim).small());
 }
 
@@ -223,10 +229,10 @@ fn light(ui: &mut Ui, session: &Session, chosen: &mut Option<LightId>) {
     };
     let name = |id: &LightId| name(id).unwrap_or_else(|| id.to_string());
     let first = moving().next().map(|(id, _)| id);
-    let shown = chosen.as_ref().or(first).map_or_else(|| "none".to_owned(), name);
+    let shown = chosen.as_ref().or(first).map_or_else(|| tr!("light" => "none").to_owned(), name);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
-        lead(ui, "Light", grid::LEAD);
+        lead(ui, tr!("Light"), grid::LEAD);
         let list =
             ComboBox::from_id_salt("light").width(180.0).selected_text(shown).show_ui(ui, |ui| {
                 for (id, _) in moving() {
@@ -237,7 +243,7 @@ fn light(ui: &mut Ui, session: &Session, chosen: &mut Option<LightId>) {
                 }
             });
         list.response.widget_info(|| {
-            WidgetInfo::labeled(egui::Role::ComboBox, true, "Light that goes around")
+            WidgetInfo::labeled(egui::Role::ComboBox, true, tr!("Light that goes around"))
         });
     });
 }

@@ -29,7 +29,9 @@ pub(super) fn show(
     side: f32,
 ) -> Option<Address> {
     let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::click_and_drag());
-    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Light and eye over the tile"));
+    response.widget_info(|| {
+        WidgetInfo::labeled(Role::Canvas, true, tr!("Light and eye over the tile"))
+    });
     let grid = *work.grid();
     let at = work.at();
     let radius = f64::from(rect.width() / 2.0 - MARGIN);
@@ -85,8 +87,8 @@ pub(super) fn show(
         HeldHandle::View => Address { view: moves::nearest(grid.view, to), ..at },
     });
     response.on_hover_text(tr!(
-        "Drag the sun to where the light comes from, and the eye to where it is \
-                            seen from.\nThe middle is straight above, the rim the horizon"
+        "Drag the sun to where the light comes from, and the eye to where it is seen from.\nThe \
+         middle is straight above, the rim the horizon"
     ));
     found.filter(|found| *found != at)
 }

@@ -1,6 +1,7 @@
 //! The tile as the eye sees it, to be painted on: tilted and turned, with copies around it, arrows
 //! to the light and the eye, and the brush's true shape under the pointer.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::epaint::{Mesh, Vertex};
 use eframe::egui::{
@@ -94,7 +95,7 @@ impl Easel {
         peek: Option<Address>,
     ) -> Vec<Command> {
         let (room, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
-        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Painting canvas"));
+        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, tr!("Painting canvas")));
         let shown = peek.unwrap_or(work.at());
         let grid = *work.grid();
         let fitted = |tilt: &Tilt| {
@@ -147,14 +148,15 @@ impl Easel {
             arrows::paint(ui, &painter, &tilt, light, eye);
         }
         if is_peeking {
-            let text = format!("Only looking: {}. Let go to be back", name_of(work, shown));
+            let text =
+                tr!("Only looking: {sample}. Let go to be back", sample = name_of(work, shown));
             note(ui, &painter, room, &text);
         } else if work.shown().painted.is_empty() {
             note(
                 ui,
                 &painter,
                 room,
-                "Drag on the tile to paint how it looks under this light, from here",
+                tr!("Drag on the tile to paint how it looks under this light, from here"),
             );
         }
         if let Some(at) = pointer.filter(|_| !is_peeking) {
@@ -251,9 +253,13 @@ impl Easel {
         let texel = tilt.texel(at);
         let size = work.grid().size.map(f64::from);
         let place = [texel.x.rem_euclid(size[0]).floor(), texel.y.rem_euclid(size[1]).floor()];
-        let rest =
-            "wheel zooms · right-drag moves · arrows change the view, Shift+arrows the light";
-        self.hint = format!("{} at {}, {} · {rest}", tools.kind.label(), place[0], place[1]);
+        self.hint = tr!(
+            "{tool} at {x}, {y} · wheel zooms · right-drag moves · arrows change the view, \
+             Shift+arrows the light",
+            tool = tools.kind.label(),
+            x = place[0],
+            y = place[1]
+        );
     }
 
     /// Fits the tile into the room again.
@@ -294,10 +300,10 @@ impl Easel {
 /// Name of a sample for people: the directions of its light and its view.
 pub(super) fn name_of(work: &OpenPainting, address: Address) -> String {
     let grid = work.grid();
-    format!(
-        "light {}, view {}",
-        moves::name(grid.light, address.light),
-        moves::name(grid.view, address.view)
+    tr!(
+        "light {light}, view {view}",
+        light = moves::name(grid.light, address.light),
+        view = moves::name(grid.view, address.view)
     )
 }
 

@@ -4,6 +4,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use crate::diag::Diagnostic;
 use crate::document::{Hcbtf, Storage};
 use crate::hcbtf::exchange::{self, ExchangeFormat};
@@ -76,12 +78,15 @@ fn run(job: &ExportRequest) -> String {
         filled.and_then(|filled| exchange::export(&filled, job.form, options, &to, &job.progress));
     match written {
         Ok(more) => {
-            let more = more.map(|more| format!(": {more}")).unwrap_or_default();
-            format!("Exported {}{more}", to.display())
+            let file = to.display();
+            match more {
+                Some(more) => tr!("Exported {file}: {more}"),
+                None => tr!("Exported {file}"),
+            }
         }
         Err(problems) => {
             let why = problems.first().map(|problem| problem.message.as_str()).unwrap_or_default();
-            format!("{} was not exported: {why}", to.display())
+            tr!("{file} was not exported: {why}", file = to.display())
         }
     }
 }

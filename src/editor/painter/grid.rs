@@ -3,10 +3,10 @@
 
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui::{self, Button, DragValue, Id, Modal, RichText, Ui, WidgetInfo};
 
-use super::{counted, memory};
+use super::memory;
 use crate::commands::{Command, PaintCommand};
 use crate::document::{Address, Directions, Grid, MAX_ANGLE_STEPS, MAX_TILE_SIDE, Tile};
 use crate::hcbtf::Device;
@@ -52,9 +52,9 @@ pub(super) fn show(
         ui.set_width(430.0);
         let enters = confirm::enters(ui);
         let title = if work.is_some() {
-            "Divide the painted surface otherwise"
+            tr!("Divide the painted surface otherwise")
         } else {
-            "A new painted surface"
+            tr!("A new painted surface")
         };
         ui.label(RichText::new(title).heading());
         ui.add_space(6.0);
@@ -73,9 +73,13 @@ pub(super) fn show(
         ui.add_space(8.0);
         ui.horizontal(|ui| {
             let label = match work.map(|work| lost(work, &grid)) {
-                None => "Make it".to_owned(),
-                Some(0) => "Divide it".to_owned(),
-                Some(count) => format!("Divide it, and lose {}", counted(count, "painted sample")),
+                None => tr!("Make it").to_owned(),
+                Some(0) => tr!("Divide it").to_owned(),
+                Some(count) => trn!(
+                    count,
+                    "Divide it, and lose {count} painted sample",
+                    "Divide it, and lose {count} painted samples"
+                ),
             };
             let is_other = work.is_none_or(|work| *work.grid() != grid);
             let is_ready = refused.is_none() && is_other;
@@ -107,17 +111,26 @@ fn lost(work: &OpenPainting, grid: &Grid) -> usize {
 fn what_stays(work: &OpenPainting, grid: &Grid) -> String {
     let all = work.hcbtf().painted.len();
     match (lost(work, grid), all) {
-        (_, 0) => "Nothing is painted yet".to_owned(),
-        (0, _) => "All painted samples stay, at the rings and steps where they are".to_owned(),
+        (_, 0) => tr!("Nothing is painted yet").to_owned(),
+        (0, _) => tr!("All painted samples stay, at the rings and steps where they are").to_owned(),
         (lost, all) => {
-            let why = match work.grid().size == grid.size {
-                true => "they are at rings and steps that there are no more",
-                false => "tiles are not resampled to another size",
-            };
-            format!(
-                "{lost} of {} would be lost: {why}. Undo brings them back",
-                counted(all, "painted sample")
-            )
+            if work.grid().size == grid.size {
+                trn!(
+                    all,
+                    "{lost} of {all} painted sample would be lost: they are at rings and steps \
+                     that there are no more. Undo brings them back",
+                    "{lost} of {all} painted samples would be lost: they are at rings and steps \
+                     that there are no more. Undo brings them back"
+                )
+            } else {
+                trn!(
+                    all,
+                    "{lost} of {all} painted sample would be lost: tiles are not resampled to \
+                     another size. Undo brings them back",
+                    "{lost} of {all} painted samples would be lost: tiles are not resampled to \
+                     another size. Undo brings them back"
+                )
+            }
         }
     }
 }
@@ -125,18 +138,18 @@ fn what_stays(work: &OpenPainting, grid: &Grid) -> String {
 /// Shows the fields of a grid.
 pub(super) fn fields(ui: &mut Ui, grid: &mut Grid) {
     size(ui, &mut grid.size);
-    directions(ui, "Lights", &mut grid.light);
-    directions(ui, "Views", &mut grid.view);
+    directions(ui, tr!("Lights"), &mut grid.light);
+    directions(ui, tr!("Views"), &mut grid.view);
 }
 
 /// Shows the fields of a tile's size.
 pub(super) fn size(ui: &mut Ui, size: &mut [u32; 2]) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
-        lead(ui, "Tile", LEAD);
+        lead(ui, tr!("Tile"), LEAD);
         let [width, height] = size;
         for (value, name, between) in
-            [(width, "Texels across", "x"), (height, "Texels down", "texels")]
+            [(width, tr!("Texels across"), "x"), (height, tr!("Texels down"), tr!("texels"))]
         {
             let drag = ui.add(DragValue::new(value).range(1..=MAX_TILE_SIDE).speed(0.2));
             drag.widget_info(|| named(name, *value));
@@ -154,18 +167,19 @@ pub(super) fn directions(ui: &mut Ui, name: &str, directions: &mut Directions) {
             DragValue::new(&mut directions.theta)
                 .range(1..=MAX_ANGLE_STEPS)
                 .speed(0.05)
-                .suffix(" rings"),
+                .suffix(format!(" {}", tr!("rings"))),
         );
-        rings.widget_info(|| named(&format!("{name}: rings"), directions.theta));
+        rings.widget_info(|| named(&tr!("{name}: rings"), directions.theta));
         ui.label("x");
         let steps = ui.add(
             DragValue::new(&mut directions.phi)
                 .range(1..=MAX_ANGLE_STEPS)
                 .speed(0.05)
-                .suffix(" steps"),
+                .suffix(format!(" {}", tr!("steps"))),
         );
-        steps.widget_info(|| named(&format!("{name}: steps"), directions.phi));
-        let text = format!("{} directions", directions.distinct_count());
+        steps.widget_info(|| named(&tr!("{name}: steps"), directions.phi));
+        let count = directions.distinct_count();
+        let text = trn!(count, "{count} direction", "{count} directions");
         ui.label(RichText::new(text).color(theme::of(ui).dim));
     });
 }

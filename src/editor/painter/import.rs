@@ -42,25 +42,27 @@ impl PictureImport {
 fn told(form: ExchangeFormat) -> (&'static str, &'static str) {
     match form {
         ExchangeFormat::Folder => (
-            "A folder of images",
-            "One PNG a sample: l2.3_v1.4.png is seen with the light at ring 2, step 3 and the eye \
-             at ring 1, step 4. \
-             Numbered ones follow each other view by view, and for each view light by light. One \
-             that Chiaro exported \
-             tells its own lights and views.",
+            tr!("A folder of images"),
+            tr!(
+                "One PNG a sample: l2.3_v1.4.png is seen with the light at ring 2, step 3 and the \
+                 eye at ring 1, step 4. Numbered ones follow each other view by view, and for each \
+                 view light by light. One that Chiaro exported tells its own lights and views."
+            ),
         ),
         ExchangeFormat::Contact => (
-            "A contact sheet",
-            "One PNG with all tiles side by side: views across, lights down, the one straight \
-             above first.",
+            tr!("A contact sheet"),
+            tr!(
+                "One PNG with all tiles side by side: views across, lights down, the one straight \
+                 above first."
+            ),
         ),
         ExchangeFormat::Sheet => (
-            "A sheet of the thesis",
-            "One PNG in which every texel is a block of all its lights and views.",
+            tr!("A sheet of the thesis"),
+            tr!("One PNG in which every texel is a block of all its lights and views."),
         ),
         ExchangeFormat::Ktx2 => (
-            "A KTX2 texture",
-            "The texture that shaders look up, as it was exported; it tells its own grid.",
+            tr!("A KTX2 texture"),
+            tr!("The texture that shaders look up, as it was exported; it tells its own grid."),
         ),
     }
 }
@@ -81,14 +83,14 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<PictureImport>) -> Option<Command
                 ui.selectable_value(&mut import.form, form, told(form).0);
             }
         });
-        chosen
-            .response
-            .widget_info(|| WidgetInfo::labeled(egui::Role::ComboBox, true, "Kind of pictures"));
+        chosen.response.widget_info(|| {
+            WidgetInfo::labeled(egui::Role::ComboBox, true, tr!("Kind of pictures"))
+        });
         ui.label(RichText::new(told(import.form).1).color(theme::of(ui).dim));
         ui.add_space(6.0);
         if import.form != ExchangeFormat::Ktx2 {
-            directions(ui, "Lights", &mut import.light);
-            directions(ui, "Views", &mut import.view);
+            directions(ui, tr!("Lights"), &mut import.light);
+            directions(ui, tr!("Views"), &mut import.view);
         }
         if import.form == ExchangeFormat::Contact {
             ui.horizontal(|ui| {

@@ -34,16 +34,18 @@ pub(super) fn show(
 ) {
     let mut painted: Vec<Address> = work.hcbtf().painted.keys().copied().collect();
     ui.horizontal(|ui| {
-        ui.strong(format!("{} painted", painted.len()));
-        ui.label(tr!("by"));
-        ui.selectable_value(order, Order::View, "view")
+        ui.strong(tr!("{count} painted", count = painted.len()));
+        ui.label(tr!("sorted" => "by"));
+        ui.selectable_value(order, Order::View, tr!("sorted by" => "view"))
             .on_hover_text(tr!("Sorts by where the eye is"));
-        ui.selectable_value(order, Order::Light, "light")
+        ui.selectable_value(order, Order::Light, tr!("sorted by" => "light"))
             .on_hover_text(tr!("Sorts by where the light is"));
     });
     if painted.is_empty() {
-        let text = "Paint on the tile: each light and view that you paint is listed here. The \
-                    rules fill the others.";
+        let text = tr!(
+            "Paint on the tile: each light and view that you paint is listed here. The rules fill \
+             the others."
+        );
         ui.label(eframe::egui::RichText::new(text).color(theme::of(ui).dim));
         return;
     }
@@ -77,25 +79,26 @@ fn row(
     let name = name_of(work, address);
     let is_at_work = work.at() == address;
     response.widget_info(|| {
-        WidgetInfo::selected(Role::ListItem, true, is_at_work, format!("Sample {name}"))
+        WidgetInfo::selected(Role::ListItem, true, is_at_work, tr!("Sample {name}"))
     });
     row_ground(ui, rect, &response, is_at_work);
     let picture = Rect::from_min_size(rect.min + vec2(4.0, 3.0), vec2(24.0, 24.0));
     atlas.paint(ui.painter(), work, address, picture);
     picture_frame(ui, picture);
     let grid = work.grid();
+    let view = tr!("view {direction}", direction = moves::name(grid.view, address.view));
+    let light = tr!("light {direction}", direction = moves::name(grid.light, address.light));
     let parts = match order {
-        Order::View => [("view", grid.view, address.view), ("light", grid.light, address.light)],
-        Order::Light => [("light", grid.light, address.light), ("view", grid.view, address.view)],
+        Order::View => [view, light],
+        Order::Light => [light, view],
     };
-    for (index, (word, directions, direction)) in parts.into_iter().enumerate() {
+    for (index, text) in parts.into_iter().enumerate() {
         let top = rect.top() + 1.0 + index as f32 * 14.0;
         let line = Rect::from_min_max(
             pos2(picture.right() + 8.0, top),
             pos2(rect.right() - 110.0, top + 14.0),
         );
         let ink = if index == 0 { theme::of(ui).text } else { theme::of(ui).dim };
-        let text = format!("{word} {}", moves::name(directions, direction));
         cell(ui, line, &text, FontId::proportional(theme::SMALL_TEXT), ink);
     }
     let buttons =
@@ -103,7 +106,7 @@ fn row(
     let layout = eframe::egui::Layout::right_to_left(eframe::egui::Align::Center);
     let mut row = ui.new_child(eframe::egui::UiBuilder::new().max_rect(buttons).layout(layout));
     let delete = row.small_button(tr!("Delete"));
-    delete.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Delete {name}")));
+    delete.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr!("Delete {name}")));
     if delete
         .on_hover_text(tr!(
             "Takes this painting away: the rules fill its place. Undo brings it back"
@@ -113,7 +116,7 @@ fn row(
         out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::DeleteTile { address })));
     }
     let copy = row.add_enabled(!is_at_work, eframe::egui::Button::new(tr!("Copy")).small());
-    copy.widget_info(|| WidgetInfo::labeled(Role::Button, !is_at_work, format!("Copy {name}")));
+    copy.widget_info(|| WidgetInfo::labeled(Role::Button, !is_at_work, tr!("Copy {name}")));
     if copy.on_hover_text(tr!("Copies this painting to the sample at work")).clicked() {
         out.extend(copy_to(work, address, work.at()));
     }

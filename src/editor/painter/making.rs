@@ -4,10 +4,9 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui::{Id, Modal, ProgressBar, RichText, Ui};
 
-use super::counted;
 use crate::clock::Clock;
 use crate::commands::PictureImport;
 use crate::diag::{Diagnostic, WithWarnings};
@@ -195,26 +194,27 @@ pub(super) fn bar(ui: &mut Ui, share: f64) {
 /// empty at the start, while no estimate is good.
 fn left(share: f64, seconds: f64) -> String {
     match share > 0.02 && seconds > 2.0 {
-        true => format!(": about {} left", told_seconds(seconds * (1.0 - share) / share)),
+        true => tr!(": about {time} left", time = told_seconds(seconds * (1.0 - share) / share)),
         false => String::new(),
     }
 }
 
 /// Duration for people, in one unit.
 pub(super) fn told_seconds(seconds: f64) -> String {
+    let whole = |of: f64| (seconds / of).round() as usize;
     match seconds {
-        _ if seconds < 1.0 => "a second".to_owned(),
-        _ if seconds < 99.5 => counted(seconds.round() as usize, "second"),
-        _ if seconds < 5970.0 => counted((seconds / 60.0).round() as usize, "minute"),
-        _ => counted((seconds / 3600.0).round() as usize, "hour"),
+        _ if seconds < 1.0 => tr!("a second").to_owned(),
+        _ if seconds < 99.5 => trn!(n = whole(1.0), "{n} second", "{n} seconds"),
+        _ if seconds < 5970.0 => trn!(n = whole(60.0), "{n} minute", "{n} minutes"),
+        _ => trn!(n = whole(3600.0), "{n} hour", "{n} hours"),
     }
 }
 
 /// Name of the step under way, and the share of it that is done.
 fn step([ready, made]: &StepProgress) -> (&'static str, f64) {
     match made.steps() {
-        [_, 0] => ("Making ready what it is made of", ready.share()),
-        _ => ("Making it", made.share()),
+        [_, 0] => (tr!("Making ready what it is made of"), ready.share()),
+        _ => (tr!("Making it"), made.share()),
     }
 }
 
@@ -223,9 +223,9 @@ impl MakeRequest {
         let name =
             |path: &PathBuf| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         match self {
-            Self::Import { from, .. } => format!("Importing {}", name(from)),
-            Self::Synthesize { .. } => "Laying patches".to_owned(),
-            Self::Bake(bake) => format!("Baking {}", name(&bake.to)),
+            Self::Import { from, .. } => tr!("Importing {file}", file = name(from)),
+            Self::Synthesize { .. } => tr!("Laying patches").to_owned(),
+            Self::Bake(bake) => tr!("Baking {file}", file = name(&bake.to)),
         }
     }
 

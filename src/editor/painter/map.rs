@@ -11,6 +11,7 @@ use eframe::egui::{
 pub(super) use super::atlas::Atlas;
 use super::easel::name_of;
 use super::list::copy_to;
+use super::told_state;
 use crate::commands::{Command, PaintCommand};
 use crate::document::{Address, Direction, Directions, HcbtfEdit};
 use crate::hcbtf::Provenance;
@@ -79,11 +80,11 @@ impl Map {
             legend(ui, work);
             let mut side = self.side.unwrap_or(fitting);
             ui.spacing_mut().slider_width = 70.0;
-            let help = "How large the cells are; larger ones show their pictures";
+            let help = tr!("How large the cells are; larger ones show their pictures");
             ui.label(tr!("Cells")).on_hover_text(help);
             let slider = ui.add(Slider::new(&mut side, 4.0..=LARGEST).show_value(false));
             slider.widget_info(|| {
-                WidgetInfo::slider(true, f64::from(side), "Size of the map's cells")
+                WidgetInfo::slider(true, f64::from(side), tr!("Size of the map's cells"))
             });
             if slider.on_hover_text(help).changed() {
                 self.side = Some(side);
@@ -104,7 +105,8 @@ impl Map {
             ui,
             |ui| {
                 let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-                response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Map of samples"));
+                response
+                    .widget_info(|| WidgetInfo::labeled(Role::Canvas, true, tr!("Map of samples")));
                 let origin = rect.min + vec2(HEAD, TOP);
                 (self.laid, self.grid) = (Some((origin, side)), Some(grid));
                 heads(ui, work, rect, origin, side);
@@ -164,13 +166,14 @@ impl Map {
         }
         if let Some(address) = hovered {
             let state = match work.state(address) {
-                SampleState::Painted => "painted".to_owned(),
-                SampleState::Filled(rule) => format!("filled by rule {}", rule + 1),
-                SampleState::Empty => "empty: no rule fills it".to_owned(),
+                SampleState::Empty => tr!("empty: no rule fills it").to_owned(),
+                state => told_state(state),
             };
             let name = name_of(work, address);
-            let help = "Click: work here · Shift-click: copy it to the sample at work · hold Alt: \
-                        only look";
+            let help = tr!(
+                "Click: work here · Shift-click: copy it to the sample at work · hold Alt: only \
+                 look"
+            );
             response.clone().on_hover_text_at_pointer(format!("{name}\n{state}\n{help}"));
         }
     }
@@ -207,21 +210,26 @@ fn legend(ui: &mut Ui, work: &OpenPainting) {
     });
     let all = work.grid().sample_count() as usize;
     let colors = theme::of(ui);
-    let marks = [(9.0, colors.accent, painted, "painted"), (5.0, colors.second, filled, "filled")];
-    for (side, color, count, word) in marks {
+    let marks = [
+        (9.0, colors.accent, tr!("{count} painted", count = painted)),
+        (5.0, colors.second, tr!("{count} filled", count = filled)),
+    ];
+    for (side, color, text) in marks {
         let (rect, _) = ui.allocate_exact_size(vec2(10.0, 12.0), Sense::hover());
         ui.painter().rect_filled(
             Rect::from_center_size(rect.center(), vec2(side, side)),
             0.0,
             color,
         );
-        ui.label(format!("{count} {word}"));
+        ui.label(text);
     }
     let (rect, _) = ui.allocate_exact_size(vec2(10.0, 12.0), Sense::hover());
     ui.painter().circle_filled(rect.center(), 1.5, colors.dim);
-    ui.label(format!("{} empty", all.saturating_sub(painted + filled)));
-    let help = "Each column is a place of the eye, each row one of the light, from straight above \
-                to the horizon";
+    ui.label(tr!("{count} empty", count = all.saturating_sub(painted + filled)));
+    let help = tr!(
+        "Each column is a place of the eye, each row one of the light, from straight above to the \
+         horizon"
+    );
     ui.label(RichText::new(tr!("eye across, light down")).color(colors.dim)).on_hover_text(help);
 }
 

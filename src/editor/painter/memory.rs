@@ -2,6 +2,7 @@
 
 use std::sync::{Arc, Weak};
 
+use chiaro_locale::{tr, tr_in};
 use eframe::egui::{CollapsingHeader, Grid as Table, RichText, Ui};
 
 use crate::document::{Grid, Storage};
@@ -55,7 +56,8 @@ impl Memory {
     /// Shows the memory that the samples take, in a collapsible section.
     pub(super) fn show(&mut self, ui: &mut Ui, work: &OpenPainting) {
         let grid = *work.grid();
-        let title = format!("Memory: up to {} on the GPU", bytes(layers_bytes(&grid, false)));
+        let title =
+            tr!("Memory: up to {size} on the GPU", size = bytes(layers_bytes(&grid, false)));
         let section = CollapsingHeader::new(title).id_salt("memory").show(ui, |ui| {
             let known = self.measured(work).cloned();
             table(
@@ -67,7 +69,7 @@ impl Memory {
         });
         section
             .header_response
-            .on_hover_text(format!("When the rules have run: {}", in_short(&grid)));
+            .on_hover_text(tr!("When the rules have run: {memory}", memory = in_short(&grid)));
     }
 
     pub(super) fn is_busy(&self) -> bool {
@@ -87,7 +89,8 @@ pub(super) fn in_short(grid: &Grid) -> String {
         .find(|need| need.storage == Storage::Compact && !need.has_levels)
         .map_or(0, Need::bytes);
     let (raw, gpu) = (bytes(filled_at_most(grid)), bytes(layers_bytes(grid, false)));
-    format!("{raw} filled, {gpu} on the GPU, compact at most {}", bytes(compact))
+    let compact = bytes(compact);
+    tr!("{raw} filled, {gpu} on the GPU, compact at most {compact}")
 }
 
 /// Shows a table of the memory that a grid takes at most in each storage, of that taken `now` where
@@ -95,27 +98,27 @@ pub(super) fn in_short(grid: &Grid) -> String {
 pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, device: &Device) {
     let dim = theme::of(ui).dim;
     Table::new("storages").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
-        for head in ["", "now", "at most", ""] {
-            let is_shown = head != "now" || now.is_some();
-            ui.label(RichText::new(if is_shown { head } else { "" }).color(dim).small());
+        let current = if now.is_some() { tr!("now") } else { "" };
+        for head in ["", current, tr!("memory" => "at most"), ""] {
+            ui.label(RichText::new(head).color(dim).small());
         }
         ui.end_row();
         let mut row = |name: &str, help: &str, now: Option<u64>, most: u64, word: &str| {
             ui.label(name).on_hover_text(help);
             ui.label(now.map(bytes).unwrap_or_default());
             ui.label(bytes(most));
-            let short = if word == UNFIT { "too large" } else { "fits" };
+            let short = if word == UNFIT { tr!("too large") } else { tr!("fits") };
             let color = if word == UNFIT { theme::of(ui).error } else { theme::of(ui).dim };
-            ui.label(RichText::new(short).color(color)).on_hover_text(word);
+            ui.label(RichText::new(short).color(color)).on_hover_text(tr_in("memory", word));
             ui.end_row();
         };
-        let help = "All samples as they are filled, four bytes a texel; equal ones count once";
+        let help = tr!("All samples as they are filled, four bytes a texel; equal ones count once");
         row(
-            "FilledSamples, raw",
+            tr!("Filled samples, raw"),
             help,
             now.map(|(bytes, _)| bytes),
             filled_at_most(grid),
-            "held in main memory",
+            tr!("held in main memory"),
         );
         for (index, most) in needs_at_most(grid).iter().enumerate() {
             let need = now.and_then(|(_, needs)| needs.get(index));
@@ -135,16 +138,17 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
         ui.label(RichText::new(text).color(dim).small());
     }
     let painted = bytes(layers_bytes(grid, false));
-    let text = format!(
-        "While it is painted it is quick, with a layer for each view: {painted} on the GPU"
-    );
+    let text =
+        tr!("While it is painted it is quick, with a layer for each view: {painted} on the GPU");
     ui.label(RichText::new(text).color(dim).small());
     let crate::hcbtf::Limits { side, layers, has_blocks } = device.limits;
-    let blocks = if has_blocks { "" } else { "; blocks are decoded, to four times as much" };
-    let text = format!(
-        "{}: textures of up to {side} texels a side and {layers} layers{blocks}",
-        device.name
-    );
+    let gpu = &device.name;
+    let text = if has_blocks {
+        tr!("{gpu}: textures of up to {side} texels a side and {layers} layers")
+    } else {
+        tr!("{gpu}: textures of up to {side} texels a side and {layers} layers; blocks are \
+             decoded, to four times as much")
+    };
     ui.label(RichText::new(text).color(dim).small());
 }
 
@@ -154,32 +158,36 @@ const UNFIT: &str = "does not fit";
 /// Name of a storage.
 pub(super) fn named(storage: Storage) -> &'static str {
     match storage {
-        Storage::Quick => "Quick",
-        Storage::Compact => "Compact",
-        Storage::Blocks => "Blocks",
+        Storage::Quick => tr!("Quick"),
+        Storage::Compact => tr!("Compact"),
+        Storage::Blocks => tr!("Blocks"),
     }
 }
 
 fn told(need: &Need) -> (&'static str, &'static str) {
     match (need.storage, need.has_levels) {
-        (Storage::Quick, false) => ("Quick", "As crisp lookups read it; equal views share a layer"),
+        (Storage::Quick, false) => {
+            (tr!("Quick"), tr!("As crisp lookups read it; equal views share a layer"))
+        }
         (Storage::Quick, true) => (
-            "Quick with levels",
-            "The same with smaller levels of the tile, as smooth lookups read it",
+            tr!("Quick with levels"),
+            tr!("The same with smaller levels of the tile, as smooth lookups read it"),
         ),
         (Storage::Blocks, false) => (
-            "Blocks",
-            "Every tile that differs once, compressed to a byte a texel; colors are off by a \
-             little",
+            tr!("Blocks"),
+            tr!("Every tile that differs once, compressed to a byte a texel; colors are off by a \
+                 little"),
         ),
-        (Storage::Blocks, true) => {
-            ("Blocks with levels", "The same with smaller levels of the tile, for smooth lookups")
-        }
+        (Storage::Blocks, true) => (
+            tr!("Blocks with levels"),
+            tr!("The same with smaller levels of the tile, for smooth lookups"),
+        ),
         (Storage::Compact, false) => {
-            ("Compact", "Every tile that differs once, with palettes, for crisp lookups")
+            (tr!("Compact"), tr!("Every tile that differs once, with palettes, for crisp lookups"))
         }
-        (Storage::Compact, true) => {
-            ("Compact with levels", "The same with smaller levels of the tile, for smooth lookups")
-        }
+        (Storage::Compact, true) => (
+            tr!("Compact with levels"),
+            tr!("The same with smaller levels of the tile, for smooth lookups"),
+        ),
     }
 }

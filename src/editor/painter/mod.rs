@@ -328,20 +328,20 @@ impl Painting {
     ) {
         let at = work.at();
         ui.horizontal_wrapped(|ui| {
-            let (state, color) = match work.state(at) {
-                SampleState::Painted => ("painted".to_owned(), theme::of(ui).accent),
-                SampleState::Filled(rule) => {
-                    (format!("filled by rule {}", rule + 1), theme::of(ui).second)
-                }
-                SampleState::Empty => ("empty".to_owned(), theme::of(ui).dim),
+            let color = match work.state(at) {
+                SampleState::Painted => theme::of(ui).accent,
+                SampleState::Filled(_) => theme::of(ui).second,
+                SampleState::Empty => theme::of(ui).dim,
             };
             let grid = work.grid();
-            ui.label(format!("Light {}", moves::name(grid.light, at.light)));
+            ui.label(tr!("Light {direction}", direction = moves::name(grid.light, at.light)));
             ui.label(RichText::new("·").color(theme::of(ui).dim));
-            ui.label(format!("Eye {}", moves::name(grid.view, at.view)));
-            let help = "A filled sample becomes painted by the first stroke, which begins from \
-                        what is shown";
-            ui.label(RichText::new(state).color(color)).on_hover_text(help);
+            ui.label(tr!("Eye {direction}", direction = moves::name(grid.view, at.view)));
+            let help = tr!(
+                "A filled sample becomes painted by the first stroke, which begins from what is \
+                 shown"
+            );
+            ui.label(RichText::new(told_state(work.state(at))).color(color)).on_hover_text(help);
             let is_painted = work.state(at) == SampleState::Painted;
             let clear = ui.add_enabled(is_painted, Button::new(tr!("Delete painting")).small());
             if clear
@@ -370,16 +370,18 @@ impl Painting {
             }
             self.seen.turn(ui, session, work, out);
             ui.separator();
-            let help = "How much of the neighboring samples shines through";
+            let help = tr!("How much of the neighboring samples shines through");
             ui.label(tr!("Onion skin")).on_hover_text(help);
             ui.spacing_mut().slider_width = 60.0;
             let slider = ui.add(Slider::new(&mut easel.onion, 0.0..=1.0).show_value(false));
-            slider.widget_info(|| WidgetInfo::slider(true, f64::from(easel.onion), "Onion skin"));
+            slider.widget_info(|| {
+                WidgetInfo::slider(true, f64::from(easel.onion), tr!("Onion skin"))
+            });
             slider.on_hover_text(help);
         });
         // The list of angles has a row of its own, as it does not wrap with the other widgets.
         if self.easel.onion > 0.0 {
-            rules::along(ui, "neighbors by", &mut self.easel.onion_along);
+            rules::along(ui, tr!("neighbors by"), &mut self.easel.onion_along);
         }
     }
 
@@ -441,6 +443,15 @@ impl BackgroundJobs for Painting {
         self.memory.wait();
         self.preview.wait();
         self.making.wait();
+    }
+}
+
+/// State of a sample in a few words.
+fn told_state(state: SampleState) -> String {
+    match state {
+        SampleState::Painted => tr!("sample" => "painted").to_owned(),
+        SampleState::Filled(rule) => tr!("filled by rule {number}", number = rule + 1),
+        SampleState::Empty => tr!("sample" => "empty").to_owned(),
     }
 }
 

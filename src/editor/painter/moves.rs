@@ -1,5 +1,7 @@
 //! Steps between the directions of a light or a view, and their names.
 
+use chiaro_locale::tr;
+
 use crate::commands::Heading;
 use crate::document::{Direction, Directions};
 
@@ -29,8 +31,8 @@ pub(super) fn step(directions: Directions, from: Direction, way: Heading) -> Dir
 pub(super) fn name(directions: Directions, direction: Direction) -> String {
     let [theta, phi] = directions.angles(direction.canonical()).map(f64::to_degrees);
     match direction.theta {
-        0 => "straight above".to_owned(),
-        _ => format!("{theta:.0}° down, {phi:.0}° around"),
+        0 => tr!("straight above").to_owned(),
+        _ => tr!("{theta:.0}° down, {phi:.0}° around"),
     }
 }
 

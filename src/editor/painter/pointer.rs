@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Response, TouchPhase, Ui};
 use glam::DVec2;
 
@@ -183,10 +184,12 @@ impl Events<'_> {
                 self.tools.stamp = work.tile(work.at()).cloned();
                 let told = match self.tools.stamp {
                     Some(_) => {
-                        "The tile at work is the stamp now: click where it is to go, on this \
-                         sample or another"
+                        tr!("The tile at work is the stamp now: click where it is to go, on this \
+                             sample or another")
                     }
-                    None => "There is nothing here to be a stamp: go to a painted sample first",
+                    None => {
+                        tr!("There is nothing here to be a stamp: go to a painted sample first")
+                    }
                 };
                 return Some(Command::Tell(told.to_owned()));
             }

@@ -3,6 +3,8 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use super::textures::TileTexture;
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
@@ -130,7 +132,7 @@ impl PreviewRequest {
             problems
                 .into_iter()
                 .next()
-                .unwrap_or_else(|| Diagnostic::error("stopped", "it was stopped"))
+                .unwrap_or_else(|| Diagnostic::error("stopped", tr!("it was stopped")))
         };
         let Self { setup, library, painting, assets } = self;
         let mut assets = Assets::of(&assets);

@@ -11,11 +11,11 @@ use eframe::egui::{
     Stroke, StrokeKind, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
-use super::moves;
+use super::{moves, told_state};
 use crate::commands::{Command, PaintCommand};
 use crate::document::{Address, Direction, Grid};
 use crate::hcbtf::sheet::{SheetTexel, column, held, place, row, size};
-use crate::state::painting::work::{OpenPainting, SampleState};
+use crate::state::painting::work::OpenPainting;
 use crate::state::revision::PaintingRevision;
 use crate::widgets::theme;
 
@@ -97,7 +97,7 @@ impl Sheet {
         let grid = *work.grid();
         let whole = size(&grid);
         ui.horizontal(|ui| {
-            ui.label(format!("{} x {} texels", whole[0], whole[1]));
+            ui.label(tr!("{width} x {height} texels", width = whole[0], height = whole[1]));
             if ui
                 .small_button(tr!("Fit"))
                 .on_hover_text(tr!("Shows the whole sheet again"))
@@ -105,9 +105,10 @@ impl Sheet {
             {
                 (self.zoom, self.pan) = (None, Vec2::ZERO);
             }
-            let help = "Each texel of the tile is a block: light and eye sink from left to right, \
-                        and go around from \
-                        top to bottom";
+            let help = tr!(
+                "Each texel of the tile is a block: light and eye sink from left to right, and go \
+                 around from top to bottom"
+            );
             ui.label(
                 RichText::new(tr!("a block for each texel of the tile")).color(theme::of(ui).dim),
             )
@@ -145,7 +146,7 @@ impl Sheet {
         let told = found.map(|(_, held)| tell(work, &held));
         response.widget_info(|| WidgetInfo {
             current_text_value: told.as_ref().map(|lines| lines.join("\n")),
-            ..WidgetInfo::labeled(Role::Canvas, true, "Sheet of all samples")
+            ..WidgetInfo::labeled(Role::Canvas, true, tr!("Sheet of all samples"))
         });
         if let (Some((texel, held)), Some(lines)) = (found, told) {
             outline(ui, &laid, texel, Color32::WHITE);
@@ -347,20 +348,24 @@ fn tell(work: &OpenPainting, held: &SheetTexel) -> [String; 3] {
     let grid = work.grid();
     let [r, g, b, a] = work.tile(address).map_or([0; 4], |tile| tile.texel(x.into(), y.into()));
     let color = format!("#{r:02x}{g:02x}{b:02x}, {:.0}%", f64::from(a) / 2.55);
-    let state = match work.state(address) {
-        SampleState::Painted => "painted".to_owned(),
-        SampleState::Filled(rule) => format!("filled by rule {}", rule + 1),
-        SampleState::Empty => "empty".to_owned(),
-    };
-    let copy = if is_copy { ", a copy" } else { "" };
-    let line = |name: &str, directions, direction: Direction| {
-        let Direction { theta, phi } = direction;
-        format!("{name} ring {theta}, step {phi}: {}", moves::name(directions, direction))
-    };
+    let state = told_state(work.state(address));
+    let light = moves::name(grid.light, address.light);
+    let view = moves::name(grid.view, address.view);
     [
-        format!("Texel {x}, {y}: {color}, {state}{copy}"),
-        line("Light", grid.light, address.light),
-        line("Eye", grid.view, address.view),
+        match is_copy {
+            true => tr!("Texel {x}, {y}: {color}, {state}, a copy"),
+            false => tr!("Texel {x}, {y}: {color}, {state}"),
+        },
+        tr!(
+            "Light ring {ring}, step {step}: {light}",
+            ring = address.light.theta,
+            step = address.light.phi
+        ),
+        tr!(
+            "Eye ring {ring}, step {step}: {view}",
+            ring = address.view.theta,
+            step = address.view.phi
+        ),
     ]
 }
 

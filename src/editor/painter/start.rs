@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui::{Button, Response, RichText, ScrollArea, Ui};
 
 use super::memory;
@@ -55,14 +55,16 @@ pub(crate) fn shown(session: &Session) -> Vec<ShownPainting> {
         let path = PathBuf::from(&named);
         if named.starts_with(PREFIX) {
             let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            let help = "Opens a copy of the example that this look shows; the example itself stays \
-                        as it is";
-            return ShownPainting { label: format!("Paint a copy of {name}"), help, path, name };
+            let help = tr!(
+                "Opens a copy of the example that this look shows; the example itself stays as it \
+                 is"
+            );
+            return ShownPainting { label: tr!("Paint a copy of {name}"), help, path, name };
         }
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let help = "Opens what this look shows to be painted";
+        let help = tr!("Opens what this look shows to be painted");
         ShownPainting {
-            label: format!("Paint {name}"),
+            label: tr!("Paint {name}"),
             help,
             path: session.look.folder().join(named),
             name,
@@ -79,20 +81,23 @@ pub(super) fn in_short(session: &Session) -> String {
     let names: Vec<_> = shown.iter().map(|shown| shown.name.as_str()).collect();
     match (names.as_slice(), session.painting()) {
         ([], None) => {
-            "The open look shows nothing that is painted: the menu Paint begins something"
+            tr!("The open look shows nothing that is painted: the menu Paint begins something")
                 .to_owned()
         }
         ([], Some(work)) => {
-            format!(
-                "The open look shows nothing that is painted: the menu Paint goes back to {}",
-                work.name()
+            tr!(
+                "The open look shows nothing that is painted: the menu Paint goes back to {name}",
+                name = work.name()
             )
         }
         (names, _) => {
-            let those = if names.len() == 1 { "which is" } else { "which are" };
-            format!(
-                "The open look shows {}, {those} not open to be painted: the menu Paint does that",
-                listed(names)
+            trn!(
+                count = names.len(),
+                "The open look shows {names}, which is not open to be painted: the menu Paint \
+                 does that",
+                "The open look shows {names}, which are not open to be painted: the menu Paint \
+                 does that",
+                names = listed(names)
             )
         }
     }
@@ -103,7 +108,7 @@ fn listed(names: &[&str]) -> String {
     match names {
         [] => String::new(),
         [only] => (*only).to_owned(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+        [first @ .., last] => tr!("{names} and {last}", names = first.join(", ")),
     }
 }
 
@@ -113,24 +118,27 @@ fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let names: Vec<_> = shown.iter().map(|shown| shown.name.as_str()).collect();
     let dim = theme::of(ui).dim;
     if let Some(work) = session.painting() {
-        let what = if names.is_empty() { "no painting".to_owned() } else { listed(&names) };
-        ui.heading(tr!("The open look shows {what}"));
+        ui.heading(match names.is_empty() {
+            true => tr!("The open look shows no painting").to_owned(),
+            false => tr!("The open look shows {names}", names = listed(&names)),
+        });
         ui.add_space(4.0);
         let name = work.name();
-        let unsaved = if work.is_dirty() { ", not saved yet" } else { "" };
         let place = work
             .home()
-            .map(|home| format!("It was painted in {}.", home.name()))
+            .map(|home| tr!("It was painted in {look}.", look = home.name()))
             .unwrap_or_default();
-        let text =
-            format!("{name} is still open{unsaved}, and this look does not show it. {place}");
-        ui.label(RichText::new(text.trim_end()).color(dim));
+        let text = match work.is_dirty() {
+            true => tr!("{name} is still open, not saved yet, and this look does not show it."),
+            false => tr!("{name} is still open, and this look does not show it."),
+        };
+        ui.label(RichText::new(format!("{text} {place}").trim_end()).color(dim));
         ui.add_space(8.0);
         let help = match work.home() {
-            Some(_) => "Shows it in the look that it was painted in, and goes on painting it",
-            None => "Shows it in a look of its own, and goes on painting it",
+            Some(_) => tr!("Shows it in the look that it was painted in, and goes on painting it"),
+            None => tr!("Shows it in a look of its own, and goes on painting it"),
         };
-        if wide(ui, &format!("Back to {name}")).on_hover_text(help).clicked() {
+        if wide(ui, &tr!("Back to {name}")).on_hover_text(help).clicked() {
             out.push(Command::Paint(PaintCommand::GoBack));
         }
         ui.add_space(4.0);
@@ -138,7 +146,7 @@ fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         ui.label(RichText::new(tr!("The open look has no painting.")).color(dim));
         ui.add_space(8.0);
     } else {
-        ui.heading(format!("The open look shows {}", listed(&names)));
+        ui.heading(tr!("The open look shows {names}", names = listed(&names)));
         ui.add_space(4.0);
     }
     let is_any = !shown.is_empty() || session.painting().is_some();
@@ -156,20 +164,22 @@ fn of_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
 fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
     ui.heading(tr!("Paint a surface"));
     ui.add_space(4.0);
-    let text = "A painted surface is a tile that you paint as it looks under one light and from \
-                one side, then under another: it shows what you painted, and rules fill in the \
-                rest. A new one has a look of its own. (Papers call it an HCBTF.)";
+    let text = tr!(
+        "A painted surface is a tile that you paint as it looks under one light and from one side, \
+         then under another: it shows what you painted, and rules fill in the rest. A new one has \
+         a look of its own. (Papers call it an HCBTF.)"
+    );
     ui.label(RichText::new(text).color(theme::of(ui).dim));
     ui.add_space(12.0);
     for preset in GridPreset::ALL {
         let grid = preset.grid();
-        let directions = grid.light.distinct_count();
-        let label = format!(
-            "{}: {} x {} texels, {directions} lights x {} views",
-            preset.label(),
-            grid.size[0],
-            grid.size[1],
-            grid.view.distinct_count()
+        let label = tr!(
+            "{name}: {width} x {height} texels, {lights} lights x {views} views",
+            name = preset.label(),
+            width = grid.size[0],
+            height = grid.size[1],
+            lights = grid.light.distinct_count(),
+            views = grid.view.distinct_count()
         );
         let button = wide(ui, &label);
         if button.on_hover_text(format!("{}: {}", preset.help(), memory::in_short(&grid))).clicked()
@@ -177,7 +187,7 @@ fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
             out.push(Command::Paint(PaintCommand::New { grid, keeps_look: false }));
         }
     }
-    let other = wide(ui, "Another grid...");
+    let other = wide(ui, tr!("Another grid..."));
     if other
         .on_hover_text(tr!("Any number of texels, lights and views, and what they take in memory"))
         .clicked()
@@ -185,18 +195,22 @@ fn anew(ui: &mut Ui, out: &mut Vec<Command>) {
         out.push(Command::Paint(PaintCommand::AskGrid { changes: false }));
     }
     ui.add_space(8.0);
-    if wide(ui, "Open an .hcbtf file...").clicked() {
+    if wide(ui, tr!("Open an .hcbtf file...")).clicked() {
         out.push(Command::Open(None));
     }
-    let help = "Images that were painted in other programs: a folder of them, a contact sheet, a \
-                sheet of the thesis";
-    let import = wide(ui, "Import painted pictures...");
+    let help = tr!(
+        "Images that were painted in other programs: a folder of them, a contact sheet, a sheet of \
+         the thesis"
+    );
+    let import = wide(ui, tr!("Import painted pictures..."));
     if import.on_hover_text(help).clicked() {
         out.push(Command::Paint(PaintCommand::AskImport));
     }
-    let help = "Paints every sample as the open look shows it: a dear look becomes a quick one, or \
-                one to paint on";
-    let bake = wide(ui, "Bake this look onto a tile...");
+    let help = tr!(
+        "Paints every sample as the open look shows it: a dear look becomes a quick one, or one to \
+         paint on"
+    );
+    let bake = wide(ui, tr!("Bake this look onto a tile..."));
     if bake.on_hover_text(help).clicked() {
         out.push(Command::Paint(PaintCommand::AskBake));
     }

@@ -1,7 +1,7 @@
 //! Dialog for the storage of a texture exported as KTX2: explains each storage and the memory it
 //! takes.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, tr_in};
 use eframe::egui::{Grid as Table, Id, Modal, RichText, Ui};
 
 use super::memory::{Memory, named};
@@ -28,13 +28,12 @@ pub(super) fn show(
         ui.set_width(520.0);
         let enters = confirm::enters(ui);
         ui.label(RichText::new(tr!("Export as a KTX2 texture")).heading());
-        let text = "The texture that shaders look up. All storages hold every sample, with smaller \
-                    levels of the tile for a \
-                    distance, which the sizes count: they are those of \"with levels\" in the \
-                    table of memory under Fill \
-                    rules. They differ in what they take, in how fast they are looked up, and in \
-                    that Blocks keep colors \
-                    nearly, not exactly.";
+        let text = tr!(
+            "The texture that shaders look up. All storages hold every sample, with smaller levels \
+             of the tile for a distance, which the sizes count: they are those of \"with levels\" \
+             in the table of memory under Fill rules. They differ in what they take, in how fast \
+             they are looked up, and in that Blocks keep colors nearly, not exactly."
+        );
         ui.label(RichText::new(text).color(theme::of(ui).dim));
         ui.add_space(6.0);
         if let Some(work) = work {
@@ -77,10 +76,10 @@ fn choices(ui: &mut Ui, work: &OpenPainting, memory: &mut Memory, chosen: &mut S
             ui.radio_value(chosen, storage, named(storage));
             let size = match &known {
                 Some(needs) => bytes(of(needs, storage)),
-                None => format!("at most {}", bytes(of(&most, storage))),
+                None => tr!("at most {size}", size = bytes(of(&most, storage))),
             };
             ui.label(size);
-            ui.label(RichText::new(storage.about()).color(theme::of(ui).dim));
+            ui.label(RichText::new(tr_in("storage", storage.about())).color(theme::of(ui).dim));
             ui.end_row();
         }
     });

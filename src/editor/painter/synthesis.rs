@@ -69,9 +69,11 @@ pub(super) fn show(
         ui.set_width(2.0 * SIDE + 12.0);
         let enters = confirm::enters(ui);
         ui.label(RichText::new(tr!("New tile from this painting")).heading());
-        let text = "Patches of the painted tile are laid side by side, in all samples at the same \
-                    places, and cut where \
-                    that is seen least. The new tile repeats; what is painted stays as it is.";
+        let text = tr!(
+            "Patches of the painted tile are laid side by side, in all samples at the same places, \
+             and cut where that is seen least. The new tile repeats; what is painted stays as it \
+             is."
+        );
         ui.label(RichText::new(text).color(theme::of(ui).dim));
         ui.add_space(6.0);
         fields(ui, state);
@@ -84,17 +86,16 @@ pub(super) fn show(
                 own.map(|tile| (state.before.of(ui.ctx(), "painted tile", &tile), tile.size()));
             // Both pictures show texels at the same size.
             let most = state.how.size.into_iter().chain(state.of.grid.size).max().unwrap_or(1);
-            picture(ui, "Painted", before, most);
+            picture(ui, tr!("Painted"), before, most);
             let after = new.map(|tile| (state.after.of(ui.ctx(), "new tile", &tile), tile.size()));
-            picture(ui, "New", after, most);
+            picture(ui, tr!("New"), after, most);
         });
         match making.share() {
             Some(share) => {
                 ui.horizontal(|ui| {
                     if ui
                         .button(tr!("Stop"))
-                        .on_hover_text(tr!("Lays no more patches, until something is \
-                                                        changed"))
+                        .on_hover_text(tr!("Lays no more patches, until something is changed"))
                         .clicked()
                     {
                         making.stop();
@@ -153,9 +154,10 @@ fn told(asked: &SynthesisDialog, device: &Device) -> (String, bool) {
         (Some(problem), _) => (sentence(problem), true),
         (None, Some(Ok((hcbtf, _)))) => {
             let (painted, all) = (hcbtf.painted.len(), hcbtf.grid.sample_count());
-            (format!("{painted} of {all} samples are painted: {}", memory::in_short(&grid)), false)
+            let memory = memory::in_short(&grid);
+            (tr!("{painted} of {all} samples are painted: {memory}"), false)
         }
-        (None, _) => ("Stopped: change something to lay it anew".to_owned(), false),
+        (None, _) => (tr!("Stopped: change something to lay it anew").to_owned(), false),
     }
 }
 
@@ -164,8 +166,8 @@ fn fields(ui: &mut Ui, asked: &mut SynthesisDialog) {
     grid::size(ui, &mut how.size);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
-        let help = "Another number lays other patches";
-        let label = lead(ui, "Seed", grid::LEAD).on_hover_text(help).id;
+        let help = tr!("Another number lays other patches");
+        let label = lead(ui, tr!("Seed"), grid::LEAD).on_hover_text(help).id;
         ui.add(DragValue::new(&mut how.seed).speed(0.1)).labelled_by(label).on_hover_text(help);
         if ui.button(tr!("Another")).on_hover_text(tr!("Takes the next number")).clicked() {
             how.seed = how.seed.wrapping_add(1);
@@ -173,16 +175,20 @@ fn fields(ui: &mut Ui, asked: &mut SynthesisDialog) {
         ui.add_space(12.0);
         let shortest = asked.of.grid.size[0].min(asked.of.grid.size[1]);
         let mut is_own = how.patch.is_some();
-        let help = "Large patches keep large forms whole; else they are half as wide as the tile";
+        let help =
+            tr!("Large patches keep large forms whole; else they are half as wide as the tile");
         if ui.checkbox(&mut is_own, tr!("Patches of")).on_hover_text(help).changed() {
             how.patch = is_own.then_some(shortest / 2);
         }
         let mut texels = how.patch.unwrap_or(shortest / 2);
         let most = shortest.min(how.size[0]).min(how.size[1]).saturating_sub(1).max(3);
-        let drag = DragValue::new(&mut texels).range(3..=most).speed(0.1).suffix(" texels");
+        let drag = DragValue::new(&mut texels)
+            .range(3..=most)
+            .speed(0.1)
+            .suffix(format!(" {}", tr!("texels")));
         let drag = ui.add_enabled(is_own, drag);
         drag.widget_info(|| WidgetInfo {
-            label: Some("Texels along a patch".to_owned()),
+            label: Some(tr!("Texels along a patch").to_owned()),
             ..WidgetInfo::drag_value(is_own, f64::from(texels))
         });
         if drag.changed() {

@@ -40,14 +40,18 @@ pub(super) fn show(ui: &mut Ui, tools: &mut Tools) {
     });
     ui.horizontal_wrapped(|ui| match tools.kind {
         PaintTool::Fill => {
-            let help = "How far a color may be from the one under the pointer to be filled too";
-            part(ui, "Tolerance", help, &mut tools.tolerance);
-            let help = "How many texels the color goes on under soft edges, so that no rim of the \
-                        old one is left; 0 stops \
-                        where the tolerance does";
-            let drag =
-                DragValue::new(&mut tools.edge).range(0..=MOST_EDGE).speed(0.1).suffix(" texels");
-            named(ui, "Under edges", help, drag);
+            let help =
+                tr!("How far a color may be from the one under the pointer to be filled too");
+            part(ui, tr!("Tolerance"), help, &mut tools.tolerance);
+            let help = tr!(
+                "How many texels the color goes on under soft edges, so that no rim of the old one \
+                 is left; 0 stops where the tolerance does"
+            );
+            let drag = DragValue::new(&mut tools.edge)
+                .range(0..=MOST_EDGE)
+                .speed(0.1)
+                .suffix(format!(" {}", tr!("texels")));
+            named(ui, tr!("Under edges"), help, drag);
         }
         PaintTool::Pick => {
             ui.label(tr!("Click or drag on the tile to take a color"));
@@ -61,19 +65,19 @@ fn brush(ui: &mut Ui, tools: &mut Tools) {
         .range(1.0..=LARGEST)
         .speed(0.1)
         .max_decimals(1)
-        .suffix(" texels");
-    named(ui, "Size", "The brush's diameter ([ and ] make it smaller and larger)", size);
+        .suffix(format!(" {}", tr!("texels")));
+    named(ui, tr!("Size"), tr!("The brush's diameter ([ and ] make it smaller and larger)"), size);
     part(
         ui,
-        "Hardness",
-        "How sharp the brush's edge is: at 0% it fades from its middle on",
+        tr!("Hardness"),
+        tr!("How sharp the brush's edge is: at 0% it fades from its middle on"),
         &mut tools.hardness,
     );
-    part(ui, "Opacity", "How much a whole stroke covers at most", &mut tools.opacity);
+    part(ui, tr!("Opacity"), tr!("How much a whole stroke covers at most"), &mut tools.opacity);
     part(
         ui,
-        "Flow",
-        "How much of that each touch adds: low flow builds up as you go over it again",
+        tr!("Flow"),
+        tr!("How much of that each touch adds: low flow builds up as you go over it again"),
         &mut tools.flow,
     );
     ui.menu_button(symmetry_label(&tools.symmetry), |ui| symmetry(ui, &mut tools.symmetry))
@@ -82,10 +86,10 @@ fn brush(ui: &mut Ui, tools: &mut Tools) {
     ui.menu_button(tr!("Pen"), |ui| {
         ui.label(tr!("What the pen's pressure drives"));
         let choices = [
-            (Pressure::None, "Nothing"),
-            (Pressure::Size, "Size"),
-            (Pressure::Opacity, "Opacity"),
-            (Pressure::Both, "Size and opacity"),
+            (Pressure::None, tr!("Nothing")),
+            (Pressure::Size, tr!("Size")),
+            (Pressure::Opacity, tr!("Opacity")),
+            (Pressure::Both, tr!("Size and opacity")),
         ];
         for (pressure, label) in choices {
             ui.radio_value(&mut tools.pressure, pressure, label);
@@ -96,7 +100,7 @@ fn brush(ui: &mut Ui, tools: &mut Tools) {
 }
 
 fn symmetry_label(symmetry: &Symmetry) -> &'static str {
-    if *symmetry == Symmetry::default() { "Symmetry" } else { "Symmetry: on" }
+    if *symmetry == Symmetry::default() { tr!("Symmetry") } else { tr!("Symmetry: on") }
 }
 
 fn symmetry(ui: &mut Ui, symmetry: &mut Symmetry) {
@@ -105,7 +109,7 @@ fn symmetry(ui: &mut Ui, symmetry: &mut Symmetry) {
     ui.checkbox(&mut symmetry.across_v, tr!("Mirror top and bottom"))
         .on_hover_text(tr!("Strokes appear above and below"));
     let mut turns = symmetry.turns.max(1);
-    let slider = Slider::new(&mut turns, 1..=12).text("copies around");
+    let slider = Slider::new(&mut turns, 1..=12).text(tr!("copies around"));
     if ui
         .add(slider)
         .on_hover_text(tr!("Turned copies around the middle, as in a rosette"))
@@ -136,14 +140,14 @@ fn named(ui: &mut Ui, label: &str, help: &str, drag: DragValue<'_>) -> bool {
 
 /// Shows the current color and the other one, and the button that swaps them.
 fn colors(ui: &mut Ui, tools: &mut Tools) {
-    for (index, name) in [(0, "Color at hand"), (1, "Other color")] {
+    for (index, name) in [(0, tr!("Color at hand")), (1, tr!("Other color"))] {
         let color = tools.colors[index].map(|channel| f64::from(channel) / 255.0);
         if let Some((_, color)) = color::named_swatch(ui, name, color, ColorSpace::Display, true) {
             tools.colors[index] = color.map(|channel| (channel * 255.0).round() as u8);
         }
     }
     let swap = ui.small_button(tr!("Swap"));
-    swap.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Swap colors"));
+    swap.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr!("Swap colors")));
     if swap.on_hover_text(tr!("Swaps the two colors (X)")).clicked() {
         tools.colors.swap(0, 1);
     }
@@ -161,7 +165,7 @@ fn palette(ui: &mut Ui, tools: &mut Tools) {
             .shrink(1.0);
         let [r, g, b] = *color;
         let response = ui.interact(at, ui.scope_id().with(("palette", index)), Sense::click());
-        let name = format!("Color #{r:02x}{g:02x}{b:02x}");
+        let name = tr!("Color #{r:02x}{g:02x}{b:02x}");
         let is_it = tools.colors[0][..3] == *color;
         response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_it, &name));
         color_picker::show_color_at(ui.painter(), Color32::from_rgb(r, g, b), at);

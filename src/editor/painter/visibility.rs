@@ -70,11 +70,11 @@ impl PaintingVisibility {
 
     /// Shows the button that marks the sample at work in the picture.
     pub(super) fn mark(&mut self, ui: &mut Ui) {
-        let help = "Tints the sample at work in the picture. It is seen only where the light and \
-                    the eye stand to the \
-                    surface as they do here; other places show other samples. Where nothing is \
-                    tinted, Show in the \
-                    picture turns to it";
+        let help = tr!(
+            "Tints the sample at work in the picture. It is seen only where the light and the eye \
+             stand to the surface as they do here; other places show other samples. Where nothing \
+             is tinted, Show in the picture turns to it"
+        );
         ui.toggle_value(&mut self.marks, tr!("Where it shows")).on_hover_text(help);
     }
 
@@ -87,9 +87,10 @@ impl PaintingVisibility {
         out: &mut Vec<Command>,
     ) {
         if let Some(view) = view_at_sample(session, work) {
-            let help = "Turns the picture's camera and light to where the eye and the light are \
-                        that you paint for, over a \
-                        flat square";
+            let help = tr!(
+                "Turns the picture's camera and light to where the eye and the light are that you \
+                 paint for, over a flat square"
+            );
             if ui.small_button(tr!("Show in the picture")).on_hover_text(help).clicked() {
                 let before = &session.view.orbit;
                 if !look::lies_flat(before) {
@@ -102,7 +103,7 @@ impl PaintingVisibility {
         if let Some((_, view)) =
             self.turned_from.as_ref().filter(|_| look::lies_flat(&session.view.orbit))
         {
-            let help = "Shows what the picture showed before, from where it was seen";
+            let help = tr!("Shows what the picture showed before, from where it was seen");
             if ui.small_button(tr!("Back to the mesh")).on_hover_text(help).clicked() {
                 out.push(Command::View(ViewCommand::TurnTo(view.clone())));
             }

@@ -1,5 +1,6 @@
 //! The picture itself, or a stand-in.
 
+use chiaro_locale::tr;
 use eframe::egui::{self, Rect, TextureHandle, Ui, vec2};
 
 use super::picture::ViewportPicture;
@@ -29,9 +30,9 @@ pub(super) fn show_picture(
             let is_broken = !picture.problems.is_empty()
                 || crate::diag::has_errors(session.compilation().problems());
             let text = match session.journals.held() {
-                Some(_) => "Not drawn until you press Try again above",
-                None if is_broken => "No picture: Problems says what is to be mended",
-                None => "Making the first picture",
+                Some(_) => tr!("Not drawn until you press Try again above"),
+                None if is_broken => tr!("No picture: Problems says what is to be mended"),
+                None => tr!("Making the first picture"),
             };
             ui.painter().text(
                 rect.center(),
@@ -62,6 +63,6 @@ pub(super) fn stand_in(ui: &Ui, rect: Rect, session: &Session) {
     );
     let font = egui::FontId::proportional(theme::TEXT_SIZE);
     let at = rect.center_bottom() - vec2(0.0, 12.0);
-    let text = "This window has no GPU to draw with";
+    let text = tr!("This window has no GPU to draw with");
     ui.painter().text(at, egui::Align2::CENTER_BOTTOM, text, font, theme::of(ui).dim);
 }

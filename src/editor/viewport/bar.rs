@@ -1,6 +1,6 @@
 //! Bar above the picture: the mesh that the look is seen on, and the options of the display.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, tr_in, trn};
 use eframe::egui;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{PopupCloseBehavior, Rect, Role, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
@@ -11,13 +11,14 @@ use super::colors;
 use super::lying::StandUpOffer;
 use super::show::{self, ReferencePlacement};
 use super::solo_bar;
+use crate::canvas::names;
 use crate::commands::{Command, PanelId, PictureExport, ViewCommand, table};
 use crate::document::{Projection, Scene};
 use crate::frame::SHAPE_PREFIX;
 use crate::geometry::SHAPES;
 use crate::state::orbit::Orbit;
 use crate::state::session::Session;
-use crate::state::wire::node_at;
+use crate::state::wire::{Style, node_at};
 use crate::tools::probe::wire_name;
 use crate::tools::{PictureTools, SwitchPlace};
 use crate::widgets::color;
@@ -42,13 +43,11 @@ impl Viewport {
             match session.open_scene() {
                 None => mesh_choice(ui, session, out),
                 Some(open_scene) => {
-                    let text = match open_scene.scene().objects.len() {
-                        1 => "1 object".to_owned(),
-                        count => format!("{count} objects"),
-                    };
+                    let count = open_scene.scene().objects.len();
+                    let text = trn!(count, "{count} object", "{count} objects");
                     // The scene's name stands in the title already: the number of its objects is
                     // what a narrow picture has room for.
-                    let help = format!("Shows the objects of {}", open_scene.name());
+                    let help = tr!("Shows the objects of {scene}", scene = open_scene.name());
                     let is_wide = ui.available_width() > WIDE;
                     if is_wide && ui.link(text).on_hover_text(help).clicked() {
                         out.push(Command::ShowPanel(PanelId::OBJECTS));
@@ -82,15 +81,19 @@ impl Viewport {
     ) {
         let help_of = |command| table::help_of(&Command::View(command));
         tools.switches(ui, SwitchPlace::Options, out);
-        let help = "Where eye and lights stand at a place, as a painted surface (HCBTF) looks them \
-                    up: blue lies toward the eye, the others toward lights, each with its trace \
-                    on the surface; larger under the pointer";
+        let help = tr!(
+            "Where eye and lights stand at a place, as a painted surface (HCBTF) looks them up: \
+             blue lies toward the eye, the others toward lights, each with its trace on the \
+             surface; larger under the pointer"
+        );
         ui.checkbox(&mut self.has_arrows, tr!("Arrows toward eye and lights")).on_hover_text(help);
         ui.checkbox(&mut self.turns, tr!("Turntable"))
             .on_hover_text(help_of(ViewCommand::ToggleTurntable));
         if session.open_scene().is_none() && !session.view.orbit.mesh.starts_with(SHAPE_PREFIX) {
-            let help = "Stands up a mesh that lies on its back: one whose z axis points up, as in \
-                        many scans";
+            let help = tr!(
+                "Stands up a mesh that lies on its back: one whose z axis points up, as in many \
+                 scans"
+            );
             let mut z_is_up = session.view.orbit.z_is_up;
             if ui.checkbox(&mut z_is_up, tr!("Z is up")).on_hover_text(help).changed() {
                 out.push(Command::StandUp(z_is_up));
@@ -98,11 +101,11 @@ impl Viewport {
         }
         ui.separator();
         for (projection, label, help) in [
-            (Projection::Perspective, "Perspective", "What is near is large (P)"),
+            (Projection::Perspective, tr!("Perspective"), tr!("What is near is large (P)")),
             (
                 Projection::Orthographic,
-                "Parallel",
-                "All is as large at any distance, as in a technical drawing (P)",
+                tr!("Parallel"),
+                tr!("All is as large at any distance, as in a technical drawing (P)"),
             ),
         ] {
             ui.radio_value(&mut view.projection, projection, label).on_hover_text(help);
@@ -113,12 +116,12 @@ impl Viewport {
                 out.push(command);
             }
         };
-        button(ui, "Frame the object", ViewCommand::FrameObject);
+        button(ui, tr!("Frame the object"), ViewCommand::FrameObject);
         if session.open_scene().is_some() {
-            button(ui, "Frame all", ViewCommand::FrameAll);
+            button(ui, tr!("Frame all"), ViewCommand::FrameAll);
         }
-        button(ui, "Reset camera and lights", ViewCommand::Reset);
-        button(ui, "Look through the light", ViewCommand::LookThrough);
+        button(ui, tr!("Reset camera and lights"), ViewCommand::Reset);
+        button(ui, tr!("Look through the light"), ViewCommand::LookThrough);
         ui.separator();
         self.display(ui, view);
         colors::menu(ui, session, &mut self.colors, out);
@@ -132,7 +135,7 @@ impl Viewport {
         let backdrop = Scene::default().backdrop.unwrap_or([0.0, 0.0, 0.0, 1.0]);
         ui.horizontal(|ui| {
             let mut is_own = view.backdrop.is_some();
-            let help = "What is behind the object; for this window only";
+            let help = tr!("What is behind the object; for this window only");
             let label = ui.checkbox(&mut is_own, tr!("Backdrop")).on_hover_text(help);
             if label.changed() {
                 view.backdrop = is_own.then_some(backdrop);
@@ -148,8 +151,10 @@ impl Viewport {
         ui.horizontal(|ui| {
             let label = ui.label(tr!("Exposure"));
             let range = -show::MOST_STOPS..=show::MOST_STOPS;
-            let help = "Shows the picture brighter or darker, in stops; for this window only, the \
-                        look stays as it is";
+            let help = tr!(
+                "Shows the picture brighter or darker, in stops; for this window only, the look \
+                 stays as it is"
+            );
             let slider = egui::Slider::new(&mut self.exposure, range).max_decimals(2).step_by(0.05);
             ui.add(slider).labelled_by(label.id).on_hover_text(help);
             if self.exposure != 0.0 && ui.small_button("0").on_hover_text(tr!("As it is")).clicked()
@@ -161,7 +166,7 @@ impl Viewport {
 
     fn reference_image(&mut self, ui: &mut Ui, out: &mut Vec<Command>) {
         let Some(reference) = &mut self.reference else {
-            let help = "Shows an image to work from, beside the picture or over it";
+            let help = tr!("Shows an image to work from, beside the picture or over it");
             if ui.button(tr!("Reference image...")).on_hover_text(help).clicked() {
                 out.push(Command::ShowReference(None));
             }
@@ -199,10 +204,11 @@ impl Viewport {
             ui.label(tr!("Save picture"));
             for (label, factor) in [("1×", 1), ("2×", 2), ("4×", 4)] {
                 let size = own.map(|side| (side * factor).clamp(1, MOST_SIDE));
-                let help = format!("As PNG, {} by {} pixels", size[0], size[1]);
+                let help =
+                    tr!("As PNG, {width} by {height} pixels", width = size[0], height = size[1]);
                 let button = ui.button(label).on_hover_text(help);
                 button.widget_info(|| {
-                    WidgetInfo::labeled(Role::Button, true, format!("Save picture {label}"))
+                    WidgetInfo::labeled(Role::Button, true, tr!("Save picture {label}"))
                 });
                 if button.clicked() {
                     out.push(Command::Export(PictureExport::Picture(size), None));
@@ -211,9 +217,9 @@ impl Viewport {
             }
         });
         ui.horizontal(|ui| {
-            let help = "Draws the look on a ball, from here and lit as here, as an image for the \
-                        LitSphere node and for \
-                        other programs (a matcap). Curvature is then the ball's.";
+            let help =
+                tr!("Draws the look on a ball, from here and lit as here, as an image for the \
+                 LitSphere node and for other programs (a matcap). Curvature is then the ball's.");
             if ui.button(tr!("Bake to LitSphere...")).on_hover_text(help).clicked() {
                 out.push(Command::Export(PictureExport::LitSphere(self.bake_side), None));
                 ui.close();
@@ -226,7 +232,7 @@ impl Viewport {
                         Role::Button,
                         true,
                         is_it,
-                        format!("{side} pixels along a side"),
+                        tr!("{side} pixels along a side"),
                     )
                 };
                 response.on_hover_text(tr!("Pixels along a side")).widget_info(name);
@@ -244,25 +250,27 @@ const MESHES: f32 = 420.0;
 const MOST_SIDE: u32 = 8192;
 
 fn mesh_choice(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-    let label = ui.label(tr!("On"));
+    let label = ui.label(tr!("mesh" => "On"));
     let mesh = session.view.orbit.mesh.clone();
     let shape = SHAPES.iter().find(|shape| mesh.strip_prefix("shape:") == Some(shape.name));
     let file = Path::new(&mesh)
         .file_name()
         .map_or(mesh.clone(), |name| name.to_string_lossy().into_owned());
-    let shown = shape.map_or(file.as_str(), |shape| shape.label);
+    let shown = shape.map_or(file.as_str(), |shape| tr_in("shape", shape.label));
     let combo = egui::ComboBox::from_id_salt("mesh").width(MESH).truncate().height(MESHES);
     let combo = combo.selected_text(shown).show_ui(ui, |ui| {
         for shape in SHAPES {
             let is_it = mesh.strip_prefix("shape:") == Some(shape.name);
-            if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() {
+            let [label, help] = [shape.label, shape.help].map(|text| tr_in("shape", text));
+            if ui.selectable_label(is_it, label).on_hover_text(help).clicked() {
                 out.push(Command::ShowOn(Some(format!("{SHAPE_PREFIX}{}", shape.name).into())));
             }
         }
         ui.separator();
-        let help = "Shows the look on a mesh of yours (OBJ, PLY, STL, glTF); it can also be \
-                    dropped on the window. \
-                    One that lies on its back is stood up by \"Z is up\" under Options";
+        let help = tr!(
+            "Shows the look on a mesh of yours (OBJ, PLY, STL, glTF); it can also be dropped on \
+             the window. One that lies on its back is stood up by \"Z is up\" under Options"
+        );
         if ui.selectable_label(shape.is_none(), tr!("From a file...")).on_hover_text(help).clicked()
         {
             out.push(Command::ShowOn(None));
@@ -321,12 +329,12 @@ fn through_bar(ui: &mut Ui, name: &str, out: &mut Vec<Command>) {
         ui.horizontal(|ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let help =
-                    "Gives the camera back its place (O, or Esc); the light stays where it is";
+                    tr!("Gives the camera back its place (O, or Esc); the light stays where it is");
                 if ui.button(tr!("Back to the camera")).on_hover_text(help).clicked() {
                     out.push(Command::View(ViewCommand::LookThrough));
                 }
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
-                    let text = format!("Looking through {name}: the light goes with the view");
+                    let text = tr!("Looking through {name}: the light goes with the view");
                     let text = egui::RichText::new(text).color(theme::of(ui).text);
                     ui.add(egui::Label::new(text).truncate());
                 });
@@ -342,7 +350,10 @@ fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()
     let kind = session.project.catalog.of(node);
     let name = wire_name(session, &wire.node);
     let port = kind
-        .and_then(|kind| Some(&*kind.outputs[kind.output(wire.port.as_str())?].label))
+        .and_then(|kind| {
+            let port = &kind.outputs[kind.output(wire.port.as_str())?];
+            Some(names::of(&kind.id, &port.label))
+        })
         .unwrap_or_default();
     let frame = egui::Frame::new()
         .fill(theme::of(ui).panel.gamma_multiply(0.9))
@@ -355,10 +366,11 @@ fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()
                     out.push(Command::ShowWire(None));
                 }
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
-                    let text = format!(
-                        "Showing {port} of {name} as {}",
-                        wire.style.label().to_lowercase()
-                    );
+                    let text = match wire.style {
+                        Style::Color => tr!("Showing {port} of {name} as color"),
+                        Style::Heat => tr!("Showing {port} of {name} as heat"),
+                        Style::Isolines => tr!("Showing {port} of {name} as isolines"),
+                    };
                     let label =
                         egui::Label::new(egui::RichText::new(text).color(theme::of(ui).accent))
                             .truncate();

@@ -72,14 +72,15 @@ const MENU_HEIGHT: f32 = 420.0;
 pub(super) fn menu(ui: &mut Ui, session: &Session, colors: &mut ColorMenu, out: &mut Vec<Command>) {
     let shown = session.view().display().map(|display| &*display.choice);
     let label = match shown {
-        None => "View transform: sRGB".to_owned(),
-        Some(choice) => format!("View transform: {}", choice.view),
+        None => tr!("View transform: sRGB").to_owned(),
+        Some(choice) => tr!("View transform: {view}", view = choice.view),
     };
-    let help = "Shows the picture's light by the curve of sRGB, or by a view of an OpenColorIO \
-                configuration such as ACES 2; for this window only, the look stays as it is";
+    let help =
+        tr!("Shows the picture's light by the curve of sRGB, or by a view of an OpenColorIO \
+         configuration such as ACES 2; for this window only, the look stays as it is");
     let entry = ui.menu_button(label, |ui| {
-        let help = "As PNGs are written without --view";
-        if ui.radio(shown.is_none(), tr!("sRGB")).on_hover_text(help).clicked() {
+        let help = tr!("As PNGs are written without --view");
+        if ui.radio(shown.is_none(), "sRGB").on_hover_text(help).clicked() {
             out.push(Command::Display(DisplayCommand::Show(None)));
         }
         ui.separator();
@@ -130,7 +131,7 @@ fn configurations(ui: &mut Ui, name: &str, out: &mut Vec<Command>) {
             out.push(Command::Display(DisplayCommand::Open(Some(config.into()))));
         }
     };
-    entry(ui, "Built in: ACES 2", BUILT_IN);
+    entry(ui, tr!("Built in: ACES 2"), BUILT_IN);
     let of_system = ColorConfig::name_of(None);
     if of_system != BUILT_IN {
         entry(ui, &format!("${VIEW_VARIABLE}"), &of_system);
@@ -140,7 +141,7 @@ fn configurations(ui: &mut Ui, name: &str, out: &mut Vec<Command>) {
         let file = file.map_or(name.into(), |file| file.to_string_lossy());
         entry(ui, &file, name);
     }
-    let help = "Takes the displays and views of another configuration (.ocio, .ocioz)";
+    let help = tr!("Takes the displays and views of another configuration (.ocio, .ocioz)");
     if ui.button(tr!("Configuration from a file...")).on_hover_text(help).clicked() {
         out.push(Command::Display(DisplayCommand::Open(None)));
         ui.close();

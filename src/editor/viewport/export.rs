@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::ColorImage;
 use glam::DVec3;
 
@@ -109,8 +110,8 @@ async fn run(
         }
         PictureExportRequest::Draw { export, snapshot, to } => {
             let drawer = drawer.ok_or_else(|| {
-                Diagnostic::error("no-gpu", "there is no GPU to draw with")
-                    .hint("`chiaro render --on reference` needs none")
+                Diagnostic::error("no-gpu", tr!("there is no GPU to draw with"))
+                    .hint(tr!("`chiaro render --on reference` needs none"))
             })?;
             // Saved and copied pictures are as the window shows them; a baked ball is no picture.
             let display = snapshot.display.clone();
@@ -176,7 +177,7 @@ impl Drawer {
         // The list of problems shows all of them; one is enough for the reason here.
         let picture = drawn.map_err(|mut problems| {
             if problems.is_empty() {
-                Diagnostic::error("no-picture", "nothing was drawn")
+                Diagnostic::error("no-picture", tr!("nothing was drawn"))
             } else {
                 problems.remove(0)
             }

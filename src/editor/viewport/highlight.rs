@@ -8,6 +8,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Align2, Color32, FontId, Id, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2,
 };
@@ -58,7 +59,8 @@ pub(super) enum HighlightHandle {
 impl HighlightHandle {
     const ALL: [Self; 5] = [Self::Middle, Self::Stretch, Self::Split, Self::Size, Self::Ring];
 
-    fn label(self) -> &'static str {
+    /// Name of the handle, as tests find it.
+    fn name(self) -> &'static str {
         match self {
             Self::Middle => "Move",
             Self::Ring => "Turn",
@@ -68,13 +70,24 @@ impl HighlightHandle {
         }
     }
 
+    /// Name of the handle of a layer, for who cannot see it.
+    fn label(self, layer: &str) -> String {
+        match self {
+            Self::Middle => tr!("Move {layer} on the object"),
+            Self::Ring => tr!("Turn {layer} on the object"),
+            Self::Stretch => tr!("Stretch {layer} on the object"),
+            Self::Split => tr!("Split {layer} on the object"),
+            Self::Size => tr!("Size {layer} on the object"),
+        }
+    }
+
     pub(super) fn hint(self) -> &'static str {
         match self {
-            Self::Middle => "Drag to move the highlight over the object",
-            Self::Ring => "Drag to turn the highlight · Shift turns it by steps of 15°",
-            Self::Stretch => "Drag outward to stretch the highlight, inward to shorten it",
-            Self::Split => "Drag outward to split the highlight, inward to join it",
-            Self::Size => "Drag outward to make the highlight larger",
+            Self::Middle => tr!("Drag to move the highlight over the object"),
+            Self::Ring => tr!("Drag to turn the highlight · Shift turns it by steps of 15°"),
+            Self::Stretch => tr!("Drag outward to stretch the highlight, inward to shorten it"),
+            Self::Split => tr!("Drag outward to split the highlight, inward to join it"),
+            Self::Size => tr!("Drag outward to make the highlight larger"),
         }
     }
 }
@@ -299,7 +312,7 @@ impl HighlightGizmo {
             HighlightHandle::Size => session.keys().set_together(&values),
             _ => session.keys().set_all_at(values),
         };
-        Some(Command::EditHeld(Id::unique(("highlight", held.handle.label())), edit))
+        Some(Command::EditHeld(Id::unique(("highlight", held.handle.name())), edit))
     }
 
     /// Distances that move the highlight to the surface at a point of the screen.
@@ -370,14 +383,14 @@ impl HighlightGizmo {
                 format!("{}°", values::number_text(layer.turn.value.to_degrees(), 0))
             }
             HighlightHandle::Stretch => {
-                format!("Stretch {}", values::number_text(layer.stretch.value, 2))
+                tr!("Stretch {value}", value = values::number_text(layer.stretch.value, 2))
             }
             HighlightHandle::Size => {
                 let edge = layer.edge().map_or(0.0, |edge| edge.at.to_degrees());
                 format!("{}°", values::number_text(edge, 1))
             }
             HighlightHandle::Split => {
-                format!("Split {}", values::number_text(layer.split.value, 2))
+                tr!("Split {value}", value = values::number_text(layer.split.value, 2))
             }
         };
         let font = FontId::proportional(theme::SMALL_TEXT);
@@ -392,8 +405,8 @@ impl HighlightGizmo {
         let Some(name) = self.layer().map(|layer| layer.name.clone()) else { return Vec::new() };
         let mut out = Vec::new();
         for (handle, at) in self.handles(rect).collect::<Vec<_>>() {
-            let label = format!("{} {name} on the object", handle.label());
-            let id = Id::unique("handle of a highlight").with(&label);
+            let label = handle.label(&name);
+            let id = Id::unique("handle of a highlight").with((&name, handle.name()));
             let area = Rect::from_center_size(at, Vec2::splat(2.0 * REACH));
             let response = ui.interact(area, id, Sense::focusable_noninteractive());
             let value = self.setting(handle).map_or(0.0, |setting| setting.value);
@@ -412,7 +425,7 @@ impl HighlightGizmo {
 
     /// Place of a handle on the screen by its label; for tests.
     pub(super) fn place_of(&self, label: &str, rect: Rect) -> Option<Pos2> {
-        let handle = HighlightHandle::ALL.into_iter().find(|handle| handle.label() == label)?;
+        let handle = HighlightHandle::ALL.into_iter().find(|handle| handle.name() == label)?;
         self.place(handle, rect)
     }
 }

@@ -1,5 +1,6 @@
 //! Hints on the actions possible at the pointer.
 
+use chiaro_locale::tr;
 use eframe::egui::{Pos2, Rect};
 
 use super::{Drag, Handles, Viewport, is_on_object};
@@ -20,32 +21,31 @@ impl Viewport {
             (Some(Drag::Curve(held)), _) => self.isocurves.hint(held),
             (Some(Drag::Light(held)), _) => held.hint(session),
             (Some(Drag::Highlight(held)), _) => held.handle.hint().to_owned(),
-            (Some(Drag::Lights), _) => {
+            (Some(Drag::Lights), _) => tr!(
                 "Turning the illumination frame: every light in it turns with it · Esc puts it \
                  back"
-                    .to_owned()
-            }
+            )
+            .to_owned(),
             (Some(Drag::Camera), _) => {
-                "Turning the camera around the object · Esc puts it back".to_owned()
+                tr!("Turning the camera around the object · Esc puts it back").to_owned()
             }
-            (Some(Drag::Pan), _) => "Moving the camera · Esc puts it back".to_owned(),
+            (Some(Drag::Pan), _) => tr!("Moving the camera · Esc puts it back").to_owned(),
             (None, None) => String::new(),
             (None, Some(at)) if is_on_object(at, rect, session, handles) => {
-                let one = if layer::light_at_hand(session).is_some() {
-                    "Shift-drag turns the light at hand · "
+                if layer::light_at_hand(session).is_some() {
+                    tr!("Drag to turn all lights · Shift-drag turns the light at hand · Alt-drag \
+                         turns the camera · wheel comes nearer · R resets")
                 } else {
-                    ""
-                };
-                format!(
-                    "Drag to turn all lights · {one}Alt-drag turns the camera · wheel comes \
-                         nearer · R resets"
-                )
+                    tr!("Drag to turn all lights · Alt-drag turns the camera · wheel comes nearer \
+                         · R resets")
+                }
+                .to_owned()
             }
-            (None, Some(_)) => {
+            (None, Some(_)) => tr!(
                 "Drag to turn the camera · right-drag moves it · wheel comes nearer · R resets · F \
                  frames"
-                    .to_owned()
-            }
+            )
+            .to_owned(),
         }
     }
 }

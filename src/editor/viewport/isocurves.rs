@@ -5,6 +5,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::epaint::PathStroke;
 use eframe::egui::{
@@ -207,26 +208,25 @@ impl Isocurves {
     /// Hint on the drag of these curves.
     pub(super) fn hint(&self, held: &HeldCurve) -> String {
         let names = names(&held.curves);
-        let what = match held.curves[..] {
-            _ if held.moves_edge => "the whole edge, as soft as it is",
-            [Curve::Edge(_), ..] => "where one band ends and the next begins",
-            [Curve::Offset] => "up to here the tone is full",
-            [Curve::Falloff] => "here the tone falls fastest",
-            [Curve::Cutoff] => "here the tone ends",
-            [Curve::Offset, .., Curve::Cutoff] => "a hard edge",
-            [Curve::Offset, ..] => "where the tone begins to fall",
-            _ => "where the tone ends",
-        };
-        let more = if held.moves_edge {
-            " · Ctrl-drag takes the fall-off alone"
+        let mut parts = vec![match held.curves[..] {
+            _ if held.moves_edge => tr!("Drag {names}: the whole edge, as soft as it is"),
+            [Curve::Edge(_), ..] => tr!("Drag {names}: where one band ends and the next begins"),
+            [Curve::Offset] => tr!("Drag {names}: up to here the tone is full"),
+            [Curve::Falloff] => tr!("Drag {names}: here the tone falls fastest"),
+            [Curve::Cutoff] => tr!("Drag {names}: here the tone ends"),
+            [Curve::Offset, .., Curve::Cutoff] => tr!("Drag {names}: a hard edge"),
+            [Curve::Offset, ..] => tr!("Drag {names}: where the tone begins to fall"),
+            _ => tr!("Drag {names}: where the tone ends"),
+        }];
+        if held.moves_edge {
+            parts.push(tr!("Ctrl-drag takes the fall-off alone").to_owned());
         } else if held.curves.len() > 1 && !held.splits {
-            " · Ctrl-drag takes one alone: inward the first, outward the last"
-        } else {
-            ""
-        };
+            let text = tr!("Ctrl-drag takes one alone: inward the first, outward the last");
+            parts.push(text.to_owned());
+        }
         let left_out = self.made.as_ref().and_then(|made| made.layer.leaves_out);
-        let left_out = left_out.map(|what| format!(" · drawn without {what}")).unwrap_or_default();
-        format!("Drag {names}: {what}{more}{left_out}")
+        parts.extend(left_out.map(|what| tr!("drawn without {what}")));
+        parts.join(" · ")
     }
 
     /// Draws the lines; `marked` are dragged or under the pointer, and `is_near` is true while the
@@ -315,18 +315,21 @@ impl Isocurves {
 }
 
 fn names(curves: &[Curve]) -> String {
-    let mut text = String::new();
-    for (index, curve) in curves.iter().enumerate() {
-        let label = curve.label();
-        let joint = match index {
-            0 => "",
-            _ if index + 1 == curves.len() => " and ",
-            _ => ", ",
-        };
-        text.push_str(joint);
-        text.push_str(&if index == 0 { label } else { label.to_lowercase() });
+    let within = |curve: &Curve| match curve {
+        Curve::Offset => tr!("within a sentence" => "offset").to_owned(),
+        Curve::Falloff => tr!("within a sentence" => "fall-off").to_owned(),
+        Curve::Cutoff => tr!("within a sentence" => "cut-off").to_owned(),
+        Curve::Edge(index) => tr!("within a sentence" => "edge {number}", number = index + 1),
+    };
+    let Some((first, others)) = curves.split_first() else { return String::new() };
+    let mut names = vec![first.label()];
+    names.extend(others.iter().map(within));
+    match names.as_slice() {
+        [names @ .., last] if !names.is_empty() => {
+            tr!("{names} and {last}", names = names.join(", "))
+        }
+        _ => names.concat(),
     }
-    text
 }
 
 /// Color of a curve; those of bands take turns.

@@ -17,7 +17,8 @@ const STEP: f32 = 4.0;
 pub(super) fn show(ui: &Ui, rect: Rect, session: &Session) -> Vec<Command> {
     let mut out = Vec::new();
     for mut handle in lights::named(session, rect) {
-        let id = Id::unique("handle of a light").with(&handle.name);
+        let id = Id::unique("handle of a light")
+            .with((&handle.held.light, handle.held.lamp().map(|(_, of)| of)));
         let area = Rect::from_center_size(handle.at, Vec2::splat(SIDE));
         let response = ui.interact(area, id, Sense::focusable_noninteractive());
         let value = f64::from(handle.at.x - rect.left());

@@ -8,6 +8,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use chiaro_locale::tr;
 use eframe::egui::{Color32, Id, Pos2, Rect, Shape, Stroke, Ui};
 use glam::DVec3;
 
@@ -33,7 +34,7 @@ const POINTS: u32 = 48;
 const LEAST: f64 = 1e-3;
 
 /// Handle of a lamp.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum LampHandle {
     Place,
     Aim,
@@ -47,28 +48,28 @@ impl LampHandle {
     /// Name of the handle, without its light.
     pub(super) fn label(self) -> &'static str {
         match self {
-            Self::Place => "Place",
-            Self::Aim => "Aim",
-            Self::Cone(LightField::Inner) => "Full cone",
-            Self::Cone(_) => "Whole cone",
-            Self::Distance(LightField::HalfDistance) => "Half distance",
-            Self::Distance(_) => "Range",
+            Self::Place => tr!("lamp" => "Place"),
+            Self::Aim => tr!("Aim"),
+            Self::Cone(LightField::Inner) => tr!("Full cone"),
+            Self::Cone(_) => tr!("Whole cone"),
+            Self::Distance(LightField::HalfDistance) => tr!("Half distance"),
+            Self::Distance(_) => tr!("lamp" => "Range"),
         }
     }
 
     /// Hint on the drag.
     pub(super) fn hint(self, name: &str) -> String {
         match self {
-            Self::Place => format!("Drag to move the lamp {name} across the picture"),
-            Self::Aim => format!("Drag to aim the spot {name}"),
+            Self::Place => tr!("Drag to move the lamp {name} across the picture"),
+            Self::Aim => tr!("Drag to aim the spot {name}"),
             Self::Cone(LightField::Inner) => {
-                format!("Drag the full cone of {name}: within it the light is whole")
+                tr!("Drag the full cone of {name}: within it the light is whole")
             }
-            Self::Cone(_) => format!("Drag the whole cone of {name}: beyond it nothing is left"),
+            Self::Cone(_) => tr!("Drag the whole cone of {name}: beyond it nothing is left"),
             Self::Distance(LightField::HalfDistance) => {
-                format!("Drag where half of {name} is left")
+                tr!("Drag where half of {name} is left")
             }
-            Self::Distance(_) => format!("Drag where nothing of {name} is left"),
+            Self::Distance(_) => tr!("Drag where nothing of {name} is left"),
         }
     }
 }

@@ -10,6 +10,7 @@
 //! the other side. A needle that ends outside of the picture (`needle`) is drawn up to its edge, as
 //! an arrow.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Color32, Id, Pos2, Rect, Stroke, Ui, vec2};
 use glam::DVec3;
@@ -21,7 +22,6 @@ use super::surface::Surface;
 use crate::commands::Command;
 use crate::compile::LightValues;
 use crate::document::{Light, LightKind, Value};
-use crate::fields::layer::middle_name;
 use crate::fields::lighting::{OwnedLight, set_light_at};
 use crate::ids::LightId;
 use crate::placing::Parametrization;
@@ -81,28 +81,31 @@ impl HeldLight {
         let name = OwnedLight::lighting(session, &self.light)
             .map_or_else(|| self.light.to_string(), |owned_light| owned_light.full_name());
         match &self.grip {
-            Grip::Middle(shading) => {
-                format!(
-                    "Drag to turn the light {name}: its {} follows the pointer, beyond the outline \
-                     it goes behind",
-                    middle_name(*shading)
-                )
-            }
+            Grip::Middle(shading) => turn_hint(*shading, &name),
             Grip::Lamp(handle) => handle.hint(&name),
             Grip::Needle { .. } => {
                 let aimed_at =
                     session.keys().light(&self.light).and_then(|light| light.aimed_at.as_ref());
                 if let Some(object) = aimed_at {
-                    return format!(
+                    return tr!(
                         "Drag to move the light {name} around {object}, which it stays aimed at"
                     );
                 }
-                format!(
-                    "Drag to turn the light {name} around the object; over the rim and back, or a \
-                     double-click, takes it to the other side"
-                )
+                tr!("Drag to turn the light {name} around the object; over the rim and back, or a \
+                     double-click, takes it to the other side")
             }
         }
+    }
+}
+
+/// Hint on the drag of a light by the middle of its lit part.
+fn turn_hint(shading: Parametrization, name: &str) -> String {
+    if shading.mirrors() {
+        tr!("Drag to turn the light {name}: its highlight follows the pointer, beyond the outline \
+             it goes behind")
+    } else {
+        tr!("Drag to turn the light {name}: its bright middle follows the pointer, beyond the \
+             outline it goes behind")
     }
 }
 
@@ -124,11 +127,15 @@ pub(super) fn named(session: &Session, rect: Rect) -> Vec<NamedHandle> {
         let name = full_name(id);
         if let Some(needle) = Needle::of(light, rect, session) {
             let (at, held) = (needle.to, by_needle(id, &needle));
-            found.push(NamedHandle { name: format!("Needle of {name}"), at, held });
+            found.push(NamedHandle { name: tr!("Needle of {name}"), at, held });
         }
         for (handle, at) in lamps::places(session, id, rect) {
             let held = HeldLight { light: id.clone(), grip: Grip::Lamp(handle) };
-            found.push(NamedHandle { name: format!("{} of {name}", handle.label()), at, held });
+            found.push(NamedHandle {
+                name: tr!("{handle} of {light}", handle = handle.label(), light = name),
+                at,
+                held,
+            });
         }
     }
     found.retain(|handle| rect.contains(handle.at));

@@ -6,6 +6,7 @@
 
 use std::f64::consts::PI;
 
+use chiaro_locale::tr;
 use eframe::egui::Id;
 use glam::DVec3;
 
@@ -50,12 +51,13 @@ impl LookThrough {
     /// # Errors
     /// The reason why there is none to look through, as a sentence without its end.
     pub(super) fn begin(session: &Session) -> Result<Self, String> {
-        let id = chosen(session).ok_or("The look has no light to look through")?;
-        let light = light_in_view(session, &id).ok_or("The look has no light to look through")?;
+        let none = || tr!("The look has no light to look through");
+        let id = chosen(session).ok_or_else(none)?;
+        let light = light_in_view(session, &id).ok_or_else(none)?;
         if light.space == LightSpace::Camera {
-            return Err(format!(
-                "{} goes along with the camera, so that it cannot be looked through",
-                light.display_name(&id)
+            return Err(tr!(
+                "{light} goes along with the camera, so that it cannot be looked through",
+                light = light.display_name(&id)
             ));
         }
         let before = session.view.orbit.clone();

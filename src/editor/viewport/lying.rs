@@ -7,6 +7,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use chiaro_locale::tr;
 use eframe::egui::Ui;
 
 use super::solo_bar;
@@ -93,11 +94,14 @@ impl StandUpOffer {
     /// Shows the offer, where there is one.
     pub(super) fn show(&mut self, ui: &mut Ui, session: &Session) -> Option<Command> {
         let (mesh, command) = self.offer(session)?;
-        let text = format!("{} seems to lie on its back", file_label(&mesh));
-        let help = "It is longest along z, as scans are whose z axis points up";
+        let text = tr!("{mesh} seems to lie on its back", mesh = file_label(&mesh));
+        let help = tr!("It is longest along z, as scans are whose z axis points up");
         let buttons = [
-            ("Stand up", "Turns it by a quarter; Options, and Objects in a scene, turn it back"),
-            ("Leave it", "It lies as it should"),
+            (
+                tr!("Stand up"),
+                tr!("Turns it by a quarter; Options, and Objects in a scene, turn it back"),
+            ),
+            (tr!("Leave it"), tr!("It lies as it should")),
         ];
         let answer = solo_bar::bar(ui, &text, help, &buttons)?;
         self.answered.insert(mesh);

@@ -33,6 +33,7 @@ mod stopwatch;
 mod strip;
 mod surface;
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo};
 use std::path::PathBuf;
@@ -196,7 +197,7 @@ impl Viewport {
             self.reference.as_ref().map_or((room, None), |reference| reference.split(room));
         let rect = tools.of::<SafeFrame>().place(rect, session);
         let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
-        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Picture"));
+        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, tr!("Picture")));
         self.rect = Some(rect);
         // The aspect ratio is that of whole pixels, as in the picture that is drawn of the scene.
         let [width, height] = picture_size(rect, ui.pixels_per_point()).map(f64::from);
@@ -688,10 +689,10 @@ impl Viewport {
     fn take_exports(&mut self, ui: &Ui, out: &mut Vec<Command>) {
         for done in self.exports.answers() {
             out.push(Command::Tell(match done {
-                PictureExportResult::Saved(path) => format!("Saved {}", path.display()),
+                PictureExportResult::Saved(path) => tr!("Saved {file}", file = path.display()),
                 PictureExportResult::Copied(image) => {
                     ui.ctx().copy_image(image);
-                    "The picture is in the clipboard".to_owned()
+                    tr!("The picture is in the clipboard").to_owned()
                 }
                 PictureExportResult::Read(path, image) => {
                     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -701,8 +702,7 @@ impl Viewport {
                         .reference
                         .as_ref()
                         .map_or((ReferencePlacement::Beside, 0.5), |old| (old.place, old.opacity));
-                    let message =
-                        format!("{name} is shown with the picture; Options takes it away");
+                    let message = tr!("{name} is shown with the picture; Options takes it away");
                     self.reference = Some(ReferenceImage { name, texture, place, opacity });
                     message
                 }

@@ -1,6 +1,7 @@
 //! Objects of a scene in the picture: the object under the pointer, selection by clicks, and
 //! unobtrusive marks.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Align2, FontId, Pos2, Rect, Stroke, Ui, pos2, vec2};
 
@@ -31,10 +32,11 @@ impl HoveredObject {
     /// Hint on the object.
     pub(super) fn hint(&self) -> String {
         let Self { piece: ObjectPart { object, is_open, .. }, look } = self;
-        match is_open {
-            true => format!("{object} wears the open look · "),
-            false => format!("{object} wears {look}: a click opens it · "),
-        }
+        let text = match is_open {
+            true => tr!("{object} wears the open look"),
+            false => tr!("{object} wears {look}: a click opens it"),
+        };
+        text + " · "
     }
 }
 

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::sync::{Arc, Weak};
 use std::time::Duration;
 
+use chiaro_locale::tr;
 use eframe::egui::TextureId;
 use eframe::egui_wgpu::RenderState;
 
@@ -539,7 +540,8 @@ impl PictureRenderer {
 /// Problem of a view that the picture is not shown by: it is shown by the curve of sRGB.
 fn not_shown(mut problem: Diagnostic) -> Diagnostic {
     problem.severity = Severity::Warning;
-    problem.message = format!("the picture is shown by sRGB, not by its view: {}", problem.message);
+    problem.message =
+        tr!("the picture is shown by sRGB, not by its view: {why}", why = problem.message);
     problem
 }
 

@@ -3,6 +3,7 @@
 
 use std::time::Duration;
 
+use chiaro_locale::tr;
 use eframe::egui::{self, Align2, FontId, Rect, Role, Sense, Spinner, Ui, Vec2, WidgetInfo, vec2};
 
 use crate::diag::has_errors;
@@ -52,16 +53,23 @@ impl PictureDelay {
         if is_made && strength == 0.0 {
             return ui.ctx().request_repaint_after(Duration::from_secs_f64(calm.max(0.01)));
         }
-        let text = format!("Preparing {name}");
+        let text = tr!("Preparing {name}");
         match awaited {
             Some(MissingPicture::Shader) => {
-                sign(ui, rect, strength, true, &text, "building its shader");
+                sign(ui, rect, strength, true, &text, tr!("building its shader"));
             }
             Some(MissingPicture::Picture) => {
-                sign(ui, rect, strength, true, &text, "reading meshes and paintings, drawing");
+                sign(ui, rect, strength, true, &text, tr!("reading meshes and paintings, drawing"));
             }
             Some(MissingPicture::Mended) if session.journals.held().is_some() => {
-                sign(ui, rect, 1.0, false, "Not drawn", "until you press Try again above");
+                sign(
+                    ui,
+                    rect,
+                    1.0,
+                    false,
+                    tr!("Not drawn"),
+                    tr!("until you press Try again above"),
+                );
             }
             Some(MissingPicture::Mended) => {
                 sign(
@@ -69,8 +77,8 @@ impl PictureDelay {
                     rect,
                     1.0,
                     false,
-                    "No picture yet",
-                    "until what is listed below is mended",
+                    tr!("No picture yet"),
+                    tr!("until what is listed below is mended"),
                 );
             }
             None if has_errors(session.compilation().problems()) => stale(ui, rect),
@@ -81,7 +89,7 @@ impl PictureDelay {
 
 /// Says over the picture that it is of the graph before its error.
 fn stale(ui: &Ui, rect: Rect) {
-    let text = "Of the graph before the error";
+    let text = tr!("Of the graph before the error");
     let colors = theme::of(ui);
     let painter = ui.painter().with_clip_rect(rect);
     let font = FontId::proportional(theme::TEXT_SIZE);

@@ -1,5 +1,6 @@
 //! Cost of the picture that is shown, in a corner of it: milliseconds, and passes by number.
 
+use chiaro_locale::tr;
 use eframe::egui::{Align2, Color32, CursorIcon, FontId, Rect, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::picture::ViewportPicture;
@@ -30,7 +31,7 @@ pub(super) fn show(ui: &Ui, rect: Rect, picture: &ViewportPicture, out: &mut Vec
     let place = Align2::RIGHT_BOTTOM.anchor_size(at, galley.size()).expand2(vec2(4.0, 2.0));
     let response = ui.interact(place, ui.scope_id().with("cost of the picture"), Sense::click());
     response.widget_info(|| {
-        WidgetInfo::labeled(Role::Button, true, format!("Cost of the picture: {text}"))
+        WidgetInfo::labeled(Role::Button, true, tr!("Cost of the picture: {text}"))
     });
     let ground = if response.hovered() { 190 } else { 120 };
     ui.painter().rect_filled(place, 3.0, Color32::from_black_alpha(ground));
@@ -42,12 +43,12 @@ pub(super) fn show(ui: &Ui, rect: Rect, picture: &ViewportPicture, out: &mut Vec
 
 fn help(cost: &PictureCost) -> String {
     let [width, height] = cost.size;
-    let mut text = format!(
+    let mut text = tr!(
         "The picture of now, {width} by {height} pixels. Its time is from when it was handed to \
          the GPU until the GPU was done, by the clock on the wall."
     );
     for pass in &cost.passes {
         text += &format!("\n{}: {}", pass.label(), pass.words());
     }
-    text + "\nA click tells what each layer costs, and why passes are needed."
+    text + "\n" + tr!("A click tells what each layer costs, and why passes are needed.")
 }

@@ -1,5 +1,6 @@
 //! Bar that tells which layers and lights are soloed or muted.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{RichText, Ui};
 
@@ -14,8 +15,8 @@ use crate::widgets::theme;
 /// Shows the bar, with a button that leads back; nothing while everything is shown.
 pub(crate) fn show(ui: &mut Ui, session: &Session) -> Option<Command> {
     let text = sentence(session)?;
-    let button = ("Show all", "Ends every solo, and lets muted lights shine");
-    bar(ui, &text, OF_THE_WINDOW, &[button])?;
+    let button = (tr!("Show all"), tr!("Ends every solo, and lets muted lights shine"));
+    bar(ui, &text, OF_THE_WINDOW.tr(), &[button])?;
     Some(Command::Solo(Solo::default()))
 }
 
@@ -26,10 +27,12 @@ pub(super) fn of_scene(ui: &mut Ui, session: &Session) -> Option<Command> {
     if soloed.is_none() {
         return None;
     }
-    let text = format!("Solo: {} · in the scene, saved with it", soloed.text());
-    let help = "Rendering warns of it, and with --strict refuses. The light table and the mixer \
-                set it; S in Lights is of this window only";
-    let button = ("End it", "Lets all lights shine again that are not muted");
+    let text = tr!("Solo: {lights} · in the scene, saved with it", lights = soloed.text());
+    let help = tr!(
+        "Rendering warns of it, and with --strict refuses. The light table and the mixer set it; S \
+         in Lights is of this window only"
+    );
+    let button = (tr!("End it"), tr!("Lets all lights shine again that are not muted"));
     let edit = SceneEdit::SetSoloedLights { soloed: LightSet::none() };
     bar(ui, &text, help, &[button])?;
     Some(Command::Scene(SceneCommand::Edit(edit)))
@@ -76,13 +79,19 @@ fn sentence(session: &Session) -> Option<String> {
     let list = |names: Vec<String>| names.join(", ");
     let mut parts = Vec::new();
     if !solo.layers.is_empty() {
-        parts.push(format!("Solo: {}", list(solo.layers.iter().map(layer).collect())));
+        parts.push(tr!("Solo: {names}", names = list(solo.layers.iter().map(layer).collect())));
     }
     if !solo.lights.is_empty() {
-        parts.push(format!("Solo: light {}", list(solo.lights.iter().map(light).collect())));
+        parts.push(tr!(
+            "Solo: light {names}",
+            names = list(solo.lights.iter().map(light).collect())
+        ));
     }
     if !solo.muted.is_empty() {
-        parts.push(format!("Muted: light {}", list(solo.muted.iter().map(light).collect())));
+        parts.push(tr!(
+            "Muted: light {names}",
+            names = list(solo.muted.iter().map(light).collect())
+        ));
     }
-    Some(format!("{} · in this window only", parts.join(" · ")))
+    Some(tr!("{solos} · in this window only", solos = parts.join(" · ")))
 }

@@ -2,7 +2,7 @@
 //! them, its colors and its warp. The strip would cover the object's feet, so that only a tab is
 //! shown until the pointer comes near.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui;
 use eframe::egui::{
     Align2, DragValue, Frame, Id, Margin, Rect, Response, RichText, Ui, UiBuilder, Vec2, pos2, vec2,
@@ -10,7 +10,7 @@ use eframe::egui::{
 
 use crate::commands::Command;
 use crate::document::Value;
-use crate::fields::bands::{self, Bands};
+use crate::fields::bands::{self, Bands, BandsOf};
 use crate::fields::edge::{self, EdgeField};
 use crate::fields::layer::{Curve, SelectedLayer, Setting};
 use crate::state::session::Session;
@@ -90,7 +90,7 @@ fn tab(ui: &mut Ui, room: Rect, id: Id, layer: &SelectedLayer) -> Response {
         egui::WidgetInfo::labeled(
             egui::Role::Button,
             true,
-            format!("Values of {} over the picture", layer.name),
+            tr!("Values of {layer} over the picture", layer = layer.name),
         )
     });
     let painter = ui.painter().with_clip_rect(rect);
@@ -157,7 +157,7 @@ fn angles(
     }
     let Some(shape) = layer.profile() else { return };
     if let Some(field) = EdgeField::of_layer(session, layer) {
-        let names = ["Edge on the object", "Softness on the object"];
+        let names = [tr!("Edge on the object"), tr!("Softness on the object")];
         widgets.extend(field.in_line(ui, names, out));
         let toggle = edge::angles_toggle(ui, &layer.path, field.edge().is_some());
         widgets.extend(toggle.widget);
@@ -183,12 +183,12 @@ fn angles(
             .suffix("°")
             .update_while_editing(false);
         let help = match curve {
-            Curve::Offset => "Up to this angle from the light the tone is full",
-            Curve::Falloff => "Where the tone falls fastest",
-            Curve::Cutoff | Curve::Edge(_) => "Where the tone ends",
+            Curve::Offset => tr!("Up to this angle from the light the tone is full"),
+            Curve::Falloff => tr!("Where the tone falls fastest"),
+            Curve::Cutoff | Curve::Edge(_) => tr!("Where the tone ends"),
         };
         let response =
-            number(ui, widget, setting, &format!("{} on the object", curve.label()), help);
+            number(ui, widget, setting, &tr!("{curve} on the object", curve = curve.label()), help);
         widgets.push(response.id);
         if response.changed() {
             let angle = (degrees.to_radians() * 1e4).round() / 1e4;
@@ -212,12 +212,13 @@ fn bands_bar(
     let (rect, _) = ui.allocate_exact_size(size, egui::Sense::hover());
     let (mut bands, mut changed) = (setting.at_key.clone(), None);
     let space = session.look().color_space;
-    bands::bar(ui, rect, &mut bands, space, "the strip", &mut changed);
+    bands::bar(ui, rect, &mut bands, space, BandsOf::Strip, &mut changed);
     if let Some(widget) = changed.filter(|_| !setting.is_wired) {
         let edit = session.keys().set_at(&setting.target, Value::Ramp(bands.ramp()));
         out.push(Command::EditHeld(widget, edit));
     }
-    let words = format!("{} bands", layer.bands().map_or(0, |it| it.at_key.colors.len()));
+    let count = layer.bands().map_or(0, |it| it.at_key.colors.len());
+    let words = trn!(count, "{count} band", "{count} bands");
     ui.label(RichText::new(words).color(theme::of(ui).dim));
 }
 
@@ -232,8 +233,7 @@ fn surface(
     out: &mut Vec<Command>,
 ) {
     for (label, setting) in &layer.colors {
-        let short = label.trim_end_matches(" color");
-        let label = ui.label(RichText::new(short).color(theme::of(ui).dim));
+        let label = ui.label(RichText::new(*label).color(theme::of(ui).dim));
         let changed = ui
             .add_enabled_ui(!setting.is_wired, |ui| {
                 color::swatch(ui, label.id, setting.at_key, session.look().color_space, true)
@@ -248,9 +248,12 @@ fn surface(
     }
     if let Some(setting) = &layer.slope {
         let mut slope = setting.at_key;
-        let widget = DragValue::new(&mut slope).speed(0.005).max_decimals(3).prefix("Shape slope ");
-        let help = "How sharply concave turns into convex; 0 is flat everywhere";
-        let response = number(ui, widget, setting, "Shape slope on the object", help);
+        let widget = DragValue::new(&mut slope)
+            .speed(0.005)
+            .max_decimals(3)
+            .prefix(format!("{} ", tr!("Shape slope")));
+        let help = tr!("How sharply concave turns into convex; 0 is flat everywhere");
+        let response = number(ui, widget, setting, tr!("Shape slope on the object"), help);
         widgets.push(response.id);
         if response.changed() {
             out.push(Command::EditHeld(
@@ -262,10 +265,12 @@ fn surface(
     if let Some(setting) = &layer.amount {
         let mut degrees = setting.at_key.to_degrees();
         let widget = DragValue::new(&mut degrees).speed(0.5).range(-180.0..=180.0).max_decimals(1);
-        let widget = widget.prefix("Shape offset ").suffix("°");
-        let help = "How far convex parts are lit beyond, and concave parts short of, what the \
-                    profile says";
-        let response = number(ui, widget, setting, "Shape offset on the object", help);
+        let widget = widget.prefix(format!("{} ", tr!("Shape offset"))).suffix("°");
+        let help = tr!(
+            "How far convex parts are lit beyond, and concave parts short of, what the profile \
+             says"
+        );
+        let response = number(ui, widget, setting, tr!("Shape offset on the object"), help);
         widgets.push(response.id);
         if response.changed() {
             out.push(Command::EditHeld(

@@ -332,7 +332,7 @@ impl Behavior<Pane> for TileBehavior<'_> {
                 let is_it = tabs.active == Some(*tile);
                 let entry =
                     ui.selectable_label(is_it, panel.label.tr()).on_hover_text(panel.help.tr());
-                let label = format!("Show {}", panel.label);
+                let label = tr!("Show {panel}", panel = panel.label);
                 entry.widget_info(|| {
                     WidgetInfo::selected(egui::Role::MenuItem, true, is_it, &label)
                 });
@@ -343,7 +343,7 @@ impl Behavior<Pane> for TileBehavior<'_> {
             }
         });
         menu.response.widget_info(|| {
-            WidgetInfo::labeled(egui::Role::Button, true, "All panels of this stack")
+            WidgetInfo::labeled(egui::Role::Button, true, tr!("All panels of this stack"))
         });
         menu.response.on_hover_text(tr!("Lists all panels that lie here"));
         let known = egui::Id::unique("front tab").with(stack);

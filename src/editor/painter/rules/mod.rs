@@ -6,7 +6,7 @@ mod strokes;
 
 use std::f64::consts::PI;
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr, tr_in};
 use eframe::egui::{
     Checkbox, ComboBox, DragValue, Id, ProgressBar, RichText, Role, ScrollArea, Slider, Ui,
     WidgetInfo,
@@ -30,41 +30,46 @@ const LEAD: f32 = 96.0;
 const AGAIN: f32 = 0.1;
 
 /// Angles of an HCBTF with their labels, in the order of the check boxes.
-pub(super) const ANGLES: [(HcbtfAngle, &str); 4] = [
-    (HcbtfAngle::LightTheta, "Light's height"),
-    (HcbtfAngle::LightPhi, "Light's way around"),
-    (HcbtfAngle::ViewTheta, "Eye's height"),
-    (HcbtfAngle::ViewPhi, "Eye's way around"),
+pub(super) const ANGLES: [(HcbtfAngle, Text); 4] = [
+    (HcbtfAngle::LightTheta, text!("Light's height")),
+    (HcbtfAngle::LightPhi, text!("Light's way around")),
+    (HcbtfAngle::ViewTheta, text!("Eye's height")),
+    (HcbtfAngle::ViewPhi, text!("Eye's way around")),
 ];
 
 /// Explanation of a rule for the user.
 fn help(rule: &Rule) -> &'static str {
     match rule {
-        Rule::Copy { .. } => "Fills everything that is empty with one painting",
-        Rule::Lock { .. } => "What is painted holds for every value of these angles",
+        Rule::Copy { .. } => tr!("Fills everything that is empty with one painting"),
+        Rule::Lock { .. } => tr!("What is painted holds for every value of these angles"),
         Rule::Blend { .. } => {
-            "Blends the paintings by how near their light and eye are: a few make the whole"
+            tr!("Blends the paintings by how near their light and eye are: a few make the whole")
         }
         Rule::Morph { .. } => {
-            "Blends the nearest paintings, and moves their strokes from one to the other in place \
-             of fading them"
+            tr!("Blends the nearest paintings, and moves their strokes from one to the other in \
+                 place of fading them")
         }
-        Rule::Mirror { .. } => "One color where the light is mirrored to the eye, fading outward",
-        Rule::Specular { .. } => "One painting where the light is mirrored to the eye",
-        Rule::Color { .. } => "Fills everything that is empty with one color",
+        Rule::Mirror { .. } => {
+            tr!("One color where the light is mirrored to the eye, fading outward")
+        }
+        Rule::Specular { .. } => tr!("One painting where the light is mirrored to the eye"),
+        Rule::Color { .. } => tr!("Fills everything that is empty with one color"),
         Rule::Strokes(_) => {
-            "Draws strokes that stand on the tile, as each eye and each light see them"
+            tr!("Draws strokes that stand on the tile, as each eye and each light see them")
         }
-        Rule::Relief(_) => "Shows a relief of the tile, as each eye and each light see it",
-        Rule::Lambert { .. } => "Darkens what is filled as the light sinks",
-        Rule::Rotate { .. } => "Turns what is filled with the eye, so that it keeps facing it",
-        Rule::Recolor { .. } => "Tints what is filled from one color to another along an angle",
+        Rule::Relief(_) => tr!("Shows a relief of the tile, as each eye and each light see it"),
+        Rule::Lambert { .. } => tr!("Darkens what is filled as the light sinks"),
+        Rule::Rotate { .. } => tr!("Turns what is filled with the eye, so that it keeps facing it"),
+        Rule::Recolor { .. } => {
+            tr!("Tints what is filled from one color to another along an angle")
+        }
     }
 }
 
 /// Explanation of a rule, with its name in files.
 fn tip(rule: &Rule) -> String {
-    format!("{}\nIn files and at the command line: {}", help(rule), rule.word())
+    let (help, word) = (help(rule), rule.word());
+    tr!("{help}\nIn files and at the command line: {word}")
 }
 
 /// New rules to add, one of each kind.
@@ -100,7 +105,7 @@ pub(super) fn show(
     ui.horizontal(|ui| {
         ui.menu_button(tr!("+ Add a rule"), |ui| {
             for rule in fresh(work) {
-                let (name, help) = (rule.about().label, tip(&rule));
+                let (name, help) = (rule.about().label.tr(), tip(&rule));
                 let button = ui.button(name);
                 button.widget_info(|| WidgetInfo::labeled(Role::MenuItem, true, name));
                 if button.on_hover_text(help).clicked() {
@@ -126,7 +131,8 @@ pub(super) fn show(
                 is_tiling: tiling,
             })));
         }
-        let help = "Divides it into other texels, lights or views, once it is told what that takes";
+        let help =
+            tr!("Divides it into other texels, lights or views, once it is told what that takes");
         if ui.button(tr!("Grid...")).on_hover_text(help).clicked() {
             out.push(Command::Paint(PaintCommand::AskGrid { changes: true }));
         }
@@ -144,8 +150,9 @@ pub(super) fn show(
     }
     let counts = counts(work);
     if hcbtf.rules.is_empty() {
-        let text =
-            "No rules: what is not painted is empty. Add Blend to make a whole of a few paintings.";
+        let text = tr!(
+            "No rules: what is not painted is empty. Add Blend to make a whole of a few paintings."
+        );
         ui.label(RichText::new(text).color(theme::of(ui).dim));
     }
     ScrollArea::vertical().id_salt("rules").auto_shrink([false, false]).show(ui, |ui| {
@@ -181,14 +188,14 @@ fn card(
     count: usize,
     out: &mut Vec<Command>,
 ) {
-    let (name, help) = (rule.about().label, help(rule));
-    let rules = &work.hcbtf().rules;
+    let (name, help) = (rule.about().label.tr(), help(rule));
+    let (rules, number) = (&work.hcbtf().rules, index + 1);
     let frame =
         eframe::egui::Frame::new().fill(theme::of(ui).node).corner_radius(4.0).inner_margin(8.0);
     frame.show(ui, |ui| {
         ui.set_min_width(ui.available_width());
         ui.horizontal(|ui| {
-            ui.strong(format!("{}. {name}", index + 1)).on_hover_text(tip(rule));
+            ui.strong(format!("{number}. {name}")).on_hover_text(tip(rule));
             let layout = eframe::egui::Layout::right_to_left(eframe::egui::Align::Center);
             ui.with_layout(layout, |ui| {
                 let last = rules.len() - 1;
@@ -200,18 +207,18 @@ fn card(
                 if moved(
                     ui,
                     "×",
-                    format!("Remove rule {}", index + 1),
+                    tr!("Remove rule {number}"),
                     true,
-                    "Takes the rule away; Undo brings it back",
+                    tr!("Takes the rule away; Undo brings it back"),
                 ) {
                     out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::RemoveRule { index })));
                 }
                 if moved(
                     ui,
-                    "Down",
-                    format!("Move rule {} down", index + 1),
+                    tr!("Down"),
+                    tr!("Move rule {number} down"),
                     index < last,
-                    "Lets it work later",
+                    tr!("Lets it work later"),
                 ) {
                     out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::MoveRule {
                         from: index,
@@ -220,10 +227,10 @@ fn card(
                 }
                 if moved(
                     ui,
-                    "Up",
-                    format!("Move rule {} up", index + 1),
+                    tr!("Up"),
+                    tr!("Move rule {number} up"),
                     index > 0,
-                    "Lets it work earlier",
+                    tr!("Lets it work earlier"),
                 ) {
                     out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::MoveRule {
                         from: index,
@@ -232,8 +239,11 @@ fn card(
                 }
             });
         });
-        let verb = if rule.fills() { "fills" } else { "changes" };
-        let text = format!("{help}: {verb} {count} of {} samples", work.grid().sample_count());
+        let all = work.grid().sample_count();
+        let text = match rule.fills() {
+            true => tr!("{help}: fills {count} of {all} samples"),
+            false => tr!("{help}: changes {count} of {all} samples"),
+        };
         ui.label(RichText::new(text).color(theme::of(ui).dim).small());
         let mut edited = rule.clone();
         if let Some(widget) = fields(ui, work, &mut edited).filter(|_| edited != *rule) {
@@ -251,29 +261,34 @@ fn fields(ui: &mut Ui, work: &OpenPainting, rule: &mut Rule) -> Option<Id> {
     match rule {
         Rule::Copy { from } => sample(ui, work, from),
         Rule::Specular { from, width } => {
-            sample(ui, work, from).or_else(|| degrees(ui, "Width", width))
+            sample(ui, work, from).or_else(|| degrees(ui, tr!("Width"), width))
         }
         Rule::Lock { angles } => lock(ui, angles),
         Rule::Blend { sharpness } | Rule::Morph { sharpness } => {
-            let help = "1 is soft; at 8 the nearest painting alone is seen, nearly";
-            number(ui, "Sharpness", help, sharpness, 0.0..=16.0)
+            let help = tr!("1 is soft; at 8 the nearest painting alone is seen, nearly");
+            number(ui, tr!("Sharpness"), help, sharpness, 0.0..=16.0)
         }
         Rule::Mirror { color, width } => {
-            rgba(ui, "Color", color).or_else(|| degrees(ui, "Width", width))
+            rgba(ui, tr!("Color"), color).or_else(|| degrees(ui, tr!("Width"), width))
         }
-        Rule::Color { color } => rgba(ui, "Color", color),
+        Rule::Color { color } => rgba(ui, tr!("Color"), color),
         Rule::Lambert { shadow, amount } => {
-            let help = "0 leaves everything as it is, 1 is Lambert's law";
-            rgb(ui, "Shadow", shadow).or_else(|| number(ui, "Amount", help, amount, 0.0..=1.0))
+            let help = tr!("0 leaves everything as it is, 1 is Lambert's law");
+            rgb(ui, tr!("Shadow"), shadow)
+                .or_else(|| number(ui, tr!("rule" => "Amount"), help, amount, 0.0..=1.0))
         }
         Rule::Strokes(strokes) => strokes::fields(ui, strokes),
         Rule::Relief(relief) => relief::fields(ui, work, relief),
-        Rule::Rotate { turns } => {
-            number(ui, "Turns", "How often it turns for one turn of the eye", turns, -4.0..=4.0)
-        }
+        Rule::Rotate { turns } => number(
+            ui,
+            tr!("Turns"),
+            tr!("How often it turns for one turn of the eye"),
+            turns,
+            -4.0..=4.0,
+        ),
         Rule::Recolor { angle, from, to } => {
-            let chosen = along(ui, "Along", angle);
-            chosen.or_else(|| rgb(ui, "From", from)).or_else(|| rgb(ui, "To", to))
+            let chosen = along(ui, tr!("Along"), angle);
+            chosen.or_else(|| rgb(ui, tr!("From"), from)).or_else(|| rgb(ui, tr!("To"), to))
         }
     }
 }
@@ -302,7 +317,7 @@ fn number(
 
 fn degrees(ui: &mut Ui, label: &str, radians: &mut f64) -> Option<Id> {
     let mut shown = radians.to_degrees();
-    let help = "How far from the mirrored direction it reaches";
+    let help = tr!("How far from the mirrored direction it reaches");
     line(ui, label, help, |ui, id| {
         let slider = Slider::new(&mut shown, 0.0..=180.0).suffix("°").max_decimals(0);
         let response = ui.add(slider).labelled_by(id).on_hover_text(help);
@@ -315,7 +330,7 @@ fn degrees(ui: &mut Ui, label: &str, radians: &mut f64) -> Option<Id> {
 
 fn rgba(ui: &mut Ui, label: &str, color: &mut [u8; 4]) -> Option<Id> {
     let shown = color.map(|channel| f64::from(channel) / 255.0);
-    line(ui, label, "Click to choose", |ui, _| {
+    line(ui, label, tr!("Click to choose"), |ui, _| {
         let (id, found) = color::named_swatch(ui, label, shown, ColorSpace::Display, true)?;
         *color = found.map(|channel| (channel * 255.0).round() as u8);
         Some(id)
@@ -324,7 +339,7 @@ fn rgba(ui: &mut Ui, label: &str, color: &mut [u8; 4]) -> Option<Id> {
 
 pub(super) fn rgb(ui: &mut Ui, label: &str, color: &mut [u8; 3]) -> Option<Id> {
     let [r, g, b] = color.map(|channel| f64::from(channel) / 255.0);
-    line(ui, label, "Click to choose", |ui, _| {
+    line(ui, label, tr!("Click to choose"), |ui, _| {
         let (id, found) =
             color::named_swatch(ui, label, [r, g, b, 1.0], ColorSpace::Display, false)?;
         let [r, g, b, _] = found.map(|channel| (channel * 255.0).round() as u8);
@@ -340,8 +355,8 @@ fn lock(ui: &mut Ui, angles: &mut Vec<HcbtfAngle>) -> Option<Id> {
             let mut is_on = angles.contains(&angle);
             // At least one angle stays locked: a rule that locks none does nothing.
             let is_last = is_on && angles.len() == 1;
-            let response = ui.add_enabled(!is_last, Checkbox::new(&mut is_on, label));
-            let help = "Where this angle alone differs, the painting is the same";
+            let response = ui.add_enabled(!is_last, Checkbox::new(&mut is_on, label.tr()));
+            let help = tr!("Where this angle alone differs, the painting is the same");
             if response.changed() {
                 match is_on {
                     true => angles.push(angle),
@@ -359,17 +374,17 @@ fn lock(ui: &mut Ui, angles: &mut Vec<HcbtfAngle>) -> Option<Id> {
 pub(super) fn along(ui: &mut Ui, label: &str, angle: &mut HcbtfAngle) -> Option<Id> {
     let before = *angle;
     let name = |angle: HcbtfAngle| {
-        ANGLES.iter().find(|(known, _)| *known == angle).map_or("", |(_, label)| label)
+        ANGLES.iter().find(|(known, _)| *known == angle).map_or("", |(_, label)| label.tr())
     };
-    line(ui, label, "Which angle", |ui, id| {
-        let combo = ComboBox::from_id_salt(label).width(130.0).selected_text(name(before));
+    line(ui, label, tr!("Which angle"), |ui, id| {
+        let combo = ComboBox::from_id_salt("angle").width(130.0).selected_text(name(before));
         let response = combo.show_ui(ui, |ui| {
             for (known, label) in ANGLES {
-                ui.selectable_value(angle, known, label);
+                ui.selectable_value(angle, known, label.tr());
             }
         });
         let response = response.response.labelled_by(id);
-        (*angle != before).then(|| response.id.with(name(*angle)))
+        (*angle != before).then(|| response.id.with(format!("{angle:?}")))
     })
 }
 
@@ -378,28 +393,28 @@ pub(super) fn sample(ui: &mut Ui, work: &OpenPainting, from: &mut Address) -> Op
     let mut changed = None;
     let before = *from;
     let grid = work.grid();
-    let parts: [(&str, Directions, &mut crate::document::Direction); 2] =
-        [("Light", grid.light, &mut from.light), ("Eye", grid.view, &mut from.view)];
-    for (label, directions, direction) in parts {
-        line(ui, label, "The ring from the normal, and the step around it", |ui, _| {
+    let parts: [(_, _, Directions, &mut crate::document::Direction); 2] = [
+        (tr!("Light"), [tr!("Light ring"), tr!("Light step")], grid.light, &mut from.light),
+        (tr!("Eye"), [tr!("Eye ring"), tr!("Eye step")], grid.view, &mut from.view),
+    ];
+    for (label, [ring, step], directions, direction) in parts {
+        line(ui, label, tr!("The ring from the normal, and the step around it"), |ui, _| {
             let mut field = |ui: &mut Ui, name: &str, value: &mut u32, count: u32| {
                 let drag = ui.add(DragValue::new(value).range(0..=count.max(1) - 1).speed(0.05));
-                drag.widget_info(|| {
-                    WidgetInfo::labeled(Role::SpinButton, true, format!("{label} {name}"))
-                });
+                drag.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
                 if drag.changed() {
                     changed = Some(drag.id);
                 }
             };
-            field(ui, "ring", &mut direction.theta, directions.theta);
-            field(ui, "step", &mut direction.phi, directions.phi);
+            field(ui, ring, &mut direction.theta, directions.theta);
+            field(ui, step, &mut direction.phi, directions.phi);
             ui.label(
                 RichText::new(moves::name(directions, *direction)).color(theme::of(ui).dim).small(),
             );
         });
     }
     let at = work.at();
-    let help = "Lets the rule copy the sample that you are working at";
+    let help = tr!("Lets the rule copy the sample that you are working at");
     let button = ui.add_enabled(
         before.canonical() != at,
         eframe::egui::Button::new(tr!("Take the sample at work")).small(),

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr, tr_in, trn};
 use eframe::egui::{
     Button, CollapsingHeader, ComboBox, DragValue, Id, RichText, Role, Ui, WidgetInfo,
 };
@@ -11,10 +11,10 @@ use super::{line, number, rgb, rgba};
 use crate::document::{Bundle, Placement, StrokeShape, StrokeTones, Strokes};
 use crate::widgets::theme;
 
-const SHAPES: [(StrokeShape, &str); 3] = [
-    (StrokeShape::Thread, "Threads: round, they grow from the tile"),
-    (StrokeShape::Ribbon, "Ribbons: flat"),
-    (StrokeShape::Dot, "Dots: flat rounds"),
+const SHAPES: [(StrokeShape, Text); 3] = [
+    (StrokeShape::Thread, text!("Threads: round, they grow from the tile")),
+    (StrokeShape::Ribbon, text!("Ribbons: flat")),
+    (StrokeShape::Dot, text!("Dots: flat rounds")),
 ];
 
 /// Shows the fields. Returns the id of the widget that changed one.
@@ -22,49 +22,50 @@ pub(super) fn fields(ui: &mut Ui, strokes: &mut Strokes) -> Option<Id> {
     let mut changed = beginning(ui, strokes);
     let mut seed = f64::from(strokes.seed);
     let mut by = |id: Option<Id>| changed = changed.or(id);
-    by(drag(ui, "Seed", "Another number scatters anew", &mut seed, 0.0..=9999.0, 0.1, 0));
+    by(drag(ui, tr!("Seed"), tr!("Another number scatters anew"), &mut seed, 0.0..=9999.0, 0.1, 0));
     strokes.seed = seed as u32;
     let ground = &mut strokes.ground;
-    by(rgba(ui, "Ground", &mut ground.color));
+    by(rgba(ui, tr!("Ground"), &mut ground.color));
     by(number(
         ui,
-        "Ground ambient",
-        "How much of the ground's color is there in any light",
+        tr!("Ground ambient"),
+        tr!("How much of the ground's color is there in any light"),
         &mut ground.ambient,
         0.0..=2.0,
     ));
     by(number(
         ui,
-        "Ground diffuse",
-        "How much more by Lambert's law",
+        tr!("Ground diffuse"),
+        tr!("How much more by Lambert's law"),
         &mut ground.diffuse,
         0.0..=2.0,
     ));
     let shadow = &mut strokes.shadow;
     by(number(
         ui,
-        "Shadow",
-        "How much of the light strokes take from what lies behind",
+        tr!("Shadow"),
+        tr!("How much of the light strokes take from what lies behind"),
         &mut shadow.amount,
         0.0..=1.0,
     ));
     by(number(
         ui,
-        "Softness",
-        "How far the edges of shadows are blurred",
+        tr!("Softness"),
+        tr!("How far the edges of shadows are blurred"),
         &mut shadow.softness,
         0.0..=1.0,
     ));
     let mut removed = None;
     for (index, bundle) in strokes.bundles.iter_mut().enumerate() {
-        let title = format!("Bundle {}: {}", index + 1, counted(bundle));
+        let number = index + 1;
+        let title = tr!("Bundle {number}: {strokes}", strokes = counted(bundle));
         CollapsingHeader::new(title).id_salt(("bundle", index)).default_open(index == 0).show(
             ui,
             |ui| {
                 by(all_of(ui, bundle));
                 let button = ui.add(Button::new(tr!("Remove the bundle")).small());
                 button.widget_info(|| {
-                    WidgetInfo::labeled(Role::Button, true, format!("Remove bundle {}", index + 1))
+                    WidgetInfo::labeled(Role::Button, true, tr!("Remove bundle {number}"))
                 });
                 if button
                     .on_hover_text(tr!("Takes its strokes away; Undo brings them back"))
@@ -96,8 +97,9 @@ fn beginning(ui: &mut Ui, strokes: &mut Strokes) -> Option<Id> {
     let mut taken = None;
     let menu = ui.menu_button(tr!("Begin with"), |ui| {
         for name in Strokes::PRESETS {
-            let button = ui.button(name);
-            button.widget_info(|| WidgetInfo::labeled(Role::MenuItem, true, name));
+            let label = tr_in("strokes", name);
+            let button = ui.button(label);
+            button.widget_info(|| WidgetInfo::labeled(Role::MenuItem, true, label));
             if button.clicked() {
                 *strokes = Strokes::preset(name);
                 taken = Some(name);
@@ -110,16 +112,14 @@ fn beginning(ui: &mut Ui, strokes: &mut Strokes) -> Option<Id> {
 }
 
 fn counted(bundle: &Bundle) -> String {
-    let many =
-        |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
-    let what = match bundle.shape {
-        StrokeShape::Thread => "thread",
-        StrokeShape::Ribbon => "ribbon",
-        StrokeShape::Dot => "dot",
+    let n = match &bundle.place {
+        Placement::Scatter(count) | Placement::Lattice(count) => *count,
+        Placement::Paths(paths) => return trn!(n = paths.len(), "{n} path", "{n} paths"),
     };
-    match &bundle.place {
-        Placement::Scatter(count) | Placement::Lattice(count) => many(*count as usize, what),
-        Placement::Paths(paths) => many(paths.len(), "path"),
+    match bundle.shape {
+        StrokeShape::Thread => trn!(n, "{n} thread", "{n} threads"),
+        StrokeShape::Ribbon => trn!(n, "{n} ribbon", "{n} ribbons"),
+        StrokeShape::Dot => trn!(n, "{n} dot", "{n} dots"),
     }
 }
 
@@ -129,8 +129,8 @@ fn all_of(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
     let formed = form(ui, bundle);
     let colored = colors(ui, bundle);
     let toned = tones(ui, &mut bundle.tones);
-    let help = "How much the grain of the paper shows through";
-    let grained = number(ui, "Grain", help, &mut bundle.grain, 0.0..=1.0);
+    let help = tr!("How much the grain of the paper shows through");
+    let grained = number(ui, tr!("Grain"), help, &mut bundle.grain, 0.0..=1.0);
     placed.or(formed).or(colored).or(toned).or(grained)
 }
 
@@ -138,34 +138,36 @@ fn placement(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
     let mut changed = None;
     let before = bundle.shape;
     let name = |shape: StrokeShape| {
-        SHAPES.iter().find(|(known, _)| *known == shape).map_or("", |(_, name)| name)
+        SHAPES.iter().find(|(known, _)| *known == shape).map_or("", |(_, name)| name.tr())
     };
-    line(ui, "Shape", "What a stroke is", |ui, id| {
+    line(ui, tr!("Shape"), tr!("What a stroke is"), |ui, id| {
         // The long names are for the menu: the card is no wider than its panel.
         let width = ui.available_width().clamp(60.0, 150.0);
         let combo = ComboBox::from_id_salt("shape").width(width).truncate();
         let combo = combo.selected_text(name(before));
         let response = combo.show_ui(ui, |ui| {
             for (shape, name) in SHAPES {
-                ui.selectable_value(&mut bundle.shape, shape, name);
+                ui.selectable_value(&mut bundle.shape, shape, name.tr());
             }
         });
         let response = response.response.labelled_by(id);
-        changed = (bundle.shape != before).then(|| response.id.with(name(bundle.shape)));
+        changed = (bundle.shape != before).then(|| response.id.with(format!("{:?}", bundle.shape)));
     });
     let (count, is_lattice) = match &bundle.place {
         Placement::Scatter(count) => (*count, false),
         Placement::Lattice(count) => (*count, true),
         Placement::Paths(_) => {
-            let text = "They are where their points are; `chiaro hcbtf rules` shows and sets those";
+            let text =
+                tr!("They are where their points are; `chiaro hcbtf rules` shows and sets those");
             ui.label(RichText::new(text).color(theme::of(ui).dim).small());
             return changed;
         }
     };
     let (mut value, mut rows) = (f64::from(count), is_lattice);
     let most = f64::from(Strokes::MAX_COUNT);
-    let counted = drag(ui, "Count", "How many there are in a tile", &mut value, 0.0..=most, 1.0, 0);
-    let help = "In shifted rows, as the dots of a half-tone, in place of scattered";
+    let counted =
+        drag(ui, tr!("Count"), tr!("How many there are in a tile"), &mut value, 0.0..=most, 1.0, 0);
+    let help = tr!("In shifted rows, as the dots of a half-tone, in place of scattered");
     let response = ui.checkbox(&mut rows, tr!("In rows")).on_hover_text(help);
     let rowed = response.changed().then_some(response.id);
     if counted.is_some() || rowed.is_some() {
@@ -176,40 +178,47 @@ fn placement(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
 }
 
 fn form(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
-    let length = "From the shortest to the longest, in widths of the tile";
-    let width = "From the narrowest to the widest, in widths of the tile";
-    let taper = "How much narrower they become toward the root and toward the tip: 1 is a point";
-    let lift = "How high the roots are over the tile, from the lowest to the highest";
-    let mut changed = pair(ui, "Length", length, &mut bundle.length, 4.0);
+    let length = tr!("From the shortest to the longest, in widths of the tile");
+    let width = tr!("From the narrowest to the widest, in widths of the tile");
+    let taper =
+        tr!("How much narrower they become toward the root and toward the tip: 1 is a point");
+    let lift = tr!("How high the roots are over the tile, from the lowest to the highest");
+    let mut changed = pair(ui, tr!("Length"), length, &mut bundle.length, 4.0);
     let mut by = |id: Option<Id>| changed = changed.or(id);
-    by(pair(ui, "Width", width, &mut bundle.width, 1.0));
-    by(pair(ui, "Taper", taper, &mut bundle.taper, 1.0));
-    by(pair(ui, "Lift", lift, &mut bundle.lift, 2.0));
-    by(angle(ui, "Lean", "0 stands, 90 lies", &mut bundle.lean, 0.0..=180.0));
-    by(angle(ui, "Bend", "How much more it leans at the tip", &mut bundle.bend, -180.0..=180.0));
+    by(pair(ui, tr!("Width"), width, &mut bundle.width, 1.0));
+    by(pair(ui, tr!("Taper"), taper, &mut bundle.taper, 1.0));
+    by(pair(ui, tr!("Lift"), lift, &mut bundle.lift, 2.0));
+    by(angle(ui, tr!("Lean"), tr!("0 stands, 90 lies"), &mut bundle.lean, 0.0..=180.0));
     by(angle(
         ui,
-        "Direction",
-        "Where they lean to: 0 is up the tile, 90 to the right",
+        tr!("strokes" => "Bend"),
+        tr!("How much more it leans at the tip"),
+        &mut bundle.bend,
+        -180.0..=180.0,
+    ));
+    by(angle(
+        ui,
+        tr!("Direction"),
+        tr!("Where they lean to: 0 is up the tile, 90 to the right"),
         &mut bundle.direction,
         -360.0..=360.0,
     ));
     by(angle(
         ui,
-        "Spread",
-        "How far they stray to either side: 180 is everywhere",
+        tr!("Spread"),
+        tr!("How far they stray to either side: 180 is everywhere"),
         &mut bundle.spread,
         0.0..=180.0,
     ));
     by(angle(
         ui,
-        "Curl",
-        "How much they turn sideways up to the tip",
+        tr!("Curl"),
+        tr!("How much they turn sideways up to the tip"),
         &mut bundle.curl,
         -360.0..=360.0,
     ));
-    let help = "How often they turn while the eye goes once around: 1 keeps facing it";
-    by(number(ui, "Turns", help, &mut bundle.turns, -4.0..=4.0));
+    let help = tr!("How often they turn while the eye goes once around: 1 keeps facing it");
+    by(number(ui, tr!("Turns"), help, &mut bundle.turns, -4.0..=4.0));
     changed
 }
 
@@ -217,41 +226,47 @@ fn colors(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
     let mut changed = None;
     let mut by = |id: Option<Id>| changed = changed.or(id);
     let [[root, other_root], [tip, other_tip]] = [&mut bundle.root, &mut bundle.tip];
-    by(rgb(ui, "Root", root));
-    by(rgb(ui, "Other root", other_root));
-    by(rgb(ui, "Tip", tip));
-    by(rgb(ui, "Other tip", other_tip));
+    by(rgb(ui, tr!("Root"), root));
+    by(rgb(ui, tr!("Other root"), other_root));
+    by(rgb(ui, tr!("Tip"), tip));
+    by(rgb(ui, tr!("Other tip"), other_tip));
     by(number(
         ui,
-        "Variation",
-        "How much lighter or darker a stroke may be",
+        tr!("Variation"),
+        tr!("How much lighter or darker a stroke may be"),
         &mut bundle.variation,
         0.0..=1.0,
     ));
     by(number(
         ui,
-        "Ambient",
-        "How much of its color is there in any light",
+        tr!("Ambient"),
+        tr!("How much of its color is there in any light"),
         &mut bundle.ambient,
         0.0..=2.0,
     ));
     by(number(
         ui,
-        "Diffuse",
-        "How much more where it faces the light",
+        tr!("Diffuse"),
+        tr!("How much more where it faces the light"),
         &mut bundle.diffuse,
         0.0..=2.0,
     ));
-    let help = "How much more where the light shines through from behind";
-    by(number(ui, "Translucent", help, &mut bundle.translucent, 0.0..=2.0));
+    let help = tr!("How much more where the light shines through from behind");
+    by(number(ui, tr!("Translucent"), help, &mut bundle.translucent, 0.0..=2.0));
     let highlight = &mut bundle.highlight;
-    by(number(ui, "Highlight", "How much of a highlight it has", &mut highlight.amount, 0.0..=2.0));
+    by(number(
+        ui,
+        tr!("Highlight"),
+        tr!("How much of a highlight it has"),
+        &mut highlight.amount,
+        0.0..=2.0,
+    ));
     if highlight.amount > 0.0 {
-        by(rgb(ui, "Its color", &mut highlight.color));
+        by(rgb(ui, tr!("Its color"), &mut highlight.color));
         by(number(
             ui,
-            "Sharpness",
-            "How small the highlight is",
+            tr!("Sharpness"),
+            tr!("How small the highlight is"),
             &mut highlight.sharpness,
             1.0..=200.0,
         ));
@@ -261,7 +276,8 @@ fn colors(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
 
 fn tones(ui: &mut Ui, tones: &mut Option<StrokeTones>) -> Option<Id> {
     let mut is_on = tones.is_some();
-    let help = "The darker or the lighter the light leaves the surface, the more of them there are";
+    let help =
+        tr!("The darker or the lighter the light leaves the surface, the more of them there are");
     let response = ui.checkbox(&mut is_on, tr!("More of them by tone")).on_hover_text(help);
     if response.changed() {
         *tones = is_on.then_some(StrokeTones { first: 1.0, all: 0.0, growth: 0.0 });
@@ -272,16 +288,22 @@ fn tones(ui: &mut Ui, tones: &mut Option<StrokeTones>) -> Option<Id> {
         let was = *tones;
         by(number(
             ui,
-            "First at",
-            "The tone at which the first appears: 1 is full light",
+            tr!("First at"),
+            tr!("The tone at which the first appears: 1 is full light"),
             &mut tones.first,
             0.0..=1.0,
         ));
-        by(number(ui, "All at", "The tone at which all are there", &mut tones.all, 0.0..=1.0));
         by(number(
             ui,
-            "Growth",
-            "0: they appear whole, one by one; 1: all grow at once",
+            tr!("All at"),
+            tr!("The tone at which all are there"),
+            &mut tones.all,
+            0.0..=1.0,
+        ));
+        by(number(
+            ui,
+            tr!("Growth"),
+            tr!("0: they appear whole, one by one; 1: all grow at once"),
             &mut tones.growth,
             0.0..=1.0,
         ));
@@ -314,12 +336,11 @@ fn drag(
 fn pair(ui: &mut Ui, label: &str, help: &str, values: &mut [f64; 2], most: f64) -> Option<Id> {
     let mut changed = None;
     line(ui, label, help, |ui, _| {
-        for (value, end) in values.iter_mut().zip(["from", "to"]) {
+        let names = [tr!("{label} from"), tr!("{label} to")];
+        for (value, name) in values.iter_mut().zip(names) {
             let response =
                 ui.add(DragValue::new(value).range(0.0..=most).speed(0.005).max_decimals(3));
-            response.widget_info(|| {
-                WidgetInfo::labeled(Role::SpinButton, true, format!("{label} {end}"))
-            });
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, &name));
             if response.changed() {
                 changed = Some(response.id);
             }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use chiaro_locale::{Text, text, tr};
 use glam::{DMat3, DVec3};
 
 use super::super::lights::resolved;
@@ -97,7 +98,7 @@ impl FilterForm {
 
     fn grip(
         &mut self,
-        (name, port, help): (&'static str, &'static str, &'static str),
+        (name, port, help): (Text, &'static str, &'static str),
         at: DVec3,
         value: f64,
         drag: GripDrag,
@@ -154,21 +155,28 @@ impl FilterForm {
         }
         let end = center + z * (2.0 * size.z).max(1.2 * size.max_element());
         self.lines.push((vec![center, end], true));
-        let names = ["Width", "Height", "Depth"];
+        let names = match shape {
+            "capsule" => [text!("Radius"), text!("Radius"), text!("Length")],
+            _ => [text!("Width"), text!("Height"), text!("Depth")],
+        };
         for index in sides {
-            let name =
-                if shape == "capsule" { ["Radius", "", "Length"][index] } else { names[index] };
+            let name = names[index];
             let axis = [x, y, z][index];
             let sizes = size.to_array().to_vec();
             let drag = GripDrag::Size { center, axis, sizes, index };
             let at = center + axis * size[index];
-            self.grip((name, "size", "drag to size it"), at, size[index], drag);
+            self.grip((name, "size", tr!("drag to size it")), at, size[index], drag);
         }
-        let help = "drag to point it another way";
-        self.grip(("Axis", "toward", help), end, toward.x, GripDrag::Toward { center });
+        let help = tr!("drag to point it another way");
+        self.grip((text!("Axis"), "toward", help), end, toward.x, GripDrag::Toward { center });
         self.spin(center, axes(toward, 0.0), spin, TURN * size.x);
         // Over the others, which it hides where they point to the eye.
-        self.grip(("Center", "center", "drag to move it"), center, center.x, GripDrag::Place);
+        self.grip(
+            (text!("Center"), "center", tr!("drag to move it")),
+            center,
+            center.x,
+            GripDrag::Place,
+        );
     }
 
     /// The handle that turns around the axis, on a dashed line.
@@ -177,7 +185,7 @@ impl FilterForm {
         let at = center + (straight.x_axis * cos + straight.y_axis * sin) * far;
         self.lines.push((vec![center, at], true));
         let drag = GripDrag::Spin { center, axes: straight };
-        self.grip(("Spin", "spin", "drag to turn it around its axis"), at, spin, drag);
+        self.grip((text!("Spin"), "spin", tr!("drag to turn it around its axis")), at, spin, drag);
     }
 
     /// Forms at a lamp: flaps, a thrown picture, distances.
@@ -201,15 +209,25 @@ impl FilterForm {
                 self.picture(filter, lamp, toward, away);
             }
             FilterKind::Decay => {
-                let of = [("Start", "start", "drag where it begins to weaken", false)];
+                let of = [(text!("Start"), "start", tr!("drag where it begins to weaken"), false)];
                 self.distances(filter, lamp, session, &of);
             }
             FilterKind::DistanceRamp => {
                 let of = [
-                    ("Near from", "near_from", "drag up to where nothing arrives", true),
-                    ("Near to", "near_to", "drag from where all of it arrives", false),
-                    ("Far from", "far_from", "drag up to where all of it arrives", false),
-                    ("Far to", "far_to", "drag from where nothing arrives", true),
+                    (
+                        text!("Near from"),
+                        "near_from",
+                        tr!("drag up to where nothing arrives"),
+                        true,
+                    ),
+                    (text!("Near to"), "near_to", tr!("drag from where all of it arrives"), false),
+                    (
+                        text!("Far from"),
+                        "far_from",
+                        tr!("drag up to where all of it arrives"),
+                        false,
+                    ),
+                    (text!("Far to"), "far_to", tr!("drag from where nothing arrives"), true),
                 ];
                 self.distances(filter, lamp, session, &of);
             }
@@ -226,7 +244,12 @@ impl FilterForm {
         let at = lamp.place + toward * away;
         self.lines.push((vec![lamp.place, at], true));
         let drag = GripDrag::Toward { center: lamp.place };
-        self.grip(("Axis", "toward", "drag to point it another way"), at, toward.x, drag);
+        self.grip(
+            (text!("Axis"), "toward", tr!("drag to point it another way")),
+            at,
+            toward.x,
+            drag,
+        );
         toward
     }
 
@@ -246,15 +269,15 @@ impl FilterForm {
         self.lines.push((corners.to_vec(), false));
         // For who looks along z, x is to the left.
         let flaps = [
-            ("Left flap", "left", x, (top - bottom) / 2.0 * y),
-            ("Right flap", "right", -x, (top - bottom) / 2.0 * y),
-            ("Top flap", "top", y, (left - right) / 2.0 * x),
-            ("Bottom flap", "bottom", -y, (left - right) / 2.0 * x),
+            (text!("Left flap"), "left", x, (top - bottom) / 2.0 * y),
+            (text!("Right flap"), "right", -x, (top - bottom) / 2.0 * y),
+            (text!("Top flap"), "top", y, (left - right) / 2.0 * x),
+            (text!("Bottom flap"), "bottom", -y, (left - right) / 2.0 * x),
         ];
         for (name, port, side, aside) in flaps {
             let at = middle + side * reach(port) + aside;
             let drag = GripDrag::Angle { center: lamp.place, axis: z, side, most: MOST_FLAP };
-            self.grip((name, port, "drag to open or close it"), at, angle(port), drag);
+            self.grip((name, port, tr!("drag to open or close it")), at, angle(port), drag);
         }
         // Well beside the left flap, which has a handle on the same line.
         self.spin(middle, axes(toward, 0.0), spin, left + 0.25 * away);
@@ -272,7 +295,12 @@ impl FilterForm {
         }
         let (axis, side) = (turned.z_axis, turned.y_axis);
         let drag = GripDrag::Angle { center: lamp.place, axis, side, most: MOST_PICTURE };
-        self.grip(("Angle", "angle", "drag to size the picture"), middle + up, angle, drag);
+        self.grip(
+            (text!("Angle"), "angle", tr!("drag to size the picture")),
+            middle + up,
+            angle,
+            drag,
+        );
         self.spin(middle, axes(toward, 0.0), spin, 1.3 * half);
     }
 
@@ -286,9 +314,19 @@ impl FilterForm {
         self.lines.push((quad(center, across, up), false));
         self.lines.push((vec![center, center + lamp.direction * size], true));
         let drag = GripDrag::Size { center, axis: turned.y_axis, sizes: vec![size], index: 0 };
-        self.grip(("Size", "size", "drag to size the picture"), center + up, size, drag);
+        self.grip(
+            (text!("Size"), "size", tr!("drag to size the picture")),
+            center + up,
+            size,
+            drag,
+        );
         self.spin(center, axes(toward, 0.0), spin, 1.3 * size);
-        self.grip(("Center", "center", "drag to move it"), center, center.x, GripDrag::Place);
+        self.grip(
+            (text!("Center"), "center", tr!("drag to move it")),
+            center,
+            center.x,
+            GripDrag::Place,
+        );
     }
 
     /// Circles around the lamp that face the eye, with a handle each.
@@ -297,12 +335,12 @@ impl FilterForm {
         filter: &SelectedFilter<'_>,
         lamp: &LampPlace,
         session: &Session,
-        of: &[(&'static str, &'static str, &'static str, bool)],
+        of: &[(Text, &'static str, &'static str, bool)],
     ) {
         let (right, up) = session.view.orbit.right_and_up();
-        for (index, (name, port, help, is_soft)) in of.iter().enumerate() {
+        for (index, &(name, port, help, is_soft)) in of.iter().enumerate() {
             let radius = filter.number(port).max(0.0);
-            self.lines.push((circle(lamp.place, right * radius, up * radius), *is_soft));
+            self.lines.push((circle(lamp.place, right * radius, up * radius), is_soft));
             // The handle stands where the circle is seen, and those of circles of one size beside
             // each other.
             let around = |step: u32| {

@@ -1,5 +1,6 @@
 //! Handle of a filter, and the value that its port gets where it is dragged.
 
+use chiaro_locale::Text;
 use glam::{DMat3, DVec3};
 
 use crate::document::Value;
@@ -29,7 +30,7 @@ pub(super) enum GripDrag {
 #[derive(Clone, Debug)]
 pub(super) struct Grip {
     /// Name, with a capital.
-    pub(super) name: &'static str,
+    pub(super) name: Text,
     pub(super) port: &'static str,
     pub(super) help: &'static str,
     /// Place in the world.
@@ -104,7 +105,7 @@ mod tests {
     }
 
     fn dragged(at: DVec3, drag: GripDrag, to: DVec3) -> Value {
-        let grip = Grip { name: "", port: "", help: "", at, value: 0.0, drag };
+        let grip = Grip { name: Text::new(""), port: "", help: "", at, value: 0.0, drag };
         grip.dragged(DVec3::Z, through(to)).unwrap()
     }
 

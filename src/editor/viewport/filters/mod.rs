@@ -8,6 +8,7 @@
 mod form;
 mod grip;
 
+use chiaro_locale::tr;
 use eframe::egui::{Id, Pos2, Rect, Shape, Stroke, Ui, vec2};
 use glam::DVec3;
 
@@ -47,8 +48,8 @@ pub(super) fn show(ui: &Ui, rect: Rect, session: &Session, out: &mut Vec<Command
         if !rect.expand(2.0).contains(at) {
             continue;
         }
-        let id = Id::unique("filter handle").with((&filter.node, grip.name));
-        let label = format!("{} of {}", grip.name, filter.name);
+        let id = Id::unique("filter handle").with((&filter.node, grip.name.english()));
+        let label = tr!("{handle} of {filter}", handle = grip.name, filter = filter.name);
         let handled = handle(ui, id, at, &label, grip.value, true);
         let by_keys = vec2(handled.steps.x, -handled.steps.y) * STEP;
         let by_keys = (by_keys != eframe::egui::Vec2::ZERO).then_some(at + by_keys);

@@ -1,5 +1,6 @@
 //! Handles of an object, and the transform that a drag of one gives.
 
+use chiaro_locale::tr;
 use glam::{DQuat, DVec3};
 
 use crate::document::Transform;
@@ -49,11 +50,11 @@ impl GizmoHandle {
     /// Name for who cannot see it, and for the pointer's hint.
     pub(super) fn label(self, object: &str) -> String {
         match self {
-            Self::Move(axis) => format!("Move {object} along {}", NAMES[axis]),
-            Self::MoveAcross => format!("Move {object} across the picture"),
-            Self::Turn(axis) => format!("Turn {object} around its {} axis", NAMES[axis]),
-            Self::Scale(axis) => format!("Scale {object} along its {} axis", NAMES[axis]),
-            Self::ScaleAll => format!("Scale {object}"),
+            Self::Move(axis) => tr!("Move {object} along {axis}", axis = NAMES[axis]),
+            Self::MoveAcross => tr!("Move {object} across the picture"),
+            Self::Turn(axis) => tr!("Turn {object} around its {axis} axis", axis = NAMES[axis]),
+            Self::Scale(axis) => tr!("Scale {object} along its {axis} axis", axis = NAMES[axis]),
+            Self::ScaleAll => tr!("Scale {object}"),
         }
     }
 

@@ -7,6 +7,7 @@
 
 mod drag;
 
+use chiaro_locale::tr;
 use eframe::egui::{Id, Key, Modifiers, Pos2, Rect, Shape, Stroke, Ui, Vec2, vec2};
 use glam::DVec3;
 
@@ -109,7 +110,7 @@ impl<'a> Gizmo<'a> {
         let is_hot = handled.response.hovered() || handled.response.dragged();
         self.paint(ui, of, at, is_hot);
         focus_ring(ui, &handled.response, at, RADIUS);
-        let help = "Arrow keys move it, too; with Ctrl it goes by steps";
+        let help = tr!("Arrow keys move it, too; with Ctrl it goes by steps");
         handled.response.on_hover_text(format!("{label}. {help}"));
         is_hot
     }
