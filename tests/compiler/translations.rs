@@ -107,7 +107,7 @@ impl Texts {
             ("trn", [one, many, ..]) => {
                 self.add("", one, source).many = Some(many.clone());
             }
-            ("tr", [context, text, ..]) if has_context => self.say(context, text, source),
+            ("tr" | "text", [context, text, ..]) if has_context => self.say(context, text, source),
             ("tr" | "text", [text, ..]) => self.say("", text, source),
             _ => panic!("{source}: {called}!({arguments}) has no text of its own"),
         }

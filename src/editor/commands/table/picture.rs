@@ -39,7 +39,7 @@ pub(super) fn rows() -> Vec<CommandRow> {
         )
         .help(text!(
             "Puts the light of the selected layer where its highlight, its shadow or its \
-                 terminator is at the place that is clicked"
+             terminator is at the place that is clicked"
         )),
         row(C::Probe(Switch::Toggle), text!("Probe a pixel"), &[(NONE, Key::I)], KeyScope::Picture)
             .help(text!("Reads the value on every wire at a pixel, f32 beside f64")),

@@ -20,7 +20,7 @@ pub(super) fn files() -> Vec<CommandRow> {
         row(C::New, text!("New look"), &[(CTRL, Key::N)], Window).help(text!("A new look")),
         row(C::Open(None), text!("Open a look"), &[(CTRL, Key::O)], Window).help(text!(
             "Opens a look, a scene, a shot, a painted surface or the sheet of a wedge, or makes a \
-                 look of a MaterialX document or of Blender's shader nodes"
+             look of a MaterialX document or of Blender's shader nodes"
         )),
         row(C::SaveAs, text!("Save under another name"), &[(CTRL_SHIFT, Key::S)], Window)
             .help(text!("Saves the look under another name")),
@@ -41,7 +41,7 @@ pub(super) fn files() -> Vec<CommandRow> {
         )
         .help(text!(
             "A shot over the open scene, or over the open shot: frames, and values that are \
-                 changed over it, in a file of its own"
+             changed over it, in a file of its own"
         )),
         row(C::Redo, text!("Redo"), &[(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)], Window),
         row(C::Undo, text!("Undo"), &[(CTRL, Key::Z)], Window),

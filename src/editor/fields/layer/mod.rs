@@ -20,11 +20,6 @@ use place::NodeInGraph;
 pub(crate) use highlight::{SelectedHighlight, selected_highlight};
 pub(crate) use regions::RegionLayers;
 
-/// Name of the place where a parametrization's angle is 0.
-pub(crate) fn middle_name(parametrization: Parametrization) -> &'static str {
-    if parametrization.mirrors() { tr!("highlight") } else { tr!("bright middle") }
-}
-
 /// Input with its value.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Setting<T> {

@@ -33,7 +33,7 @@ use crate::viewport::solo_bar;
 use crate::widgets::rows::{ICON, Icon, NameEdit, icon, picture_frame};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
-pub(crate) use edit::{edit, groups_text, keep_within, read_groups, space_name, swatch};
+pub(crate) use edit::{edit, groups_text, keep_within, kind_name, read_groups, space_name, swatch};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LIGHTS,
