@@ -7,6 +7,8 @@ mod regions;
 
 use std::f64::consts::PI;
 
+use chiaro_locale::tr;
+
 use crate::document::{Target, Value};
 use crate::fields::bands::{self, Bands};
 use crate::fields::edge::{self, ProfileEdge};
@@ -14,7 +16,6 @@ use crate::fields::lighting::light_in_view;
 use crate::ids::{LightId, NodeId, NodePath};
 use crate::placing::Parametrization;
 use crate::state::session::Session;
-use chiaro_locale::tr;
 use place::NodeInGraph;
 
 pub(crate) use highlight::{SelectedHighlight, selected_highlight};
