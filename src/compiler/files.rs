@@ -11,6 +11,8 @@ use std::sync::Arc;
 use std::time::{Duration, SystemTime};
 use std::{fmt, io};
 
+use chiaro_locale::tr;
+
 use crate::diag::reason;
 use crate::examples;
 
@@ -110,7 +112,7 @@ pub enum ReadError {
     #[error("{}", reason(.0))]
     Io(#[from] io::Error),
     /// A pipe, a socket or a device.
-    #[error("it is no plain file, but a pipe or a device")]
+    #[error("{}", tr!("it is no plain file, but a pipe or a device"))]
     Special,
     /// File with more bytes than the caller takes.
     #[error("{}", too_large(*.most))]
@@ -122,9 +124,9 @@ pub enum ReadError {
 
 fn too_large(most: u64) -> String {
     if most >> 20 > 0 {
-        format!("it is larger than {} MiB", most >> 20)
+        tr!("it is larger than {mib} MiB", mib = most >> 20)
     } else {
-        format!("it is larger than {} KiB", most >> 10)
+        tr!("it is larger than {kib} KiB", kib = most >> 10)
     }
 }
 

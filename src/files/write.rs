@@ -6,6 +6,7 @@ use std::path::Path;
 
 use chiaro_compiler::document::{self, Look, Scene, SourceMap};
 use chiaro_language::diag::Diagnostic;
+use chiaro_locale::tr;
 
 use crate::disk::Disk;
 use crate::outputs::FileSet;
@@ -59,8 +60,7 @@ pub fn link(file: &Path, name: &Path) -> Result<(), Box<Diagnostic>> {
 /// A diagnostic that names the folder and says why it cannot be made.
 pub fn make_folder(folder: &Path) -> Result<(), Box<Diagnostic>> {
     fs::create_dir_all(folder).map_err(|error| {
-        let problem =
-            Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
+        let problem = Diagnostic::error("cannot-write", tr!("the folder cannot be made: {error}"));
         Box::new(problem.in_file(folder.display().to_string()))
     })
 }

@@ -4,6 +4,7 @@
 use std::fmt::Write as _;
 use std::hash::Hasher as _;
 
+use chiaro_locale::text;
 use siphasher::sip::SipHasher13;
 
 use crate::compile::TransferTable;
@@ -20,7 +21,7 @@ pub struct LayerTable {
 
 /// Table, as a file.
 pub const CUBE: OutputKind<'static> =
-    OutputKind { name: "a table", is_own: &is_own, has_seal: false };
+    OutputKind { name: text!("a table").english(), is_own: &is_own, has_seal: false };
 
 /// Beginning of a table's first line, before the checksum of all others.
 const SEAL: &str = "# Chiaro ";

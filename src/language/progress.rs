@@ -10,6 +10,8 @@ use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
+use chiaro_locale::tr;
+
 use crate::diag::Diagnostic;
 
 /// Number of fractions of a step, in which parts are counted: whole numbers, so that the sum over
@@ -202,7 +204,7 @@ impl ShareOf {
 
 /// Error of work that was stopped before it was done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("it was stopped before it was done")]
+#[error("{}", tr!("it was stopped before it was done"))]
 pub struct Interruption;
 
 impl Interruption {

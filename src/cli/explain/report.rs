@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::super::shot::changes_text;
 use crate::compile::{
-    BindingKind, CompiledShader, HostStep, LoopedLights, Removal, TypedGraph, TypedSource,
+    BindingKind, CompiledShader, HostStep, LoopedLights, Proof, Removal, TypedGraph, TypedSource,
     VertexAttribute, check,
 };
 use crate::diag::Diagnostic;
@@ -18,9 +18,6 @@ use crate::frame::{
 };
 use crate::ids::{LightId, NodePath};
 use crate::library::{Context, Library, Rate, Treatment};
-
-/// Reason of a [`Removal`] for a node that is folded, so that nothing of it is lost.
-const FOLDED: &str = "its value is known before drawing";
 
 /// Largest number of values that a uniform is said to be computed from: along a chain they add up.
 const MAX_FROM: usize = 32;
@@ -477,7 +474,7 @@ impl Nodes {
             } else if on_host.contains(path.as_str()) {
                 nodes.host.push(path);
             } else if let Some(removal) =
-                removed.get(&node.path).filter(|removal| removal.reason != FOLDED)
+                removed.get(&node.path).filter(|removal| removal.proof != Proof::Constant)
             {
                 nodes.removed.push((*removal).clone());
             } else {

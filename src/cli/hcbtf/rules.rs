@@ -67,7 +67,7 @@ fn help() -> String {
         .to_owned();
     for about in Rule::ABOUT {
         help += &format!("\n  {:<10}{}\n", about.word, about.label);
-        help += &wrapped(&plain(about.does), 12);
+        help += &wrapped(&plain(about.does.english()), 12);
         for field in about.fields() {
             help += &wrapped(&plain(&field.line()), 14);
         }

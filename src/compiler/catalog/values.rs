@@ -1,5 +1,7 @@
 //! Values as people read them: degrees in place of radians, labels in place of words.
 
+use chiaro_locale::{tr, trn};
+
 use crate::document::{Look, Node, Value};
 use crate::library::{Context, Fallback, Type};
 
@@ -24,8 +26,8 @@ pub fn short(port: &Port, value: &Value) -> String {
                 port.options.iter().find(|(known, _)| known == word).map(|(_, label)| label);
             label.unwrap_or(word).clone()
         }
-        Value::Curve(curve) => format!("{} points", curve.points.len()),
-        Value::Ramp(ramp) => format!("{} colors", ramp.stops.len()),
+        Value::Curve(curve) => trn!(count = curve.points.len(), "{count} points", "{count} points"),
+        Value::Ramp(ramp) => trn!(count = ramp.stops.len(), "{count} colors", "{count} colors"),
     }
 }
 
@@ -70,7 +72,7 @@ pub fn shown(port: &Port, node: &Node, look: &Look) -> InputDisplay {
     let value = match (node.values.get(&port.name), &port.fallback) {
         (Some(value), _) | (None, Fallback::Value(value)) => value,
         (None, Fallback::Same(other)) => {
-            return InputDisplay::Source(format!("as {}", words(other.as_str())));
+            return InputDisplay::Source(tr!("as {words}", words = words(other.as_str())));
         }
         (None, Fallback::Context(context)) => return InputDisplay::Source(context_words(*context)),
         (None, Fallback::Wire) => return InputDisplay::Nothing,

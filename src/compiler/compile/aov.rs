@@ -9,6 +9,8 @@
 use std::collections::BTreeSet;
 use std::collections::HashSet;
 
+use chiaro_locale::tr;
+
 use super::check::{TypedGraph, TypedNode, TypedSource, check};
 use super::flatten::FlatGraph;
 use super::parting::{BentSum, LightShares};
@@ -251,8 +253,8 @@ impl TypedAov {
 }
 
 fn cannot_be_written(ty: &Type) -> Diagnostic {
-    let message = format!("values of type {ty} cannot be written as a pass");
-    let hint = "numbers, vectors, colors, angles and lights can: see --list-aovs";
+    let message = tr!("values of type {ty} cannot be written as a pass");
+    let hint = tr!("numbers, vectors, colors, angles and lights can: see --list-aovs");
     Diagnostic::error("aov-type", message).hint(hint)
 }
 
@@ -490,7 +492,7 @@ impl TypedGraph {
     fn bent_lights(&self, sum: &BentSum) -> BentLights {
         let node = &self.nodes[sum.node];
         let value = sum.value.and_then(|source| self.source_of(source));
-        let unknown = || "more than one way leads from it to the layer".to_owned();
+        let unknown = || tr!("more than one way leads from it to the layer").to_owned();
         let transfer = sum.chain.as_ref().ok_or_else(unknown);
         BentLights {
             node: node.path.clone(),

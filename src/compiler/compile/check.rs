@@ -5,6 +5,7 @@
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
+use chiaro_locale::{text, tr};
 use indexmap::IndexMap;
 use petgraph::graph::{DiGraph, NodeIndex};
 
@@ -293,12 +294,12 @@ fn broken_wire(flat: &FlatGraph, reached: &[bool], root: usize) -> Diagnostic {
             Some((node.path.clone(), node.def.inputs[input].name.clone()))
         });
     let problem =
-        Diagnostic::error("broken-wire", "this input is wired to a node that there is not");
+        Diagnostic::error("broken-wire", tr!("this input is wired to a node that there is not"));
     match broken {
         Some((path, port)) => problem.node(path).port(port),
         None => problem.node(flat.nodes[root].path.clone()),
     }
-    .hint("remove the wire")
+    .hint(tr!("remove the wire"))
 }
 
 fn stand_in(flat: &FlatNode) -> TypedNode {
@@ -399,10 +400,10 @@ fn cycle_problem(flat: &FlatGraph, cycle: &[NodeIndex]) -> Diagnostic {
     let names: Vec<_> = paths.iter().map(|path| format!("`{path}`")).collect();
     Diagnostic::error(
         "cycle",
-        format!("these nodes feed one another in a ring: {}", names.join(", ")),
+        tr!("these nodes feed one another in a ring: {names}", names = names.join(", ")),
     )
     .node(paths[0].clone())
-    .hint("remove one wire of the ring")
+    .hint(tr!("remove one wire of the ring"))
 }
 
 fn find_root(
@@ -421,16 +422,20 @@ fn find_root(
         .collect();
     match outputs.as_slice() {
         [] => {
-            let problem =
-                Diagnostic::error("no-output", "the look has no Output node, so it shows nothing");
-            problems.push(problem.hint("add a node of kind `output` and wire its `color`"));
+            let problem = Diagnostic::error(
+                "no-output",
+                tr!("the look has no Output node, so it shows nothing"),
+            );
+            problems.push(problem.hint(tr!("add a node of kind `output` and wire its `color`")));
             None
         }
         [(index, _)] => Some((*index, 0)),
         [_, (_, second), ..] => {
             let problem =
-                Diagnostic::error("many-outputs", "the look has more than one Output node");
-            problems.push(problem.node(second.path.clone()).hint("keep one and remove the others"));
+                Diagnostic::error("many-outputs", tr!("the look has more than one Output node"));
+            problems.push(
+                problem.node(second.path.clone()).hint(tr!("keep one and remove the others")),
+            );
             None
         }
     }
@@ -494,11 +499,11 @@ fn check_targets(
             Target::Input { node, port }
                 if surroundings.contains(&(node.clone(), port.clone())) =>
             {
-                let message = format!("`{target}` has no value to set: it reads the surroundings");
+                let message = tr!("`{target}` has no value to set: it reads the surroundings");
                 let problem = Diagnostic::error("unset-target", message)
                     .node(node.clone())
                     .port(port.clone());
-                problem.hint("give the input a value in the look; that is then its default")
+                problem.hint(tr!("give the input a value in the look; that is then its default"))
             }
             Target::Input { node, port } if known.contains(&(node, port)) => continue,
             Target::Light { light, field } => match light_target_problem(look, light, field) {
@@ -508,12 +513,10 @@ fn check_targets(
             Target::Input { .. } => {
                 let names: Vec<_> =
                     graph.params.iter().map(|p| format!("{}.{}", p.path, p.port)).collect();
-                Diagnostic::error("unknown-target", format!("there is no unwired input `{target}`"))
+                Diagnostic::error("unknown-target", tr!("there is no unwired input `{target}`"))
                     .suggest(&target.to_string(), names.iter().map(String::as_str))
-                    .hint(
-                        "a target is `node.port` of an input that no wire feeds, or \
-                           `lights.id.field`",
-                    )
+                    .hint(tr!("a target is `node.port` of an input that no wire feeds, or \
+                           `lights.id.field`"))
             }
         };
         problems.push(problem.json_path(json_path));
@@ -522,15 +525,12 @@ fn check_targets(
 
 fn light_target_problem(look: &Look, light: &LightId, field: &str) -> Option<Diagnostic> {
     if !look.lights.contains_key(light) {
-        let problem = Diagnostic::error("unknown-light", format!("there is no light `{light}`"));
+        let problem = Diagnostic::error("unknown-light", tr!("there is no light `{light}`"));
         return Some(problem.suggest(light.as_str(), look.lights.keys().map(AsRef::as_ref)));
     }
     LightField::named(field).is_none().then(|| {
-        Diagnostic::error(
-            "unknown-target",
-            format!("a light has no field `{field}` that can be set"),
-        )
-        .suggest(field, LightField::names())
+        Diagnostic::error("unknown-target", tr!("a light has no field `{field}` that can be set"))
+            .suggest(field, LightField::names())
     })
 }
 
@@ -666,12 +666,12 @@ impl<'a> Typer<'a> {
             FlatInput::Wire { .. } | FlatInput::Context(_) => {
                 let problem = Diagnostic::error(
                     "not-wirable",
-                    format!("`{}` takes no wire: {}", input.name, input.ty),
+                    tr!("`{name}` takes no wire: {ty}", name = input.name, ty = input.ty),
                 );
                 self.problem(
                     flat,
                     Some(input),
-                    problem.hint("remove the wire and set the value on the node"),
+                    problem.hint(tr!("remove the wire and set the value on the node")),
                 );
                 None
             }
@@ -679,10 +679,10 @@ impl<'a> Typer<'a> {
                 None => Some(fallback),
                 Some(Value::Text(text)) => Some(text.clone()),
                 Some(other) => {
-                    let message = format!(
-                        "expected a text for `{}`, found {}",
-                        self.port_name(flat, input),
-                        describe(other)
+                    let message = tr!(
+                        "expected a text for `{port_name}`, found {found}",
+                        port_name = self.port_name(flat, input),
+                        found = describe(other)
                     );
                     self.problem(flat, Some(input), Diagnostic::error("wrong-type", message));
                     None
@@ -699,10 +699,10 @@ impl<'a> Typer<'a> {
         }
         let problem = Diagnostic::error(
             "unknown-choice",
-            format!("`{}` cannot be `{word}`", self.port_name(flat, input)),
+            tr!("`{port_name}` cannot be `{word}`", port_name = self.port_name(flat, input)),
         )
         .suggest(&word, words.iter().copied())
-        .hint(format!("it is one of {}", words.join(", ")));
+        .hint(tr!("it is one of {words}", words = words.join(", ")));
         self.problem(flat, Some(input), problem);
         None
     }
@@ -720,13 +720,18 @@ impl<'a> Typer<'a> {
             return Some(id.clone());
         }
         let message = if id.is_empty() {
-            "the look has no lights".to_owned()
+            tr!("the look has no lights").to_owned()
         } else {
-            format!("there is no light `{id}`")
+            tr!("there is no light `{id}`")
         };
         let problem = Diagnostic::error("unknown-light", message)
             .suggest(&id, self.look.lights.keys().map(AsRef::as_ref))
-            .hint(r#"add it to the look: "lights": {"key": {"direction": [-0.5, 0.7, 0.5]}}"#);
+            .hint(
+                text!(
+                    "add it to the look: \"lights\": {\"key\": {\"direction\": [-0.5, 0.7, 0.5]}}"
+                )
+                .tr(),
+            );
         self.problem(flat, Some(input), problem);
         None
     }
@@ -758,8 +763,10 @@ impl<'a> Typer<'a> {
         let candidates = candidates.into_iter().filter(|&i| def.variants[i].tier == tier);
         let chosen = candidates.min_by_key(|&i| self.misfit(flat, i));
         if chosen.is_none() {
-            let problem =
-                Diagnostic::error("bad-node-file", "no function of this node fits its choices");
+            let problem = Diagnostic::error(
+                "bad-node-file",
+                tr!("no function of this node fits its choices"),
+            );
             self.problem(flat, None, problem.in_file(def.file.clone()));
         }
         chosen
@@ -797,12 +804,12 @@ impl<'a> Typer<'a> {
             FlatInput::Wire { .. } | FlatInput::Context(_) if ty.is_setting() => {
                 let problem = Diagnostic::error(
                     "not-wirable",
-                    format!("`{}` takes no wire: {}", input.name, input.ty),
+                    tr!("`{name}` takes no wire: {ty}", name = input.name, ty = input.ty),
                 );
                 self.problem(
                     flat,
                     Some(input),
-                    problem.hint("remove the wire and set the value on the node"),
+                    problem.hint(tr!("remove the wire and set the value on the node")),
                 );
                 return None;
             }
@@ -822,7 +829,7 @@ impl<'a> Typer<'a> {
             },
         };
         let Some(conversion) = from.convert_to(&ty) else {
-            let message = format!("`{}` takes {ty}, and is wired to {from}", input.name);
+            let message = tr!("`{name}` takes {ty}, and is wired to {from}", name = input.name);
             self.problem(
                 flat,
                 Some(input),
@@ -885,12 +892,12 @@ impl<'a> Typer<'a> {
             (None, Fallback::Wire) => {
                 let problem = Diagnostic::error(
                     "unwired",
-                    format!("`{}` must be wired", self.port_name(flat, input)),
+                    tr!("`{port_name}` must be wired", port_name = self.port_name(flat, input)),
                 );
                 self.problem(
                     flat,
                     Some(input),
-                    problem.hint(format!("wire it to an output of type {ty}")),
+                    problem.hint(tr!("wire it to an output of type {ty}")),
                 );
                 return None;
             }
@@ -899,7 +906,11 @@ impl<'a> Typer<'a> {
             return match value {
                 Value::Text(_) => Some((TypedSource::Param(param, value), ty.clone())),
                 other => {
-                    let message = format!("expected {}, found {}", expected(ty), describe(&other));
+                    let message = tr!(
+                        "expected {expected}, found {found}",
+                        expected = expected(ty),
+                        found = describe(&other)
+                    );
                     self.problem(flat, Some(input), Diagnostic::error("wrong-type", message));
                     None
                 }
@@ -945,15 +956,17 @@ impl<'a> Typer<'a> {
             return;
         }
         let range = match (input.min, input.max) {
-            (Some(min), Some(max)) => format!("between {min} and {max}"),
-            (Some(min), None) => format!("at least {min}"),
-            (None, Some(max)) => format!("at most {max}"),
+            (Some(min), Some(max)) => tr!("between {min} and {max}"),
+            (Some(min), None) => tr!("at least {min}"),
+            (None, Some(max)) => tr!("at most {max}"),
             (None, None) => return,
         };
-        let message =
-            format!("`{}` is {}, outside its range", self.port_name(flat, input), describe(value));
-        let problem =
-            Diagnostic::warning("out-of-range", message).hint(format!("use a value {range}"));
+        let message = tr!(
+            "`{port_name}` is {value}, outside its range",
+            port_name = self.port_name(flat, input),
+            value = describe(value)
+        );
+        let problem = Diagnostic::warning("out-of-range", message).hint(tr!("use a value {range}"));
         self.problem(flat, Some(input), problem);
     }
 }
@@ -961,16 +974,16 @@ impl<'a> Typer<'a> {
 fn conversion_hint(from: &Type, to: &Type) -> &'static str {
     match (from, to) {
         (Type::Light, _) => {
-            "a Parametrization turns a light into an angle; Light parts gives its direction and \
-             color"
+            tr!("a Parametrization turns a light into an angle; Light parts gives its direction \
+                 and color")
         }
-        (Type::Angle, _) => "a Profile turns an angle into a tone",
-        (_, Type::Light) => "wire a Light node",
-        (_, Type::Angle) => "wire a Parametrization",
+        (Type::Angle, _) => tr!("a Profile turns an angle into a tone"),
+        (_, Type::Light) => tr!("wire a Light node"),
+        (_, Type::Angle) => tr!("wire a Parametrization"),
         (Type::Vec2 | Type::Vec3 | Type::Vec4, Type::Float) => {
-            "take one number with Separate vector, or its Length"
+            tr!("take one number with Separate vector, or its Length")
         }
-        _ => "put a node between them that turns the one into the other",
+        _ => tr!("put a node between them that turns the one into the other"),
     }
 }
 

@@ -7,6 +7,7 @@
 
 use std::collections::{HashMap, HashSet};
 
+use chiaro_locale::tr;
 use petgraph::graph::{DiGraph, NodeIndex};
 
 use super::check::{TypedGraph, TypedInput, TypedNode, TypedSource};
@@ -70,12 +71,11 @@ pub(super) fn typed(
             problem.node(wire.node.clone()).port(wire.port.clone()).json_path(place(set))
         };
         if rates[node] > Rate::Object {
-            let message = format!(
-                "`{wire}` has another value at every fragment, so that it cannot drive keys"
-            );
-            let hint = "drive them by what is the same all over an object: values, the time, \
+            let message =
+                tr!("`{wire}` has another value at every fragment, so that it cannot drive keys");
+            let hint = tr!("drive them by what is the same all over an object: values, the time, \
                         lights from one direction, \
-                        and what is computed from these";
+                        and what is computed from these");
             problems.push(told(Diagnostic::error("fragment-driver", message).hint(hint)));
             continue;
         }
@@ -83,12 +83,11 @@ pub(super) fn typed(
         match ty.convert_to(&Type::Float) {
             Some(conversion) => drivers.push(TypedDriver { wire, node, output, conversion }),
             None => {
-                let message = format!(
-                    "`{wire}` gives {ty}, which is no number, so that it cannot drive keys"
-                );
+                let message =
+                    tr!("`{wire}` gives {ty}, which is no number, so that it cannot drive keys");
                 problems.push(told(
                     Diagnostic::error("wrong-type", message)
-                        .hint("wire it to a node that makes a number of it"),
+                        .hint(tr!("wire it to a node that makes a number of it")),
                 ));
             }
         }
@@ -320,7 +319,7 @@ fn sorted(before: &DiGraph<(), ()>, sets: &[DirectionKeys]) -> (Vec<usize>, Vec<
 
 fn ring_problem(sets: &[DirectionKeys], ring: &[usize]) -> Diagnostic {
     let named = |&set: &usize| match sets[set].name.as_str() {
-        "" => format!("set {}", set + 1),
+        "" => tr!("set {number}", number = set + 1),
         name => format!("\"{name}\""),
     };
     let names: Vec<String> = ring.iter().map(named).collect();
@@ -331,13 +330,13 @@ fn ring_problem(sets: &[DirectionKeys], ring: &[usize]) -> Diagnostic {
         .unwrap_or(ring[0]);
     let wires: Vec<String> = sets[driven].by.outputs().map(|wire| format!("`{wire}`")).collect();
     let message = match names.as_slice() {
-        [one] => format!("the keys {one} move what drives them: {}", wires.join(", ")),
-        many => format!("these keys drive one another in a ring: {}", many.join(", ")),
+        [one] => tr!("the keys {one} move what drives them: {wires}", wires = wires.join(", ")),
+        many => tr!("these keys drive one another in a ring: {wires}", wires = many.join(", ")),
     };
     let problem = Diagnostic::error("key-cycle", message).json_path(place(driven));
     let problem = match sets[driven].by.outputs().next() {
         Some(wire) => problem.node(wire.node.clone()).port(wire.port.clone()),
         None => problem,
     };
-    problem.hint("let another wire drive them, or key what it does not depend on")
+    problem.hint(tr!("let another wire drive them, or key what it does not depend on"))
 }

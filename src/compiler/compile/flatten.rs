@@ -16,6 +16,8 @@ use std::collections::hash_map::Entry;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
+use chiaro_locale::{text, tr};
+
 use self::groups::{GroupIndex, UsedGroups};
 use self::links::FilterNode;
 use self::regions::{Region, RegionPlace, without_lights};
@@ -184,7 +186,7 @@ impl FlatGraph {
             return outputs.get(port).copied().ok_or_else(|| {
                 let problem = Diagnostic::error(
                     "unknown-port",
-                    format!("the group `{path}` has no output `{port}`"),
+                    tr!("the group `{path}` has no output `{port}`"),
                 );
                 let known = outputs.keys().map(PortName::as_str).filter(|name| !name.is_empty());
                 problem.node(path.clone()).suggest(port.as_str(), known)
@@ -194,15 +196,13 @@ impl FlatGraph {
             let nodes = self.nodes.iter().map(|node| &node.path);
             let paths = nodes.chain(self.group_outputs.keys()).map(ToString::to_string);
             let known: BTreeSet<String> = paths.collect();
-            let problem = Diagnostic::error("unknown-node", format!("there is no node `{path}`"));
+            let problem = Diagnostic::error("unknown-node", tr!("there is no node `{path}`"));
             return Err(problem.suggest(&path.to_string(), known.iter().map(String::as_str)));
         };
         let def = &self.nodes[node].def;
         let output = def.output(port.as_str()).ok_or_else(|| {
-            let problem = Diagnostic::error(
-                "unknown-port",
-                format!("the node `{path}` has no output `{port}`"),
-            );
+            let problem =
+                Diagnostic::error("unknown-port", tr!("the node `{path}` has no output `{port}`"));
             let known = def.outputs.iter().map(|output| output.name.as_str());
             problem.node(path.clone()).suggest(port.as_str(), known)
         })?;
@@ -453,10 +453,10 @@ impl<'a> Flattener<'a> {
                 self.open_group(scope, id, node, group, path, framed.get(id).cloned())
             } else {
                 if node.for_each.is_some() {
-                    let message = "`for_each` is for groups: this node runs once";
+                    let message = tr!("`for_each` is for groups: this node runs once");
                     let problem = Diagnostic::warning("not-a-group", message).node(path.clone());
                     self.problems
-                        .push(problem.hint("make a group of it (Ctrl+G), and set it there"));
+                        .push(problem.hint(tr!("make a group of it (Ctrl+G), and set it there")));
                 }
                 match self.node_def(node, &path) {
                     Some(def) => {
@@ -490,9 +490,9 @@ impl<'a> Flattener<'a> {
         let (kind, definition) = (self.groups[group].kind, self.groups[group].definition);
         if self.scopes[scope].group.is_some_and(|outer| self.groups.is_recursive(outer, group)) {
             self.problems.push(
-                Diagnostic::error("recursive-group", format!("the group `{kind}` contains itself"))
+                Diagnostic::error("recursive-group", tr!("the group `{kind}` contains itself"))
                     .node(path)
-                    .hint("remove this node, or make a group of its own for what it holds"),
+                    .hint(tr!("remove this node, or make a group of its own for what it holds")),
             );
             return FlatSlot::Missing;
         }
@@ -567,22 +567,23 @@ impl<'a> Flattener<'a> {
     }
 
     fn unknown_kind(&self, kind: &str) -> Diagnostic {
-        let problem =
-            Diagnostic::error("unknown-kind", format!("there is no node of kind `{kind}`"));
+        let problem = Diagnostic::error("unknown-kind", tr!("there is no node of kind `{kind}`"));
         if !self.may_suggest() {
             return problem;
         }
         let own = self.look.definitions.keys().map(AsRef::as_ref).take(MAX_KINDS);
         let known = self.library.kinds().chain(own).chain([CUSTOM_KIND]);
-        problem.suggest(kind, known).hint("`chiaro nodes` lists every kind")
+        problem.suggest(kind, known).hint(tr!("`chiaro nodes` lists every kind"))
     }
 
     fn custom_def(&mut self, node: &Node, path: &NodePath) -> Option<Arc<NodeDef>> {
         let code = match node.values.get(CUSTOM_CODE) {
             Some(Value::Text(code)) => code.as_str(),
             _ => {
-                let problem = Diagnostic::error("missing-code", "this WGSL node has no code");
-                let hint = "give it a function: `fn tint(color: Color) -> Color { return color; }`";
+                let problem = Diagnostic::error("missing-code", tr!("this WGSL node has no code"));
+                let hint =
+                    text!("give it a function: `fn tint(color: Color) -> Color { return color; }`")
+                        .tr();
                 self.problems.push(problem.node(path.clone()).port(CUSTOM_CODE.into()).hint(hint));
                 return None;
             }
@@ -685,7 +686,7 @@ impl<'a> Flattener<'a> {
         port: &PortName,
         known: impl FnOnce() -> Vec<&'n str>,
     ) -> Diagnostic {
-        let message = format!("a node of kind `{kind}` has no input `{port}`");
+        let message = tr!("a node of kind `{kind}` has no input `{port}`");
         let problem =
             Diagnostic::error("unknown-port", message).node(path.clone()).port(port.clone());
         if !self.may_suggest() {
@@ -694,7 +695,7 @@ impl<'a> Flattener<'a> {
         let known = known();
         problem
             .suggest(port.as_str(), known.iter().copied())
-            .hint(list_of("its inputs are", &known))
+            .hint(list_of(tr!("its inputs are"), &known))
     }
 
     /// Wires to and from ports that there are not.
@@ -774,7 +775,7 @@ impl<'a> Flattener<'a> {
         known: impl FnOnce() -> Vec<&'n str>,
     ) -> Diagnostic {
         let (id, port) = (&wire.from.node, &wire.from.port);
-        let message = format!("the node `{id}` has no output `{port}`");
+        let message = tr!("the node `{id}` has no output `{port}`");
         let problem = Diagnostic::error("unknown-port", message)
             .node(self.path_of(scope, id))
             .port(port.clone());
@@ -784,7 +785,7 @@ impl<'a> Flattener<'a> {
         let known = known();
         problem
             .suggest(port.as_str(), known.iter().copied())
-            .hint(list_of("its outputs are", &known))
+            .hint(list_of(tr!("its outputs are"), &known))
     }
 
     fn bind_inputs(&mut self) {
@@ -839,9 +840,10 @@ impl<'a> Flattener<'a> {
             }
             WireEnd::Broken => FlatInput::Broken,
             WireEnd::Ring => {
-                let message = "this input is fed by a ring of reroutes or groups, and by no node";
+                let message =
+                    tr!("this input is fed by a ring of reroutes or groups, and by no node");
                 let problem = Diagnostic::error("cycle", message).node(self.path_of(scope, id));
-                self.problems.push(problem.hint("remove one wire of the ring"));
+                self.problems.push(problem.hint(tr!("remove one wire of the ring")));
                 FlatInput::Broken
             }
         }
@@ -1140,11 +1142,11 @@ fn port_names(ports: &[InterfacePort]) -> Vec<&str> {
 
 fn list_of(start: &str, names: &[&str]) -> String {
     if names.is_empty() {
-        return "it has none".to_owned();
+        return tr!("it has none").to_owned();
     }
     let more = names.len().saturating_sub(MAX_LISTED);
     let listed = names[..names.len() - more].join(", ");
-    if more > 0 { format!("{start} {listed} and {more} more") } else { format!("{start} {listed}") }
+    if more > 0 { tr!("{start} {listed} and {more} more") } else { format!("{start} {listed}") }
 }
 
 /// Names of nodes deep in groups would take more memory than all else, where each of the groups has

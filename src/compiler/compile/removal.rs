@@ -1,5 +1,7 @@
 //! Parts that are left out of a shader, each with the proof that nothing is lost.
 
+use chiaro_locale::tr;
+
 use crate::ids::NodePath;
 
 /// The proof that a part can be left out.
@@ -49,17 +51,17 @@ impl Proof {
     /// In words.
     pub fn label(self) -> &'static str {
         match self {
-            Self::Unreachable => "unreachable",
-            Self::ZeroWeight => "zero weight",
-            Self::NoEffect => "no effect",
-            Self::Constant => "constant",
-            Self::Equal => "equal to another",
-            Self::Ranges => "proved by ranges",
-            Self::OffScreen => "off-screen",
-            Self::NoSurface => "no surface",
-            Self::NoLook => "no look",
-            Self::NoLight => "light reaches no object",
-            Self::Unchanged => "unchanged",
+            Self::Unreachable => tr!("unreachable"),
+            Self::ZeroWeight => tr!("zero weight"),
+            Self::NoEffect => tr!("no effect"),
+            Self::Constant => tr!("constant"),
+            Self::Equal => tr!("equal to another"),
+            Self::Ranges => tr!("proved by ranges"),
+            Self::OffScreen => tr!("off-screen"),
+            Self::NoSurface => tr!("no surface"),
+            Self::NoLook => tr!("no look"),
+            Self::NoLight => tr!("light reaches no object"),
+            Self::Unchanged => tr!("unchanged"),
         }
     }
 }
@@ -74,6 +76,9 @@ pub struct Removal {
     pub reason: String,
     /// The kind of proof.
     pub proof: Proof,
+    /// True where bounds prove what the node gives: it still gives that value.
+    #[serde(skip)]
+    pub still_gives: bool,
     /// Operations at each fragment that are saved, counted in the node's function.
     pub operations: u64,
 }

@@ -16,6 +16,7 @@ use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use rustc_hash::FxHashMap;
 
 use self::loops::{JoinedNodes, joined_copy};
@@ -768,7 +769,7 @@ impl<'a> Builder<'a> {
             self.values[id].ranges = ranges;
         } else if self.values[id].node != index && part.is_none() {
             let other = &self.graph.nodes[self.values[id].node].path;
-            let reason = format!("it is the same as `{other}`");
+            let reason = tr!("it is the same as `{other}`");
             self.remove(node, reason, Proof::Equal);
         }
         id
@@ -979,12 +980,13 @@ impl<'a> Builder<'a> {
         if self.options.unspecialized || least < most {
             return false;
         }
-        let reason = format!(
+        let reason = tr!(
             "its alpha cutoff cuts nothing, proved by ranges: alpha is {least} or more everywhere"
         );
         // Removing the Output saves its comparison alone.
         let path = self.graph.nodes[self.graph.root.0].path.clone();
-        self.removed.push(Removal { path, reason, proof: Proof::Ranges, operations: 1 });
+        let proof = Proof::Ranges;
+        self.removed.push(Removal { path, reason, proof, still_gives: true, operations: 1 });
         true
     }
 
@@ -1014,22 +1016,24 @@ impl<'a> Builder<'a> {
             let (reason, proof) = if is_known {
                 let dark = node.light.as_ref().filter(|light| self.is_dark(node, light));
                 if let Some(light) = dark {
-                    (format!("nothing of the light `{light}` arrives"), Proof::NoLight)
+                    (tr!("nothing of the light `{light}` arrives"), Proof::NoLight)
                 } else if self.proved.contains(&index) {
                     (self.proved_reason(outputs[0]), Proof::Ranges)
                 } else {
-                    ("its value is known before drawing".to_owned(), Proof::Constant)
+                    (tr!("its value is known before drawing").to_owned(), Proof::Constant)
                 }
             } else {
-                ("nothing that reaches the output uses it".to_owned(), Proof::Unreachable)
+                (tr!("nothing that reaches the output uses it").to_owned(), Proof::Unreachable)
             };
-            self.remove(node, reason, proof);
+            self.remove(node, reason, proof).still_gives = is_known;
         }
     }
 
-    fn remove(&mut self, node: &TypedNode, reason: String, proof: Proof) {
+    fn remove(&mut self, node: &TypedNode, reason: String, proof: Proof) -> &mut Removal {
         let operations = node.def.module.operations(&node.variant().function);
-        self.removed.push(Removal { path: node.path.clone(), reason, proof, operations });
+        let (path, place) = (node.path.clone(), self.removed.len());
+        self.removed.push(Removal { path, reason, proof, still_gives: false, operations });
+        &mut self.removed[place]
     }
 }
 
@@ -1037,9 +1041,9 @@ impl Builder<'_> {
     fn proved_reason(&self, output: ValueId) -> String {
         match &self.values[output].operation {
             Operation::Constant(value) if value.parts().is_none() => {
-                format!("it is {value} everywhere, proved by ranges")
+                tr!("it is {value} everywhere, proved by ranges")
             }
-            _ => "it is the same everywhere, proved by ranges".to_owned(),
+            _ => tr!("it is the same everywhere, proved by ranges").to_owned(),
         }
     }
 }

@@ -3,6 +3,8 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use super::check::{TypedGraph, TypedNode, TypedSource};
 use super::host::conversion_program;
 use super::value::typed_value;
@@ -56,14 +58,14 @@ impl Transfer {
     /// The reason why there is no table, as the end of a sentence.
     pub(super) fn new(graph: &TypedGraph, chain: &[(usize, usize)]) -> Result<Self, String> {
         let Some(&(node, input)) = chain.last() else {
-            return Err("what bends it is the layer itself".to_owned());
+            return Err(tr!("what bends it is the layer itself").to_owned());
         };
         let source = graph.wire(node, input);
         let from = source.map(|(node, output)| graph.output_type(node, output));
         let is_color = match from {
             Some(Type::Float) => false,
             Some(Type::Color | Type::Composite) => true,
-            _ => return Err("what is bent is neither a number nor a color".to_owned()),
+            _ => return Err(tr!("what is bent is neither a number nor a color").to_owned()),
         };
         let mut calls = Vec::with_capacity(chain.len());
         for (place, &(index, input)) in chain.iter().enumerate().rev() {
@@ -109,12 +111,12 @@ impl Transfer {
             false => interp::Value::Float(r),
         };
         for call in &self.calls {
-            value = call.of(value).ok_or("the reference cannot run what bends it")?;
+            value = call.of(value).ok_or_else(|| tr!("the reference cannot run what bends it"))?;
         }
         match value.components().unwrap_or_default().as_slice() {
             [number] => Ok([*number; 3]),
             [r, g, b] | [r, g, b, _] => Ok([*r, *g, *b]),
-            _ => Err("it gives neither a number nor a color".to_owned()),
+            _ => Err(tr!("it gives neither a number nor a color").to_owned()),
         }
     }
 
@@ -127,7 +129,7 @@ impl Transfer {
             for channel in 0..3 {
                 let alone = self.at([value[channel]; 3])?;
                 if (alone[channel] - together[channel]).abs() > CROSSING {
-                    return Err("each of its channels depends on all three".to_owned());
+                    return Err(tr!("each of its channels depends on all three").to_owned());
                 }
             }
         }
@@ -142,7 +144,7 @@ impl TransferCall {
         output: usize,
     ) -> Result<Self, String> {
         let node = &graph.nodes[index];
-        let unknown = |_| format!("the reference cannot run `{}`", node.path);
+        let unknown = |_| tr!("the reference cannot run `{path}`", path = node.path);
         let variant = node.variant();
         let mut arguments = Vec::with_capacity(variant.parameters.len());
         let mut places = Vec::new();
@@ -214,5 +216,5 @@ fn fixed(graph: &TypedGraph, node: &TypedNode, input: usize) -> Result<interp::V
 
 fn varies(node: &TypedNode, input: usize) -> String {
     let port = node.def.inputs.get(input).map_or("", |port| port.name.as_str());
-    format!("`{port}` of `{}` is no fixed value", node.path)
+    tr!("`{port}` of `{path}` is no fixed value", path = node.path)
 }

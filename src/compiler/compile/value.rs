@@ -1,5 +1,7 @@
 //! Between a document's values and the interpreter's.
 
+use chiaro_locale::{text, tr, trn};
+
 use crate::document::{Curve, Interpolation, Ramp, Value};
 use crate::interp;
 use crate::library::Type;
@@ -9,7 +11,9 @@ use crate::library::Type;
 /// # Errors
 /// Says what was expected and what was found.
 pub fn typed_value(value: &Value, ty: &Type) -> Result<interp::Value, String> {
-    let found = || format!("expected {}, found {}", expected(ty), describe(value));
+    let found = || {
+        tr!("expected {expected}, found {found}", expected = expected(ty), found = describe(value))
+    };
     match (ty, value) {
         (Type::Bool, Value::Bool(b)) => Ok(interp::Value::Bool(*b)),
         (Type::Float, Value::Number(x)) => Ok(interp::Value::Float(finite(*x)?)),
@@ -56,32 +60,34 @@ fn finite(x: f64) -> Result<f64, String> {
     if x.is_finite() {
         Ok(x)
     } else {
-        Err("expected a finite number, found NaN or infinity".to_owned())
+        Err(tr!("expected a finite number, found NaN or infinity").to_owned())
     }
 }
 
 pub(super) fn expected(ty: &Type) -> String {
     match ty {
-        Type::Bool => "true or false".to_owned(),
-        Type::Float => "a number".to_owned(),
-        Type::Int => "a whole number".to_owned(),
+        Type::Bool => tr!("true or false").to_owned(),
+        Type::Float => tr!("a number").to_owned(),
+        Type::Int => tr!("a whole number").to_owned(),
         Type::Vec2 | Type::Vec3 | Type::Vec4 => {
-            format!("{} numbers in brackets", ty.width().unwrap_or(0))
+            tr!("{count} numbers in brackets", count = ty.width().unwrap_or(0))
         }
         Type::Color | Type::Composite => {
-            "a color: [r, g, b], [r, g, b, a] or \"#rrggbb\"".to_owned()
+            tr!("a color: [r, g, b], [r, g, b, a] or \"#rrggbb\"").to_owned()
         }
-        Type::Mat3 => "nine numbers in brackets".to_owned(),
-        Type::Curve => "a curve: {\"points\": [[x, y], ...]}".to_owned(),
-        Type::Ramp => "a ramp: {\"stops\": [{\"at\": 0, \"color\": [r, g, b]}, ...]}".to_owned(),
-        Type::Choice => "one of the choice's words".to_owned(),
-        Type::LightName => "the id of a light".to_owned(),
-        Type::Image => "the path of an image".to_owned(),
-        Type::Hcbtf => "the path of an .hcbtf file".to_owned(),
-        Type::Text => "a text".to_owned(),
-        Type::Casters => "the scene's own casters".to_owned(),
-        Type::ShadowMaps => "the scene's own shadow maps".to_owned(),
-        Type::Angle | Type::Light | Type::Prepared(_) => "a wire".to_owned(),
+        Type::Mat3 => tr!("nine numbers in brackets").to_owned(),
+        Type::Curve => text!("a curve: {\"points\": [[x, y], ...]}").tr().to_owned(),
+        Type::Ramp => {
+            text!("a ramp: {\"stops\": [{\"at\": 0, \"color\": [r, g, b]}, ...]}").tr().to_owned()
+        }
+        Type::Choice => tr!("one of the choice's words").to_owned(),
+        Type::LightName => tr!("the id of a light").to_owned(),
+        Type::Image => tr!("the path of an image").to_owned(),
+        Type::Hcbtf => tr!("the path of an .hcbtf file").to_owned(),
+        Type::Text => tr!("a text").to_owned(),
+        Type::Casters => tr!("the scene's own casters").to_owned(),
+        Type::ShadowMaps => tr!("the scene's own shadow maps").to_owned(),
+        Type::Angle | Type::Light | Type::Prepared(_) => tr!("a wire").to_owned(),
     }
 }
 
@@ -89,12 +95,12 @@ pub(super) fn expected(ty: &Type) -> String {
 pub(super) fn describe(value: &Value) -> String {
     match value {
         Value::Bool(b) => format!("{b}"),
-        Value::Number(x) => format!("the number {x}"),
-        Value::Vector(v) => format!("{} numbers", v.len()),
-        Value::Text(text) if text.len() <= 40 => format!("the text {text:?}"),
-        Value::Text(_) => "a text".to_owned(),
-        Value::Curve(_) => "a curve".to_owned(),
-        Value::Ramp(_) => "a ramp".to_owned(),
+        Value::Number(x) => tr!("the number {x}"),
+        Value::Vector(v) => trn!(count = v.len(), "{count} numbers", "{count} numbers"),
+        Value::Text(text) if text.len() <= 40 => tr!("the text {text:?}"),
+        Value::Text(_) => tr!("a text").to_owned(),
+        Value::Curve(_) => tr!("a curve").to_owned(),
+        Value::Ramp(_) => tr!("a ramp").to_owned(),
     }
 }
 
@@ -152,14 +158,12 @@ fn in_order(
     places: impl Iterator<Item = f64>,
 ) -> Result<(), String> {
     if count == 0 || count > most {
-        return Err(format!("expected 1 to {most} {what}, found {count}"));
+        return Err(tr!("expected 1 to {most} {what}, found {count}"));
     }
     let mut before = f64::NEG_INFINITY;
     for place in places {
         if finite(place)? < before {
-            return Err(format!(
-                "expected {what} in increasing order; {place} comes after {before}"
-            ));
+            return Err(tr!("expected {what} in increasing order; {place} comes after {before}"));
         }
         before = place;
     }

@@ -6,6 +6,8 @@
 use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 
+use chiaro_locale::{text, tr};
+
 use super::{
     Camera, Definition, Endpoint, Graph, Light, LightField, LightKind, Look, OutputPort, Override,
     Scene, Shot, Target, Wire,
@@ -48,10 +50,11 @@ impl Scene {
         }
         check.camera(&self.camera);
         if self.time.end < self.time.start {
-            let problem = Diagnostic::error("out-of-range", "the time range ends before it starts");
+            let problem =
+                Diagnostic::error("out-of-range", tr!("the time range ends before it starts"));
             check.push(
                 "time.end".to_owned(),
-                problem.hint(format!("write {} or more", self.time.start)),
+                problem.hint(tr!("write {start} or more", start = self.time.start)),
             );
         }
         check.finish()
@@ -64,9 +67,9 @@ impl Shot {
     pub fn check(&self) -> Vec<Diagnostic> {
         let mut check = Check::default();
         if let Some([first, last]) = self.frames.filter(|[first, last]| first > last) {
-            let message = format!("the last frame, {last}, comes before the first, {first}");
+            let message = tr!("the last frame, {last}, comes before the first, {first}");
             let problem = Diagnostic::error("out-of-range", message);
-            check.push("frames".to_owned(), problem.hint("exchange them"));
+            check.push("frames".to_owned(), problem.hint(tr!("exchange them")));
         }
         if let Some(camera) = &self.camera {
             check.camera(camera);
@@ -75,9 +78,9 @@ impl Shot {
         for (index, changed) in self.overrides.iter().enumerate() {
             let path = format!("overrides[{index}]");
             if !seen.insert((&changed.look, &changed.target)) {
-                let message = format!("`{}` is changed twice", changed.address());
+                let message = tr!("`{address}` is changed twice", address = changed.address());
                 let problem = Diagnostic::error("duplicate-id", message);
-                check.push(path.clone() + ".target", problem.hint("leave one of them"));
+                check.push(path.clone() + ".target", problem.hint(tr!("leave one of them")));
             }
             check.override_values(changed, &path);
         }
@@ -142,13 +145,14 @@ impl Check {
     fn lights(&mut self, lights: &indexmap::IndexMap<LightId, Light>) {
         for (id, light) in lights {
             if light.kind == LightKind::Point && light.aimed_at.is_some() {
-                let message = format!(
-                    "the point light `{id}` shines everywhere, so that aiming it does nothing"
-                );
+                let message =
+                    tr!("the point light `{id}` shines everywhere, so that aiming it does nothing");
                 let problem = Diagnostic::warning("idle-aim", message);
                 self.push(
                     format!("lights.{id}.aimed_at"),
-                    problem.hint("make it a spot or a directional light, or leave `aimed_at` out"),
+                    problem.hint(tr!(
+                        "make it a spot or a directional light, or leave `aimed_at` out"
+                    )),
                 );
             }
             for field in LightField::ALL {
@@ -158,9 +162,9 @@ impl Check {
                     continue;
                 };
                 let (name, bound) = (field.name(), around.name());
-                let message = format!("`{name}` ({number}) is greater than `{bound}` ({most})");
-                let [inside, outside] = [field, around].map(|field| field.label().to_lowercase());
-                let hint = format!("the {inside} lies inside the {outside}");
+                let message = tr!("`{name}` ({number}) is greater than `{bound}` ({most})");
+                // A spot light's cones are the only pair.
+                let hint = tr!("the full cone lies inside the whole cone");
                 let problem = Diagnostic::error("out-of-range", message).hint(hint);
                 self.push(format!("lights.{id}.{name}"), problem);
             }
@@ -171,31 +175,36 @@ impl Check {
         let address = changed.address();
         match (&changed.value, changed.keys.is_empty()) {
             (None, true) => {
-                let message = format!("`{address}` is changed to nothing");
+                let message = tr!("`{address}` is changed to nothing");
                 let problem = Diagnostic::error("missing-field", message);
-                let hint = "write \"value\", or \"keys\": [{\"frame\": 1, \"value\": ...}, ...]";
+                let hint =
+                    text!("write \"value\", or \"keys\": [{\"frame\": 1, \"value\": ...}, ...]")
+                        .tr();
                 self.push(path.to_owned(), problem.hint(hint));
             }
             (Some(_), false) => {
-                let message = format!("`{address}` has a value and keys");
+                let message = tr!("`{address}` has a value and keys");
                 let problem = Diagnostic::error("two-values", message);
-                self.push(format!("{path}.value"), problem.hint("leave one of them out"));
+                self.push(format!("{path}.value"), problem.hint(tr!("leave one of them out")));
             }
             (Some(_), true) if changed.step > 1 => {
-                let message = format!("`{address}` is set, and so has nothing to hold");
+                let message = tr!("`{address}` is set, and so has nothing to hold");
                 let problem = Diagnostic::warning("idle-step", message);
-                self.push(format!("{path}.step"), problem.hint("leave `step` out, or write keys"));
+                self.push(
+                    format!("{path}.step"),
+                    problem.hint(tr!("leave `step` out, or write keys")),
+                );
             }
             _ => {}
         }
         let pairs = changed.keys.windows(2).enumerate();
         for (key, pair) in pairs.filter(|(_, pair)| pair[0].frame >= pair[1].frame) {
             let (one, two) = (pair[0].frame, pair[1].frame);
-            let message = format!("frames must increase, but {two} follows {one}");
+            let message = tr!("frames must increase, but {two} follows {one}");
             let problem = Diagnostic::error("not-increasing", message);
             self.push(
                 format!("{path}.keys[{}].frame", key + 1),
-                problem.hint("sort the keys, and remove doubles"),
+                problem.hint(tr!("sort the keys, and remove doubles")),
             );
         }
     }
@@ -224,12 +233,12 @@ impl Check {
         let stands = length(side) > 1e-6 * length(view) * length(camera.up);
         if !sees {
             let problem =
-                Diagnostic::error("bad-camera", "the camera looks at the place where it is");
-            self.push("camera".to_owned(), problem.hint("move `eye` or `target`"));
+                Diagnostic::error("bad-camera", tr!("the camera looks at the place where it is"));
+            self.push("camera".to_owned(), problem.hint(tr!("move `eye` or `target`")));
         } else if !stands {
-            let message = "`up` lies along the view, so the picture could be turned any way";
+            let message = tr!("`up` lies along the view, so the picture could be turned any way");
             let problem = Diagnostic::error("bad-camera", message);
-            self.push("camera.up".to_owned(), problem.hint("choose an `up` across the view"));
+            self.push("camera.up".to_owned(), problem.hint(tr!("choose an `up` across the view")));
         }
     }
 
@@ -237,13 +246,14 @@ impl Check {
         let prefix = format!("definitions.{id}.");
         for (list, ports) in [("inputs", &definition.inputs), ("outputs", &definition.outputs)] {
             let path = |index| format!("{prefix}{list}[{index}].name");
-            self.unique(ports.iter().map(|port| &port.name), path, "port");
+            self.unique(ports.iter().map(|port| &port.name), path, tr!("part" => "port"));
             for (index, port) in ports.iter().enumerate() {
                 if port.min.zip(port.max).is_some_and(|(min, max)| min > max) {
-                    let problem = Diagnostic::error("out-of-range", "`min` is greater than `max`");
+                    let problem =
+                        Diagnostic::error("out-of-range", tr!("`min` is greater than `max`"));
                     self.push(
                         format!("{prefix}{list}[{index}].min"),
-                        problem.hint("exchange them"),
+                        problem.hint(tr!("exchange them")),
                     );
                 }
             }
@@ -255,7 +265,7 @@ impl Check {
         for (index, id) in
             graph.nodes.keys().enumerate().filter(|(_, id)| is_inner && is_group_end(id))
         {
-            let message = format!(
+            let message = tr!(
                 "`{id}` is the name of the group's own {id}, so no node in it can have that id"
             );
             self.push(
@@ -271,18 +281,20 @@ impl Check {
             if wire.to.port.as_str().is_empty() {
                 let problem = Diagnostic::error(
                     "wire-to-nothing",
-                    format!("the wire leads to no input of `{}`", wire.to),
+                    tr!("the wire leads to no input of `{to}`", to = wire.to),
                 );
-                self.push(path.clone() + ".to", problem.hint("write \"node.input\""));
+                self.push(path.clone() + ".to", problem.hint(tr!("write \"node.input\"")));
             }
             match into.get(&wire.to) {
                 Some(other) => {
                     let (one, two) = (&other.from, &wire.from);
-                    let message =
-                        format!("two wires lead into `{}`: from `{one}` and from `{two}`", wire.to);
+                    let message = tr!(
+                        "two wires lead into `{to}`: from `{one}` and from `{two}`",
+                        to = wire.to
+                    );
                     self.push(
                         path,
-                        Diagnostic::error("two-wires", message).hint("remove one of them"),
+                        Diagnostic::error("two-wires", message).hint(tr!("remove one of them")),
                     );
                 }
                 None => drop(into.insert(&wire.to, wire)),
@@ -295,11 +307,11 @@ impl Check {
         {
             let problem = Diagnostic::warning(
                 "duplicate-id",
-                format!("another bookmark has the key {}", bookmark.key),
+                tr!("another bookmark has the key {key}", key = bookmark.key),
             );
             self.push(
                 format!("{prefix}bookmarks[{index}].key"),
-                problem.hint("the first one counts; remove this one"),
+                problem.hint(tr!("the first one counts; remove this one")),
             );
         }
     }
@@ -317,18 +329,18 @@ impl Check {
         }
         if is_inner && is_group_end(&end.node) {
             if end.node.as_str() == wrong_end {
-                let message = "in a group, wires come from `inputs` and lead to `outputs`";
+                let message = tr!("in a group, wires come from `inputs` and lead to `outputs`");
                 self.push(
                     path,
                     Diagnostic::error("wire-direction", message)
-                        .hint("exchange the ends of the wire"),
+                        .hint(tr!("exchange the ends of the wire")),
                 );
             }
             return;
         }
         let problem = Diagnostic::error(
             "unknown-node",
-            format!("the wire names the node `{}`, which does not exist", end.node),
+            tr!("the wire names the node `{node}`, which does not exist", node = end.node),
         );
         self.unknown(path, problem, end.node.as_str(), graph.nodes.keys().map(NodeId::as_str));
     }
@@ -339,8 +351,7 @@ impl Check {
             for (index, node) in frame.nodes.iter().enumerate() {
                 let path = format!("{prefix}frames.{id}.nodes[{index}]");
                 if !graph.nodes.contains_key(node) {
-                    let message =
-                        format!("the frame names the node `{node}`, which does not exist");
+                    let message = tr!("the frame names the node `{node}`, which does not exist");
                     let problem = Diagnostic::warning("unknown-node", message);
                     self.unknown(
                         path,
@@ -349,10 +360,11 @@ impl Check {
                         graph.nodes.keys().map(NodeId::as_str),
                     );
                 } else if let Some(other) = framed.insert(node, id.as_str()) {
-                    let message = format!("the node `{node}` is in the frame `{other}` already");
+                    let message = tr!("the node `{node}` is in the frame `{other}` already");
                     self.push(
                         path,
-                        Diagnostic::warning("two-frames", message).hint("leave it in one of them"),
+                        Diagnostic::warning("two-frames", message)
+                            .hint(tr!("leave it in one of them")),
                     );
                 }
             }
@@ -369,11 +381,9 @@ impl Check {
         for (index, name) in
             names.enumerate().filter(|(_, name)| !seen.insert(*name)).collect::<Vec<_>>()
         {
-            let problem = Diagnostic::error(
-                "duplicate-id",
-                format!("another {what} is named `{name}` already"),
-            );
-            self.push(path(index), problem.hint("give it another name"));
+            let problem =
+                Diagnostic::error("duplicate-id", tr!("another {what} is named `{name}` already"));
+            self.push(path(index), problem.hint(tr!("give it another name")));
         }
     }
 
@@ -381,7 +391,7 @@ impl Check {
         self.unique(
             look.exposed.iter().map(|e| &e.name),
             |index| format!("exposed[{index}].name"),
-            "parameter",
+            tr!("part" => "parameter"),
         );
         for (index, exposed) in look.exposed.iter().enumerate() {
             self.target(look, &exposed.target, format!("exposed[{index}].target"));
@@ -392,7 +402,7 @@ impl Check {
         self.unique(
             look.aovs.iter().map(|aov| &aov.name),
             |index| format!("aovs[{index}].name"),
-            "output",
+            tr!("part" => "output"),
         );
         for (index, aov) in look.aovs.iter().enumerate() {
             self.node_at(look, &aov.from.node, format!("aovs[{index}].from"));
@@ -406,7 +416,7 @@ impl Check {
                 keys.by.lights().into_iter().filter(|light| !look.lights.contains_key(*light))
             {
                 let problem =
-                    Diagnostic::error("unknown-light", format!("there is no light `{light}`"));
+                    Diagnostic::error("unknown-light", tr!("there is no light `{light}`"));
                 self.unknown(
                     path.clone() + ".by",
                     problem,
@@ -432,19 +442,26 @@ impl Check {
 
     fn time_keys(&mut self, look: &Look) {
         let path = |index| format!("time_keys[{index}].target");
-        self.unique(look.time_keys.iter().map(|keys| &keys.target), path, "list of keys");
+        self.unique(
+            look.time_keys.iter().map(|keys| &keys.target),
+            path,
+            tr!("part" => "list of keys"),
+        );
         for (index, keys) in look.time_keys.iter().enumerate() {
             self.target(look, &keys.target, path(index));
             for (key, pair) in
                 keys.keys.windows(2).enumerate().filter(|(_, pair)| pair[0].time >= pair[1].time)
             {
-                let message =
-                    format!("times must increase, but {} follows {}", pair[1].time, pair[0].time);
+                let message = tr!(
+                    "times must increase, but {later} follows {earlier}",
+                    later = pair[1].time,
+                    earlier = pair[0].time
+                );
                 let path = format!("time_keys[{index}].keys[{}].time", key + 1);
                 self.push(
                     path,
                     Diagnostic::error("not-increasing", message)
-                        .hint("sort the keys, and remove doubles"),
+                        .hint(tr!("sort the keys, and remove doubles")),
                 );
             }
         }
@@ -455,7 +472,7 @@ impl Check {
             Target::Light { light, field } => {
                 if !look.lights.contains_key(light) {
                     let problem =
-                        Diagnostic::error("unknown-light", format!("there is no light `{light}`"));
+                        Diagnostic::error("unknown-light", tr!("there is no light `{light}`"));
                     self.unknown(
                         path,
                         problem,
@@ -465,7 +482,7 @@ impl Check {
                 } else if LightField::named(field).is_none() {
                     let problem = Diagnostic::error(
                         "bad-target",
-                        format!("a light has no `{field}` that can be set"),
+                        tr!("a light has no `{field}` that can be set"),
                     );
                     self.unknown(path, problem, field, LightField::names());
                 }
@@ -476,17 +493,18 @@ impl Check {
 
     fn node_at(&mut self, look: &Look, node: &NodePath, path: String) {
         if self.is_scene {
-            let message = format!("a scene has no nodes, and so no `{node}`: its keys move lights");
+            let message = tr!("a scene has no nodes, and so no `{node}`: its keys move lights");
             let problem = Diagnostic::error("bad-target", message);
-            let hint = "write a field of a light of the scene, such as `lights.key.intensity`; \
-                        wires and inputs are keyed in their look";
+            let hint =
+                tr!("write a field of a light of the scene, such as `lights.key.intensity`; \
+                        wires and inputs are keyed in their look");
             self.push(path, problem.hint(hint));
             return;
         }
         let mut graph = &look.graph;
         for (depth, id) in node.ids().iter().enumerate() {
             let Some(found) = graph.nodes.get(id) else {
-                let problem = Diagnostic::error("unknown-node", format!("there is no node `{id}`"));
+                let problem = Diagnostic::error("unknown-node", tr!("there is no node `{id}`"));
                 self.unknown(path, problem, id.as_str(), graph.nodes.keys().map(NodeId::as_str));
                 return;
             };

@@ -1,5 +1,6 @@
 //! A look: one shading graph with its lights, its groups and its keys.
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
@@ -399,7 +400,7 @@ impl Serialize for Target {
 impl<'de> Deserialize<'de> for Target {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
-        Self::parse(&text).ok_or_else(|| serde::de::Error::custom(format!("`{text}` is no target")))
+        Self::parse(&text).ok_or_else(|| serde::de::Error::custom(tr!("`{text}` is no target")))
     }
 }
 
@@ -552,7 +553,7 @@ impl Serialize for OutputPort {
 impl<'de> Deserialize<'de> for OutputPort {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = String::deserialize(deserializer)?;
-        Self::parse(&text).ok_or_else(|| serde::de::Error::custom(format!("`{text}` is no output")))
+        Self::parse(&text).ok_or_else(|| serde::de::Error::custom(tr!("`{text}` is no output")))
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::str::FromStr;
 
+use chiaro_locale::tr;
 use serde::{Deserialize, Serialize};
 
 use super::UnknownFields;
@@ -120,8 +121,11 @@ impl FieldType for FrameRate {
         };
         let rate = text.unwrap_or_default().parse::<Self>();
         if rate.is_err() {
-            let problem = Diagnostic::error("bad-rate", "this is no rate of frames");
-            r.report(at, problem.hint("write 24, 23.976, or a fraction such as \"24000/1001\""));
+            let problem = Diagnostic::error("bad-rate", tr!("this is no rate of frames"));
+            r.report(
+                at,
+                problem.hint(tr!("write 24, 23.976, or a fraction such as \"24000/1001\"")),
+            );
         }
         rate.ok()
     }

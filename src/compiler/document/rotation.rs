@@ -1,5 +1,7 @@
 //! Rotations as quaternions `[x, y, z, w]`, and their other notations.
 
+use chiaro_locale::tr;
+
 /// Rotation by `angle` around an axis of any length but 0, by the right-hand rule; in radians.
 pub(super) fn from_axis_angle(axis: [f64; 3], angle: f64) -> [f64; 4] {
     let length = norm(&axis);
@@ -13,7 +15,7 @@ pub(super) fn from_axis_angle(axis: [f64; 3], angle: f64) -> [f64; 4] {
 pub(super) fn from_quaternion(quaternion: [f64; 4]) -> Result<[f64; 4], &'static str> {
     let length = norm(&quaternion);
     if length < 1e-9 {
-        return Err("a quaternion of length 0 is no rotation");
+        return Err(tr!("a quaternion of length 0 is no rotation"));
     }
     Ok(if (length - 1.0).abs() < 1e-12 {
         quaternion
@@ -32,10 +34,10 @@ pub(super) fn from_matrix(m: [[f64; 3]; 3]) -> Result<[f64; 4], &'static str> {
             // This comparison fails for NaN, too.
             let holds = (dot - expected).abs() <= TOLERANCE;
             if !holds {
-                return Err(
+                return Err(tr!(
                     "the rows of the matrix are not of length 1 and at right angles, so it is no \
-                     rotation",
-                );
+                     rotation"
+                ));
             }
         }
     }
@@ -46,7 +48,7 @@ pub(super) fn from_matrix(m: [[f64; 3]; 3]) -> Result<[f64; 4], &'static str> {
         })
         .sum();
     if determinant < 0.0 {
-        return Err("the matrix mirrors, so it is no rotation");
+        return Err(tr!("the matrix mirrors, so it is no rotation"));
     }
     // The largest of the four squared components is at least 1/4, so dividing by it is safe
     // (Shepperd 1978).

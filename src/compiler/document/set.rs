@@ -19,6 +19,7 @@ use std::fmt;
 use std::hash::{Hash, Hasher};
 use std::marker::PhantomData;
 
+use chiaro_locale::{Text, text, tr};
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
@@ -32,11 +33,15 @@ pub trait SetMember {
     /// Ids of members.
     type Id: Clone + Ord + Hash + AsRef<str>;
     /// Word for a member.
-    const WORD: &'static str;
+    const WORD: Text;
+    /// A group of members in messages.
+    const GROUP: Text;
+    /// A member that has a name in messages.
+    const NAMED: Text;
     /// Members that a set may name, in words.
-    const TERMS: &'static str;
+    const TERMS: Text;
     /// Example of a set, in words.
-    const EXAMPLE: &'static str;
+    const EXAMPLE: Text;
     /// Code of an error of what is no set.
     const BAD: &'static str;
     /// Code of a warning of a term that names none.
@@ -51,9 +56,11 @@ pub trait SetMember {
 
 impl SetMember for Light {
     type Id = LightId;
-    const WORD: &'static str = "light";
-    const TERMS: &'static str = "a light or a group";
-    const EXAMPLE: &'static str = "for example `key | group:rim - group:set`, or `*`";
+    const WORD: Text = text!("light");
+    const GROUP: Text = text!("group of lights");
+    const NAMED: Text = text!("light of the name");
+    const TERMS: Text = text!("a light or a group");
+    const EXAMPLE: Text = text!("for example `key | group:rim - group:set`, or `*`");
     const BAD: &'static str = "bad-light-set";
     const UNKNOWN: &'static str = "unknown-light";
 
@@ -69,9 +76,11 @@ impl SetMember for Light {
 /// Objects have ids alone.
 impl SetMember for Object {
     type Id = ObjectId;
-    const WORD: &'static str = "object";
-    const TERMS: &'static str = "an object";
-    const EXAMPLE: &'static str = "for example `floor | wall-*`, or `*`";
+    const WORD: Text = text!("object");
+    const GROUP: Text = text!("group of objects");
+    const NAMED: Text = text!("object of the name");
+    const TERMS: Text = text!("an object");
+    const EXAMPLE: Text = text!("for example `floor | wall-*`, or `*`");
     const BAD: &'static str = "bad-object-set";
     const UNKNOWN: &'static str = "unknown-object";
 
@@ -205,7 +214,7 @@ const GROUP: &str = "group:";
 
 /// Reason why a text is no set.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{reason} at character {}", at + 1)]
+#[error("{}", tr!("{reason} at character {place}", place = at + 1))]
 pub struct SetError {
     /// Number of characters before the problem.
     pub at: usize,
@@ -372,22 +381,21 @@ impl<M: SetMember> MemberSet<M> {
     pub fn idle_warnings(&self, whose: &str, all: &IndexMap<M::Id, M>) -> Vec<Diagnostic> {
         let groups = || all.values().flat_map(SetMember::groups).map(AsRef::as_ref);
         let names = || all.values().map(SetMember::name).filter(|name| !name.is_empty());
-        let member = M::WORD;
         let idle = |term: &SetTerm| {
-            let (what, known): (String, Vec<&str>) = match term {
-                SetTerm::Group(_) => (format!("group of {member}s"), groups().collect()),
-                SetTerm::Name(_) => (format!("{member} of the name"), names().collect()),
-                _ => (member.to_owned(), all.keys().map(AsRef::as_ref).collect()),
+            let (what, known): (Text, Vec<&str>) = match term {
+                SetTerm::Group(_) => (M::GROUP, groups().collect()),
+                SetTerm::Name(_) => (M::NAMED, names().collect()),
+                _ => (M::WORD, all.keys().map(AsRef::as_ref).collect()),
             };
             let word = term.word();
-            let message = format!("{whose} names the {what} `{word}`, which there is not");
+            let message = tr!("{whose} names the {what} `{word}`, which there is not");
             let warning = Diagnostic::warning(M::UNKNOWN, message);
             // Whoever renamed a light writes its name.
             let is_named = |(_, member): &(&M::Id, &M)| member.name().eq_ignore_ascii_case(word);
             match all.iter().find(is_named).filter(|_| matches!(term, SetTerm::Id(_))) {
                 Some((id, member)) => {
                     let (name, id) = (member.name(), id.as_ref());
-                    warning.hint(format!("write `{id}`, or the name in quotes: `\"{name}\"`"))
+                    warning.hint(tr!("write `{id}`, or the name in quotes: `\"{name}\"`"))
                 }
                 None => warning.suggest(word, known),
             }
@@ -461,7 +469,7 @@ enum WaitingMark {
 struct SetReader<'t> {
     text: &'t str,
     /// Terms that there may be, in words.
-    terms: &'static str,
+    terms: Text,
     /// Bytes that were read.
     read: usize,
     steps: Vec<SetStep>,
@@ -469,7 +477,7 @@ struct SetReader<'t> {
 }
 
 impl<'t> SetReader<'t> {
-    fn new(text: &'t str, terms: &'static str) -> Self {
+    fn new(text: &'t str, terms: Text) -> Self {
         Self { text, terms, read: 0, steps: Vec::new(), waiting: Vec::new() }
     }
 
@@ -490,10 +498,10 @@ impl<'t> SetReader<'t> {
                 }
                 SetToken::Open if wants_term => self.waiting.push(WaitingMark::Open(at)),
                 SetToken::Term(_) | SetToken::Open => {
-                    return Err(self.error(at, "`|`, `-` or `&` is missing"));
+                    return Err(self.error(at, tr!("`|`, `-` or `&` is missing")));
                 }
                 SetToken::Operator(_) | SetToken::Close if wants_term => {
-                    return Err(self.error(at, format!("{} is missing", self.terms)));
+                    return Err(self.error(at, tr!("{terms} is missing", terms = self.terms)));
                 }
                 SetToken::Operator(operator) => {
                     self.finish(|waiting| !operator.binds_more(waiting));
@@ -503,18 +511,18 @@ impl<'t> SetReader<'t> {
                 SetToken::Close => {
                     self.finish(|_| true);
                     if self.waiting.pop().is_none() {
-                        return Err(self.error(at, "this `)` closes nothing"));
+                        return Err(self.error(at, tr!("this `)` closes nothing")));
                     }
                 }
             }
         }
         // An empty text is the set of no lights.
         if wants_term && !(self.steps.is_empty() && self.waiting.is_empty()) {
-            return Err(self.error(self.text.len(), format!("{} is missing", self.terms)));
+            return Err(self.error(self.text.len(), tr!("{terms} is missing", terms = self.terms)));
         }
         self.finish(|_| true);
         match self.waiting.pop() {
-            Some(WaitingMark::Open(at)) => Err(self.error(at, "this `(` is not closed")),
+            Some(WaitingMark::Open(at)) => Err(self.error(at, tr!("this `(` is not closed"))),
             _ => Ok(self.steps),
         }
     }
@@ -558,7 +566,7 @@ impl<'t> SetReader<'t> {
         } else {
             match self.word().strip_prefix(GROUP) {
                 Some("") if self.rest().starts_with('"') => {
-                    return Err(self.error(self.read, "groups are written without quotes"));
+                    return Err(self.error(self.read, tr!("groups are written without quotes")));
                 }
                 Some(group) => SetTerm::Group(self.checked(group, at + GROUP.len())?),
                 None => match &self.text[at..self.read] {
@@ -584,7 +592,8 @@ impl<'t> SetReader<'t> {
     /// A name up to the closing quote.
     fn quoted(&mut self) -> Result<String, SetError> {
         let (inside, at) = (&self.rest()[1..], self.read);
-        let length = inside.find('"').ok_or_else(|| self.error(at, "this `\"` is not closed"))?;
+        let length =
+            inside.find('"').ok_or_else(|| self.error(at, tr!("this `\"` is not closed")))?;
         self.read += length + 2;
         Ok(inside[..length].to_owned())
     }
@@ -595,9 +604,9 @@ impl<'t> SetReader<'t> {
             return Ok(word.to_owned());
         }
         let reason = if word.is_empty() {
-            "a group is missing".to_owned()
+            tr!("a group is missing").to_owned()
         } else {
-            format!("`{word}` is no id; write a name with other letters in double quotes")
+            tr!("`{word}` is no id; write a name with other letters in double quotes")
         };
         Err(self.error(at, reason))
     }

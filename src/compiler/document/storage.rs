@@ -1,5 +1,7 @@
 //! Layout of an HCBTF in the texture that shaders look it up in.
 
+use chiaro_locale::tr;
+
 /// Storage of an HCBTF in a texture: a choice between speed and memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Storage {
@@ -32,16 +34,16 @@ impl Storage {
     pub fn about(self) -> &'static str {
         match self {
             Self::Quick => {
-                "for each texel all its lights side by side: the fewest reads, and the most \
-                 memory; exact"
+                tr!("for each texel all its lights side by side: the fewest reads, and the most \
+                 memory; exact")
             }
             Self::Compact => {
-                "every tile that differs once, with a palette where that is smaller: less memory, \
-                 more reads; exact"
+                tr!("every tile that differs once, with a palette where that is smaller: less \
+                 memory, more reads; exact")
             }
             Self::Blocks => {
-                "every tile that differs once, compressed to a byte a texel (BC7): colors are off \
-                 by a little"
+                tr!("every tile that differs once, compressed to a byte a texel (BC7): colors are \
+                 off by a little")
             }
         }
     }

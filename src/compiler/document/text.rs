@@ -3,6 +3,8 @@
 use std::io;
 use std::path::Path;
 
+use chiaro_locale::tr;
+
 use super::json::MAX_BYTES;
 use crate::diag::{Diagnostic, LineColumn};
 use crate::files::{self, Files, ReadError};
@@ -23,51 +25,64 @@ pub fn read_text(files: &dyn Files, path: &Path) -> Result<String, Box<Diagnosti
     let cannot = |error: io::Error| {
         let hint = match error.kind() {
             io::ErrorKind::NotFound => {
-                "check the spelling, and the folder that the path starts from"
+                tr!("check the spelling, and the folder that the path starts from")
             }
-            io::ErrorKind::PermissionDenied => "you may not read this file: change its permissions",
-            io::ErrorKind::IsADirectory => "this is a folder: name a file in it",
+            io::ErrorKind::PermissionDenied => {
+                tr!("you may not read this file: change its permissions")
+            }
+            io::ErrorKind::IsADirectory => tr!("this is a folder: name a file in it"),
             _ => "",
         };
-        fail("cannot-read", format!("cannot read the file: {}", crate::diag::reason(&error)), hint)
+        fail(
+            "cannot-read",
+            tr!("cannot read the file: {reason}", reason = crate::diag::reason(&error)),
+            hint,
+        )
     };
     let bytes = files.read(path, MAX_BYTES as u64).map_err(|error| match error {
         ReadError::Io(error) => cannot(error),
         ReadError::Special => {
-            let message = format!("cannot read the file: {error}");
-            fail("cannot-read", message, "name a plain file")
+            let message = tr!("cannot read the file: {error}");
+            fail("cannot-read", message, tr!("name a plain file"))
         }
         ReadError::TooLarge { .. } => {
-            let message =
-                format!("the file is larger than {} MiB, the bound for documents", MAX_BYTES >> 20);
-            fail("too-large", message, "keep big data in files that the document names")
+            let message = tr!(
+                "the file is larger than {most} MiB, the bound for documents",
+                most = MAX_BYTES >> 20
+            );
+            fail("too-large", message, tr!("keep big data in files that the document names"))
         }
     })?;
     if is_painting(path, &bytes) {
-        let message = "this is a painting (an HCBTF), and no text".to_owned();
+        let message = tr!("this is a painting (an HCBTF), and no text").to_owned();
         let mut problem = fail(
             "wrong-document",
             message,
-            "`chiaro edit` opens it to be painted on, and `chiaro hcbtf` tells what it holds, \
-             fills, exports and imports it",
+            tr!(
+                "`chiaro edit` opens it to be painted on, and `chiaro hcbtf` tells what it holds, \
+             fills, exports and imports it"
+            ),
         );
         problem.hints.push(
-            "a look shows it by a node of the kind `hcbtf_lookup`, whose value `sheet` names it: \
-             `example:hcbtf/brick.json` is one"
-                .to_owned(),
+            tr!("a look shows it by a node of the kind `hcbtf_lookup`, whose value `sheet` names \
+             it: `example:hcbtf/brick.json` is one")
+            .to_owned(),
         );
         return Err(problem);
     }
     if files::is_utf16(&bytes) {
-        return Err(fail("not-utf8", "the file is UTF-16".into(), "save it as UTF-8"));
+        return Err(fail("not-utf8", tr!("the file is UTF-16").into(), tr!("save it as UTF-8")));
     }
     String::from_utf8(bytes).map_err(|error| {
         let bytes = error.as_bytes();
         let valid = error.utf8_error().valid_up_to();
         let before = String::from_utf8_lossy(&bytes[..valid]);
-        let message = "the file is not UTF-8 text from here on".into();
-        let mut problem =
-            fail("not-utf8", message, "a document is JSON in UTF-8; is this another kind of file?");
+        let message = tr!("the file is not UTF-8 text from here on").into();
+        let mut problem = fail(
+            "not-utf8",
+            message,
+            tr!("a document is JSON in UTF-8; is this another kind of file?"),
+        );
         problem.place.at = Some(LineColumn::of(&before, valid));
         problem
     })

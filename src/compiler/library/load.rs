@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use super::embedded::NODES;
@@ -172,9 +173,9 @@ fn is_shipped(file: &Path, text: &str) -> bool {
 }
 
 fn kind_taken(kind: &str, file: &str) -> Diagnostic {
-    Diagnostic::error("kind-taken", format!("there is a node of kind `{kind}` already"))
+    Diagnostic::error("kind-taken", tr!("there is a node of kind `{kind}` already"))
         .in_file(file)
-        .hint("give it another name")
+        .hint(tr!("give it another name"))
 }
 
 /// Files of a project's own nodes, and the folders that they lie in.
@@ -203,31 +204,31 @@ pub fn node_files(files: &dyn Files, folder: &Path) -> NodeFiles {
 
 fn read_node_file(files: &dyn Files, path: &Path) -> Result<String, Diagnostic> {
     let unreadable = |why: &str| {
-        Diagnostic::error("unreadable-node", format!("this node file cannot be read: {why}"))
+        Diagnostic::error("unreadable-node", tr!("this node file cannot be read: {why}"))
     };
     let bytes = files.read(path, MAX_FILE_BYTES).map_err(|error| {
         let problem = unreadable(&error.to_string());
         match error {
             ReadError::Io(_) => problem,
-            _ => problem.hint("keep only WGSL files and group definitions in this folder"),
+            _ => problem.hint(tr!("keep only WGSL files and group definitions in this folder")),
         }
     })?;
     if files::is_utf16(&bytes) {
-        return Err(unreadable("it is text in UTF-16").hint("save it as UTF-8"));
+        return Err(unreadable(tr!("it is text in UTF-16")).hint(tr!("save it as UTF-8")));
     }
     String::from_utf8(bytes)
-        .map_err(|_| unreadable("it is no text in UTF-8").hint("save it as UTF-8"))
+        .map_err(|_| unreadable(tr!("it is no text in UTF-8")).hint(tr!("save it as UTF-8")))
 }
 
 fn too_much(folder: &Path) -> Diagnostic {
-    let message = format!(
-        "this folder holds more than is read for nodes ({MAX_FILES} files and {} MiB): the rest is \
-         left out",
-        MAX_PROJECT_BYTES >> 20
+    let message = tr!(
+        "this folder holds more than is read for nodes ({MAX_FILES} files and {most} MiB): the \
+         rest is left out",
+        most = MAX_PROJECT_BYTES >> 20
     );
-    Diagnostic::warning("too-many-nodes", message)
-        .in_file(folder.display().to_string())
-        .hint("keep only WGSL files and group definitions in it, and no links to large folders")
+    Diagnostic::warning("too-many-nodes", message).in_file(folder.display().to_string()).hint(tr!(
+        "keep only WGSL files and group definitions in it, and no links to large folders"
+    ))
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@
 use std::collections::{BTreeSet, HashMap};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use chiaro_locale::tr;
 use naga::Handle;
 use rustc_hash::FxHashMap;
 
@@ -220,7 +221,7 @@ impl NodeModule {
             ModuleParts::Files(files) => files,
         };
         let Some(&(file, _)) = self.by_name.get(function) else {
-            let message = format!("there is no function `{function}`");
+            let message = tr!("there is no function `{function}`");
             return Err(Diagnostic::error("interp-unknown-function", message));
         };
         files[file].get_or_init(|| self.parse_file(file)).as_ref().map_err(Diagnostic::clone)
@@ -284,7 +285,7 @@ pub(super) fn refused(linked: &LinkedSource, code: &'static str, error: &WgslErr
     if let (Some((file, at)), Some(span)) = (place, &error.span) {
         problem = problem.in_file(file).at(at);
         let line = linked.text[span.start..].lines().next().unwrap_or_default().trim();
-        problem = problem.hint(format!("it is about `{line}`"));
+        problem = problem.hint(tr!("it is about `{line}`"));
     }
     problem
 }

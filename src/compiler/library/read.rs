@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use super::Context;
@@ -104,21 +105,24 @@ fn load_own_module(
 fn counted_loop(source: &NamedSource<'_>, found: &wgsl::CountedLoop) -> Diagnostic {
     let most = wgsl::MAX_ROUNDS;
     let message = match found.rounds {
-        Some(rounds) => format!("this loop would take {rounds} rounds, and ends after {most}"),
-        None => format!(
-            "the end of this loop cannot be seen: it ends after {most} rounds at the latest"
-        ),
+        Some(rounds) => tr!("this loop would take {rounds} rounds, and ends after {most}"),
+        None => {
+            tr!("the end of this loop cannot be seen: it ends after {most} rounds at the latest")
+        }
     };
     Diagnostic::note("counted-loop", message)
         .in_file(source.name)
         .at(LineColumn::of(source.text, found.span.start))
-        .hint("a `for` that counts whole numbers is left as it is: `for (var i = 0; i < 64; i++)`")
+        .hint(tr!(
+            "a `for` that counts whole numbers is left as it is: `for (var i = 0; i < 64; i++)`"
+        ))
 }
 
 fn tell_place_in_code(problem: &mut Diagnostic) {
     problem.place.file = None;
     if let Some(LineColumn { line, column }) = problem.place.at.take() {
-        problem.message = format!("line {line}, column {column} of the code: {}", problem.message);
+        problem.message =
+            tr!("line {line}, column {column} of the code: {message}", message = problem.message);
     }
 }
 
@@ -174,10 +178,10 @@ impl Reader<'_> {
             self.problems.push(
                 Diagnostic::error(
                     "bad-node-file",
-                    format!("there is no function `{stem}` in this file"),
+                    tr!("there is no function `{stem}` in this file"),
                 )
                 .in_file(self.source.name)
-                .hint(format!(
+                .hint(tr!(
                     "a node file holds a function with the file's name: `fn {stem}(...) -> f32`"
                 )),
             );
@@ -259,9 +263,7 @@ impl Reader<'_> {
                         None => {
                             self.problem(
                                 head,
-                                format!(
-                                    "`@param {name}` documents a parameter that no function has"
-                                ),
+                                tr!("`@param {name}` documents a parameter that no function has"),
                             );
                             continue;
                         }
@@ -282,7 +284,7 @@ impl Reader<'_> {
                 // The other input must have a value of its own, so that no ring of inputs can form.
                 let has_own = |input: &Input| !matches!(input.fallback, Fallback::Same(_));
                 if node.input(other.as_str()).is_none_or(|other| !has_own(&node.inputs[other])) {
-                    let message = format!(
+                    let message = tr!(
                         "`@param {own}` is the same as `{other}`, which is no input with a value \
                          of its own"
                     );
@@ -293,7 +295,7 @@ impl Reader<'_> {
                 let (name, input) = (name.clone(), node.inputs[index].name.clone());
                 self.problem(
                     head,
-                    format!("the parameter `{input}` has type `{name}`, which no wire carries"),
+                    tr!("the parameter `{input}` has type `{name}`, which no wire carries"),
                 );
             }
         }
@@ -315,10 +317,7 @@ impl Reader<'_> {
             .or_else(|| input.options.first().map(|option| option.0.clone()))
             .unwrap_or_default();
         if !input.options.iter().any(|option| option.0 == default) {
-            self.problem(
-                head,
-                format!("`@choice {name}` has no option `{default}` for its default"),
-            );
+            self.problem(head, tr!("`@choice {name}` has no option `{default}` for its default"));
         }
         input.fallback = Fallback::Value(Value::Text(default));
         input
@@ -361,7 +360,7 @@ impl Reader<'_> {
             if !ok {
                 self.problem(
                     head,
-                    format!("`@param {name}` has a piece that means nothing: `{piece}`"),
+                    tr!("`@param {name}` has a piece that means nothing: `{piece}`"),
                 );
             }
         }
@@ -378,7 +377,10 @@ impl Reader<'_> {
             match node.input(&field.name) {
                 Some(index) => parameters.push((index, Type::from_wgsl(&field.ty))),
                 None => {
-                    self.problem(function, format!("`{}` is not an input of the node", field.name));
+                    self.problem(
+                        function,
+                        tr!("`{name}` is not an input of the node", name = field.name),
+                    );
                 }
             }
         }
@@ -401,7 +403,7 @@ impl Reader<'_> {
             };
             let parameters = self.parameters(node, function);
             let Some(result) = function.result.clone() else {
-                self.problem(function, "a node's function must return something".to_owned());
+                self.problem(function, tr!("a node's function must return something").to_owned());
                 continue;
             };
             let is_struct =
@@ -465,11 +467,14 @@ impl Reader<'_> {
                 _ => {
                     self.problem(
                         function,
-                        format!("`{word}` in `{}` is no choice, width or tier", function.name),
+                        tr!(
+                            "`{word}` in `{name}` is no choice, width or tier",
+                            name = function.name
+                        ),
                     )
                     .hints
                     .push(
-                        "name helper functions so that they do not begin with the node's kind"
+                        tr!("name helper functions so that they do not begin with the node's kind")
                             .to_owned(),
                     );
                     return None;
@@ -493,7 +498,7 @@ impl Reader<'_> {
                     None => {
                         self.problem(
                             function,
-                            "a sampler must follow the image that it samples".to_owned(),
+                            tr!("a sampler must follow the image that it samples").to_owned(),
                         );
                     }
                 }
@@ -501,7 +506,7 @@ impl Reader<'_> {
                 let ty = Type::from_wgsl(&field.ty);
                 if node.inputs[index].ty == Type::Choice {
                     if ty != Type::Int {
-                        let message = format!("the choice `{}` is an `i32`", field.name);
+                        let message = tr!("the choice `{name}` is an `i32`", name = field.name);
                         self.problem(function, message);
                     }
                     parameters.push(ArgumentSource::Choice(index));
@@ -554,7 +559,7 @@ impl Reader<'_> {
         for output in &node.outputs {
             if matches!(output.ty, Type::Prepared(_)) || output.ty.is_setting() {
                 let message =
-                    format!("the output `{}` has a type that no wire carries", output.name);
+                    tr!("the output `{name}` has a type that no wire carries", name = output.name);
                 self.problem(head, message);
             }
         }
@@ -573,9 +578,10 @@ impl Reader<'_> {
             })
         };
         for output in node.outputs.iter().filter(|output| !is_fed(output)) {
-            let message = format!(
-                "the node joins lights, and no input of the type {} is `before={}`",
-                output.ty, output.name
+            let message = tr!(
+                "the node joins lights, and no input of the type {ty} is `before={name}`",
+                ty = output.ty,
+                name = output.name
             );
             self.problem(head, message);
         }
@@ -589,7 +595,8 @@ impl Reader<'_> {
                     None => {
                         self.problem(
                             head,
-                            "a `@preset` names an input that there is not, or no number".to_owned(),
+                            tr!("a `@preset` names an input that there is not, or no number")
+                                .to_owned(),
                         );
                     }
                 },
@@ -598,16 +605,18 @@ impl Reader<'_> {
                     None => {
                         self.problem(
                             head,
-                            "a `@bypass` is not of the form `input when other = value`".to_owned(),
+                            tr!("a `@bypass` is not of the form `input when other = value`")
+                                .to_owned(),
                         );
                     }
                 },
                 "bound" => match bound(node, tag) {
                     Some(bound) => node.bounds.push(bound),
                     None => {
-                        let form =
-                            "`input` or `input when choice = word`, with a float or color input";
-                        self.problem(head, format!("a `@bound` is not of the form {form}"));
+                        let form = tr!(
+                            "`input` or `input when choice = word`, with a float or color input"
+                        );
+                        self.problem(head, tr!("a `@bound` is not of the form {form}"));
                     }
                 },
                 "unit" if words(tag) == ["alpha"] => node.has_unit_alpha = true,
@@ -617,7 +626,7 @@ impl Reader<'_> {
                     if node.unit_when.is_none() {
                         self.problem(
                             head,
-                            "a `@unit` is not of the form `when input = value` or `alpha`"
+                            tr!("a `@unit` is not of the form `when input = value` or `alpha`")
                                 .to_owned(),
                         );
                     }
@@ -628,18 +637,18 @@ impl Reader<'_> {
                         None => {
                             self.problem(
                                 head,
-                                "an `@error` is not of the form `tier number`, with \
-                                                a tier of the node",
+                                tr!("an `@error` is not of the form `tier number`, with \
+                                                a tier of the node"),
                             );
                         }
                     }
                 }
                 "param" | "choice" | "return" | "source" => {}
                 other => {
-                    self.problem(head, format!("`@{other}` means nothing here")).hints.push(
-                        "the tags are @param, @choice, @return, @preset, @bypass, @bound, @unit, \
-                         @opaque, @error and @source"
-                            .to_owned(),
+                    self.problem(head, tr!("`@{other}` means nothing here")).hints.push(
+                        tr!("the tags are @param, @choice, @return, @preset, @bypass, @bound, \
+                         @unit, @opaque, @error and @source")
+                        .to_owned(),
                     );
                 }
             }

@@ -15,6 +15,8 @@
 //! first form whose facts hold is taken, so that the cheapest stands first. A rule may go on in
 //! following lines that are indented by two spaces or more.
 
+use chiaro_locale::tr;
+
 use crate::diag::Diagnostic;
 use crate::document::Tier;
 use crate::wgsl::{Declaration, DeclarationKind, LinkedSource};
@@ -100,10 +102,10 @@ pub(super) fn read_rules(declaration: &Declaration) -> Result<Vec<FormRule>, Str
         );
         let rule = FormRule { facts, function, text, bound };
         if rule.is_balanced() && bound.is_some_and(|bound| bound > MAX_FORM_ERROR) {
-            return Err(format!(
-                "`{}`: `{TAG}{line}`: a balanced form differs by at most {MAX_FORM_ERROR:e}; one \
-                 that differs more is `tier is fast`",
-                declaration.name
+            return Err(tr!(
+                "`{name}`: `{TAG}{line}`: a balanced form differs by at most {MAX_FORM_ERROR:e}; \
+                 one that differs more is `tier is fast`",
+                name = declaration.name
             ));
         }
         rules.push(rule);
@@ -159,12 +161,13 @@ fn rule_lines(doc: &[String]) -> Vec<String> {
 type ReadRule<'t> = (Vec<Fact>, &'t str, Option<f64>);
 
 fn read_rule<'t>(line: &'t str, declaration: &Declaration) -> Result<ReadRule<'t>, String> {
-    let (facts, form) =
-        line.split_once(" : ").ok_or("` : ` and the form are missing after the facts")?;
+    let (facts, form) = line
+        .split_once(" : ")
+        .ok_or_else(|| tr!("` : ` and the form are missing after the facts"))?;
     let (form, bound) = match form.split_once(" ~ ") {
         Some((form, bound)) => {
             let bound = bound.trim().parse::<f64>();
-            (form, Some(bound.map_err(|_| "the bound after `~` is no number")?))
+            (form, Some(bound.map_err(|_| tr!("the bound after `~` is no number"))?))
         }
         None => (form, None),
     };
@@ -178,7 +181,7 @@ fn read_rule<'t>(line: &'t str, declaration: &Declaration) -> Result<ReadRule<'t
 fn read_fact(text: &str, declaration: &Declaration) -> Result<Fact, String> {
     let parameter = |name: &str| {
         let index = declaration.fields.iter().position(|field| field.name == name);
-        index.ok_or_else(|| format!("there is no parameter `{name}`"))
+        index.ok_or_else(|| tr!("there is no parameter `{name}`"))
     };
     let limit = |text: &str| match text.parse::<f64>() {
         Ok(number) => Ok(FactLimit::Number(number)),
@@ -191,18 +194,18 @@ fn read_fact(text: &str, declaration: &Declaration) -> Result<Fact, String> {
         [name, "is", "finite"] => Ok(Fact::Finite(parameter(name)?)),
         [name, "is", "unit"] => Ok(Fact::Unit(parameter(name)?)),
         [name, "=", number] => {
-            let number = number.parse::<f64>().map_err(|_| format!("`{number}` is no number"))?;
+            let number = number.parse::<f64>().map_err(|_| tr!("`{number}` is no number"))?;
             Ok(Fact::Is(parameter(name)?, number))
         }
         [name, "<=", number] if name.starts_with('|') => {
             let name = name.trim_matches('|');
-            let number = number.parse::<f64>().map_err(|_| format!("`{number}` is no number"))?;
+            let number = number.parse::<f64>().map_err(|_| tr!("`{number}` is no number"))?;
             Ok(Fact::Within(parameter(name)?, number))
         }
         [name, ">=", least] => Ok(Fact::AtLeast(parameter(name)?, limit(least)?)),
         [name, "<=", most] => Ok(Fact::AtMost(parameter(name)?, limit(most)?)),
         [name, "<", most] => Ok(Fact::Below(parameter(name)?, limit(most)?)),
-        _ => Err(format!(
+        _ => Err(tr!(
             "`{text}` is no fact: `x is finite`, `v is unit`, `x = 1`, `x >= 0`, `x <= y`, \
              `x < y`, `|x| <= 1e6`, `tier is balanced`"
         )),

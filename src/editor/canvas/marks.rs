@@ -111,7 +111,7 @@ fn word(removal: &Removal) -> Option<Text> {
         Proof::ZeroWeight | Proof::NoEffect => Some(NO_EFFECT),
         // Bounds also prove that a value is the same everywhere; the node then still gives that
         // value.
-        Proof::Ranges if !removal.reason.contains("everywhere") => Some(NO_EFFECT),
+        Proof::Ranges if !removal.still_gives => Some(NO_EFFECT),
         _ => None,
     }
 }

@@ -18,7 +18,7 @@ pub(crate) struct DrawnPass {
 
 impl DrawnPass {
     pub(crate) fn label(&self) -> &'static str {
-        self.id.label()
+        self.id.title()
     }
 
     /// Reason and state, as the end of a sentence.

@@ -19,6 +19,7 @@ use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, BufWriter, Seek as _, SeekFrom, Write as _};
 
+use chiaro_locale::tr;
 use serde::Serialize;
 
 use crate::document::{History, Step};
@@ -142,7 +143,7 @@ impl Journal {
             self.line = String::new();
             return Err(io::Error::new(
                 io::ErrorKind::InvalidData,
-                "more was done at once than a journal's line holds",
+                tr!("more was done at once than a journal's line holds"),
             ));
         }
         if let Err(error) = self.file.write_all(self.line.as_bytes()) {

@@ -4,6 +4,8 @@ use std::fs::File;
 use std::io::{self, BufReader};
 use std::path::Path;
 
+use chiaro_locale::{tr, trn};
+
 use super::line::{JournalLine, LineReader};
 use super::record::{DocumentInfo, Op, Record, VERSION};
 use crate::diag::Diagnostic;
@@ -67,27 +69,30 @@ pub fn recover_any(path: &Path) -> Result<RecoveredDocument, Box<Diagnostic>> {
 /// A diagnostic that says why nothing can be brought back. The file is left as it is.
 pub fn recover<D: JournalDocument>(path: &Path) -> Result<RecoveredWork<D>, Box<Diagnostic>> {
     let fail = |error: io::Error| {
-        let message = format!("the journal of unsaved work cannot be read: {error}");
+        let message = tr!("the journal of unsaved work cannot be read: {error}");
         Box::new(Diagnostic::error("cannot-read", message).in_file(path.display().to_string()))
     };
     let file = File::open(path).map_err(fail)?;
     let mut reader = Reader { lines: LineReader::new(BufReader::new(file)), damage: Vec::new() };
     let begun = reader.beginning::<D>().map_err(fail)?;
     let Some(JournalContent { numbers, mut about, source, document, done, undone }) = begun else {
-        let message = "the journal of unsaved work is damaged where it begins, and nothing can be \
-                       brought back from it";
+        let message =
+            tr!("the journal of unsaved work is damaged where it begins, and nothing can be \
+                       brought back from it");
         let problem =
             Diagnostic::error("damaged-journal", message).in_file(path.display().to_string());
-        return Err(Box::new(problem.hint("it is kept until you throw it away")));
+        return Err(Box::new(problem.hint(tr!("it is kept until you throw it away"))));
     };
     let mut history = History::restored(document, done, undone, numbers);
     let is_closed = reader.ops(&mut history, &mut about.window).map_err(fail)?;
     history.end_gesture();
     let dropped = history.drop_impossible_steps();
     if dropped > 0 {
-        reader
-            .damage
-            .push(damage(format!("{dropped} older steps can no longer be undone or redone")));
+        reader.damage.push(damage(trn!(
+            dropped,
+            "{dropped} older steps can no longer be undone or redone",
+            "{dropped} older steps can no longer be undone or redone"
+        )));
     }
     Ok(RecoveredWork { history, about, source, damage: reader.damage, is_closed })
 }
@@ -169,9 +174,9 @@ impl Reader {
                 JournalLine::End => return Ok(is_closed),
                 JournalLine::Damaged => {
                     if self.lines.has_more() {
-                        self.damage.push(damage(
-                            "a part of the journal is damaged; what was done after it is lost",
-                        ));
+                        self.damage.push(damage(tr!(
+                            "a part of the journal is damaged; what was done after it is lost"
+                        )));
                     }
                     return Ok(false);
                 }
@@ -195,9 +200,9 @@ impl Reader {
                 _ => false,
             };
             if !is_done {
-                self.damage.push(damage(
-                    "an edit in the journal cannot be repeated; what was done after it is lost",
-                ));
+                self.damage.push(damage(tr!(
+                    "an edit in the journal cannot be repeated; what was done after it is lost"
+                )));
                 return Ok(false);
             }
         }

@@ -1,5 +1,6 @@
 //! Kinds of files that commands write, and the tests by which earlier outputs are recognized.
 
+use chiaro_locale::text;
 use flate2::Crc;
 
 use crate::png::{self, AFTER_HEADER, SIGNATURE};
@@ -24,10 +25,10 @@ impl OutputKind<'_> {
         OutputKind { name: "", is_own: &|_| false, has_seal: false };
     /// Rendered picture.
     pub const PICTURE: OutputKind<'static> =
-        OutputKind { name: "a picture", is_own: &is_sealed, has_seal: true };
+        OutputKind { name: text!("a picture").english(), is_own: &is_sealed, has_seal: true };
     /// Drawing of a graph or a plot, as SVG.
     pub const DRAWING: OutputKind<'static> =
-        OutputKind { name: "a drawing", is_own: &is_drawing, has_seal: false };
+        OutputKind { name: text!("a drawing").english(), is_own: &is_drawing, has_seal: false };
 
     pub(super) fn is_document(&self) -> bool {
         self.name.is_empty()

@@ -12,6 +12,7 @@ use std::fs::{self, File};
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::tr;
 pub use kind::OutputKind;
 pub use staging::{FileSet, remove_abandoned, remove_unfinished};
 
@@ -156,9 +157,9 @@ impl Outputs {
         let bytes = sealed.as_deref().unwrap_or(bytes);
         self.check_bytes(path, kind, |old| bytes == old || (kind.is_own)(old))?;
         if self.added.iter().any(|added| added == path) {
-            let message = "the same command would write two different files here";
+            let message = tr!("the same command would write two different files here");
             return Err(in_file(Diagnostic::error("would-overwrite", message), path)
-                .hint("choose two names"));
+                .hint(tr!("choose two names")));
         }
         self.set.add(path, bytes).map_err(|problem| *problem)?;
         self.added.push(path.to_owned());
@@ -208,15 +209,15 @@ impl Outputs {
         }
         if let Some((_, input)) = self.inputs.iter().find(is_it).or(changed) {
             let message = if input == path {
-                "the same command reads this file, and would write over it".to_owned()
+                tr!("the same command reads this file, and would write over it").to_owned()
             } else {
-                format!(
-                    "this is `{}`, which the same command reads and would write over",
-                    input.display()
+                tr!(
+                    "this is `{input}`, which the same command reads and would write over",
+                    input = input.display()
                 )
             };
             let problem = Diagnostic::error("would-overwrite", message);
-            return Err(in_file(problem, path).hint("choose another name for what is written"));
+            return Err(in_file(problem, path).hint(tr!("choose another name for what is written")));
         }
         if self.is_forced {
             return Ok(());
@@ -226,12 +227,15 @@ impl Outputs {
             return Ok(());
         }
         let message = if kind.is_document() {
-            "this file is there already".to_owned()
+            tr!("this file is there already").to_owned()
         } else {
-            format!("this file is there already, and is not {} as Chiaro has written it", kind.name)
+            tr!(
+                "this file is there already, and is not {name} as Chiaro has written it",
+                name = tr(kind.name)
+            )
         };
         let problem = Diagnostic::error("file-exists", message);
-        Err(in_file(problem, path).hint("choose another name, or replace it with --force"))
+        Err(in_file(problem, path).hint(tr!("choose another name, or replace it with --force")))
     }
 }
 

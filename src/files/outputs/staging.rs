@@ -15,6 +15,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+use chiaro_locale::tr;
 use tempfile::NamedTempFile;
 
 use crate::clock;
@@ -224,7 +225,7 @@ impl Folder {
                 }
             }
         }
-        Err(io::Error::other("temporary files in this folder vanish as soon as they are made"))
+        Err(io::Error::other(tr!("temporary files in this folder vanish as soon as they are made")))
     }
 
     /// Creates a temporary file.
@@ -250,10 +251,10 @@ impl Folder {
 fn check_place(target: &Path) -> io::Result<Option<fs::Metadata>> {
     let Ok(old) = fs::metadata(target) else { return Ok(None) };
     if old.is_dir() {
-        return Err(io::Error::new(io::ErrorKind::IsADirectory, "this is a folder"));
+        return Err(io::Error::new(io::ErrorKind::IsADirectory, tr!("this is a folder")));
     }
     if old.permissions().readonly() {
-        return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
+        return Err(io::Error::new(io::ErrorKind::PermissionDenied, tr!("the file is read-only")));
     }
     Ok(Some(old))
 }
@@ -262,17 +263,17 @@ fn cannot_write(path: &Path, error: &io::Error) -> Box<Diagnostic> {
     let missing = path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.exists());
     let why = missing.map_or_else(
         || reason(error),
-        |folder| format!("there is no folder `{}`", folder.display()),
+        |folder| tr!("there is no folder `{folder}`", folder = folder.display()),
     );
     let hint = match error.kind() {
-        io::ErrorKind::NotFound => "make the folder first, or choose another place",
-        io::ErrorKind::PermissionDenied => "you may not write here: choose another place",
-        io::ErrorKind::StorageFull => "the disk is full: make room and save again",
-        io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only: choose another place",
-        _ => "choose another place",
+        io::ErrorKind::NotFound => tr!("make the folder first, or choose another place"),
+        io::ErrorKind::PermissionDenied => tr!("you may not write here: choose another place"),
+        io::ErrorKind::StorageFull => tr!("the disk is full: make room and save again"),
+        io::ErrorKind::ReadOnlyFilesystem => tr!("the disk is read-only: choose another place"),
+        _ => tr!("choose another place"),
     };
-    let state = if path.exists() { "; the old file is as it was" } else { "" };
-    let message = format!("cannot write the file: {why}{state}");
+    let state = if path.exists() { tr!("; the old file is as it was") } else { "" };
+    let message = tr!("cannot write the file: {why}{state}");
     Box::new(
         Diagnostic::error("cannot-write", message).in_file(path.display().to_string()).hint(hint),
     )

@@ -12,6 +12,7 @@ use ::exr::prelude::{
     AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image, Layer, LineOrder,
     ReadChannels as _, ReadLayers as _, Text, WritableImage as _, read,
 };
+use chiaro_locale::text;
 use half::f16;
 use siphasher::sip::SipHasher13;
 
@@ -255,7 +256,7 @@ fn seal_of<'a>(channels: impl Iterator<Item = (&'a Text, &'a FlatSamples)>) -> S
 
 /// Picture as EXR.
 pub const EXR: OutputKind<'static> =
-    OutputKind { name: "a picture", is_own: &is_own, has_seal: false };
+    OutputKind { name: text!("a picture").english(), is_own: &is_own, has_seal: false };
 
 /// True if an EXR is as Chiaro wrote it.
 fn is_own(bytes: &[u8]) -> bool {

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
+use chiaro_locale::{tr, trn};
 use serde::Serialize;
 
 use crate::ids::{NodePath, PortName};
@@ -119,11 +120,11 @@ impl Diagnostic {
     pub fn suggest<'a>(self, wrong: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
         match nearest(wrong, known).as_slice() {
             [] => self,
-            [one] => self.hint(format!("did you mean `{one}`?")),
+            [one] => self.hint(tr!("did you mean `{one}`?")),
             [most @ .., last] => {
                 let most =
                     most.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-                self.hint(format!("did you mean {most} or `{last}`?"))
+                self.hint(tr!("did you mean {most} or `{last}`?"))
             }
         }
     }
@@ -188,19 +189,19 @@ impl fmt::Display for Diagnostic {
         write!(f, "{severity}[{}]: {}", self.code, self.message)?;
         let mut context = Vec::new();
         match (node, port) {
-            (Some(node), Some(port)) => context.push(format!("node `{node}`, port `{port}`")),
-            (Some(node), None) => context.push(format!("node `{node}`")),
-            (None, Some(port)) => context.push(format!("port `{port}`")),
+            (Some(node), Some(port)) => context.push(tr!("node `{node}`, port `{port}`")),
+            (Some(node), None) => context.push(tr!("node `{node}`")),
+            (None, Some(port)) => context.push(tr!("port `{port}`")),
             (None, None) => {}
         }
         if let Some(path) = json_path {
-            context.push(format!("at {path}"));
+            context.push(tr!("at {path}"));
         }
         if !context.is_empty() {
             write!(f, " ({})", context.join(", "))?;
         }
         for hint in &self.hints {
-            write!(f, "\n  help: {hint}")?;
+            write!(f, "\n  {}", tr!("help: {hint}"))?;
         }
         Ok(())
     }
@@ -276,14 +277,18 @@ pub fn bounded(mut problems: Vec<Diagnostic>) -> Vec<Diagnostic> {
 pub fn more_problems(count: usize) -> Diagnostic {
     Diagnostic::note(
         "more-problems",
-        format!("there are {count} more problems, which are not listed"),
+        trn!(
+            count,
+            "there are {count} more problems, which are not listed",
+            "there are {count} more problems, which are not listed"
+        ),
     )
 }
 
 /// Reason of a system's error in words, without the number that the system has for it.
 pub fn reason(error: &std::io::Error) -> String {
     match error.kind() {
-        std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        std::io::ErrorKind::NotFound => tr!("there is no such file").to_owned(),
         _ => {
             let text = error.to_string();
             text.rfind(" (os error ").map_or(text.clone(), |end| text[..end].to_owned())

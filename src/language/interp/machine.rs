@@ -1,5 +1,7 @@
 //! Machine that runs programs, one call at a time.
 
+use chiaro_locale::{tr, trn};
+
 use super::instruction::{Instruction, JumpTarget};
 use super::math::{Double, Rounding, Single};
 use super::memory::{ALL, Mask, Memory};
@@ -24,11 +26,8 @@ impl TimeLimitError {
     #[cold]
     pub(super) fn diagnose(&self, program: &Program) -> Diagnostic {
         let Program { name, step_limit, .. } = program;
-        Diagnostic::error(
-            "interp-endless",
-            format!("`{name}` did not end within {step_limit} steps"),
-        )
-        .hint("look for a loop whose exit condition never becomes true")
+        Diagnostic::error("interp-endless", tr!("`{name}` did not end within {step_limit} steps"))
+            .hint(tr!("look for a loop whose exit condition never becomes true"))
     }
 }
 
@@ -49,9 +48,9 @@ impl<'p> Machine<'p> {
     pub fn call(&mut self, arguments: &[Value]) -> Result<Value, Diagnostic> {
         let Program { name, parameters, result, result_slot, .. } = self.program;
         if self.contents.len() != self.program.resources.len() {
-            let message = format!("`{name}` reads resources, and none are bound");
+            let message = tr!("`{name}` reads resources, and none are bound");
             return Err(Diagnostic::error("interp-unbound", message)
-                .hint("bind them, and run what `Program::bind` gives"));
+                .hint(tr!("bind them, and run what `Program::bind` gives")));
         }
         write_arguments(name, parameters, arguments, self.precision, &self.memory, 0)?;
         let resources =
@@ -76,11 +75,11 @@ pub(super) fn write_arguments<const W: usize>(
     lane: usize,
 ) -> Result<(), Diagnostic> {
     if arguments.len() != parameters.len() {
-        let plural = if parameters.len() == 1 { "" } else { "s" };
-        let message = format!(
-            "`{function}` takes {} argument{plural}, but {} were given",
-            parameters.len(),
-            arguments.len()
+        let message = trn!(
+            count = parameters.len(),
+            "`{function}` takes {count} argument, but {given} were given",
+            "`{function}` takes {count} arguments, but {given} were given",
+            given = arguments.len()
         );
         return Err(Diagnostic::error("interp-argument", message));
     }
@@ -97,9 +96,9 @@ pub(super) fn write_arguments<const W: usize>(
 #[cold]
 fn wrong_shape(function: &str, parameter: &ProgramParameter, value: &Value) -> Diagnostic {
     let ProgramParameter { name, shape, .. } = parameter;
-    let message = format!(
-        "argument `{name}` of `{function}` is {shape}, but {value} ({}) was given",
-        value.describe()
+    let message = tr!(
+        "argument `{name}` of `{function}` is {shape}, but {value} ({given}) was given",
+        given = value.describe()
     );
     Diagnostic::error("interp-argument", message)
 }

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use chiaro_locale::tr;
+
 use super::shape::ScalarKind;
 
 /// Number or truth value.
@@ -157,8 +159,8 @@ impl Value {
             Self::Matrix { columns, components } => {
                 format!("mat{columns}x{}<f32>", components.len().checked_div(*columns).unwrap_or(0))
             }
-            Self::Array(elements) => format!("an array of {}", elements.len()),
-            Self::Struct(members) => format!("a struct of {}", members.len()),
+            Self::Array(elements) => tr!("an array of {count}", count = elements.len()),
+            Self::Struct(members) => tr!("a struct of {count}", count = members.len()),
             _ => self.as_scalar().map_or("?", |s| s.kind().name()).to_owned(),
         }
     }

@@ -7,6 +7,8 @@
 
 use std::ops::Range;
 
+use chiaro_locale::tr;
+
 use super::scan::{Token, TokenKind, tokenize};
 use super::validate::WgslError;
 
@@ -29,9 +31,9 @@ pub const MAX_BRANCHES: usize = 256;
 /// Errors of every bound that `source` exceeds, with their places.
 pub fn beyond_bounds(source: &str) -> Vec<WgslError> {
     if source.len() > MAX_CODE_BYTES {
-        let message = format!(
-            "the code has {} bytes, and a node's code at most {MAX_CODE_BYTES}",
-            source.len()
+        let message = tr!(
+            "the code has {bytes} bytes, and a node's code at most {MAX_CODE_BYTES}",
+            bytes = source.len()
         );
         return vec![WgslError { message, span: Some(0..0) }];
     }
@@ -154,10 +156,10 @@ impl Counter<'_> {
         level.operators += by;
         if level.operators > MAX_OPERATORS && !std::mem::replace(&mut self.is_told, true) {
             self.tell(
-                "operators, brackets and members in one expression",
+                tr!("operators, brackets and members in one expression"),
                 MAX_OPERATORS,
                 span,
-                "give parts of it names with `let`",
+                tr!("give parts of it names with `let`"),
             );
         }
     }
@@ -211,10 +213,10 @@ impl Counter<'_> {
             self.statements += 1;
             if self.statements == MAX_STATEMENTS + 1 {
                 self.tell(
-                    "statements in one function",
+                    tr!("statements in one function"),
                     MAX_STATEMENTS,
                     span,
-                    "split it into several functions",
+                    tr!("split it into several functions"),
                 );
             }
         }
@@ -223,20 +225,25 @@ impl Counter<'_> {
     fn branch(&mut self, span: &Range<usize>) {
         self.branches += 1;
         if self.branches == MAX_BRANCHES + 1 {
-            let hint = "look values up in a `const` array, or split it into several functions";
-            self.tell("`else` and `case` in one function", MAX_BRANCHES, span, hint);
+            let hint = tr!("look values up in a `const` array, or split it into several functions");
+            self.tell(tr!("`else` and `case` in one function"), MAX_BRANCHES, span, hint);
         }
     }
 
     fn declaration(&mut self, span: &Range<usize>) {
         self.declarations += 1;
         if self.declarations == MAX_DECLARATIONS + 1 {
-            self.tell("declarations", MAX_DECLARATIONS, span, "split it into several nodes");
+            self.tell(
+                tr!("declarations"),
+                MAX_DECLARATIONS,
+                span,
+                tr!("split it into several nodes"),
+            );
         }
     }
 
     fn tell(&mut self, what: &str, most: usize, span: &Range<usize>, hint: &str) {
-        let message = format!("there are more than {most} {what}: {hint}");
+        let message = tr!("there are more than {most} {what}: {hint}");
         self.beyond.push(WgslError { message, span: Some(span.clone()) });
     }
 }

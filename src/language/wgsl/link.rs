@@ -6,6 +6,8 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::sync::{Arc, LazyLock, OnceLock};
 
+use chiaro_locale::tr;
+
 use super::embedded::SHADER_LIBRARY;
 use super::scan::{Scan, scan};
 use crate::diag::{Diagnostic, LineColumn};
@@ -145,7 +147,7 @@ fn add_imports(
             problems.push(
                 Diagnostic::error(
                     "unknown-import",
-                    format!("there is no `{}` to import", import.path),
+                    tr!("there is no `{path}` to import", path = import.path),
                 )
                 .in_file(source.name)
                 .at(LineColumn::of(source.text, import.span.start))

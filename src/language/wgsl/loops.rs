@@ -25,6 +25,8 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::sync::LazyLock;
 
+use chiaro_locale::tr;
+
 use super::link::library_scans;
 use super::scan::{DeclarationKind, Scan, Token, TokenKind, scan, tokenize};
 use super::validate::WgslError;
@@ -85,13 +87,13 @@ pub fn bound_loops(source: &str) -> BoundedLoops {
     for (index, function) in functions.iter().enumerate() {
         let total = rounds.of(index);
         if total > MAX_CALL_ROUNDS {
-            let message = format!(
-                "the loops of `{}` may take {total} rounds, one within the other and in what they \
-                 call, \
+            let message = tr!(
+                "the loops of `{name}` may take {total} rounds, one within the other and in what \
+                 they call, \
                  and one call at most {MAX_CALL_ROUNDS}: write inner ones as `for` with whole \
                  numbers in \
                  place of variables",
-                function.name
+                name = function.name
             );
             bounded.beyond.push(WgslError { message, span: Some(function.span.clone()) });
         }

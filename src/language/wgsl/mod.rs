@@ -20,6 +20,7 @@ mod validate;
 pub use bounds::{
     MAX_BRANCHES, MAX_CODE_BYTES, MAX_DECLARATIONS, MAX_OPERATORS, MAX_STATEMENTS, beyond_bounds,
 };
+use chiaro_locale::tr;
 pub use depth::depth_of_entry_points;
 #[cfg(test)]
 pub use embedded::shipped_nodes;
@@ -47,13 +48,13 @@ pub fn pass(name: &str, constants: &[(&str, i32)]) -> Result<LinkedSource, Vec<D
     let Some((path, text)) = PASSES.iter().find(|(path, _)| is_it(path)) else {
         return Err(vec![Diagnostic::error(
             "missing-pass",
-            format!("this build of Chiaro lacks the pass `{name}`"),
+            tr!("this build of Chiaro lacks the pass `{name}`"),
         )]);
     };
     let mut text = (*text).to_owned();
     for (constant, number) in constants {
         text = with_constant(&text, constant, *number).ok_or_else(|| {
-            let message = format!("the pass `{name}` has no line `const {constant} = ...;`");
+            let message = tr!("the pass `{name}` has no line `const {constant} = ...;`");
             vec![Diagnostic::error("missing-constant", message)]
         })?;
     }

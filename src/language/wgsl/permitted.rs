@@ -7,6 +7,7 @@
 
 use std::ops::Range;
 
+use chiaro_locale::tr;
 use naga::{AddressSpace, Block, Expression, Function, Handle, Module, Statement, TypeInner};
 
 use super::operations::Operations;
@@ -63,7 +64,7 @@ impl<'a> Refusals<'a> {
     fn overrides(&mut self) {
         for (handle, found) in self.module().overrides.iter() {
             let name = found.name.as_deref().unwrap_or_default();
-            let message = format!(
+            let message = tr!(
                 "no pipeline gives the override `{name}` a value: write `const {name} = ...;`, or \
                  make it \
                  a parameter"
@@ -87,13 +88,13 @@ impl<'a> Refusals<'a> {
             }
             let instead = match variable.space {
                 AddressSpace::Handle => {
-                    "take an image as a parameter, with its sampler after it: \
-                     `image: texture_2d<f32>, image_sampler: sampler`"
+                    tr!("take an image as a parameter, with its sampler after it: \
+                     `image: texture_2d<f32>, image_sampler: sampler`")
                 }
-                AddressSpace::Uniform => "take the value as a parameter",
-                _ => "`const` and `var<private>` are what there is outside functions",
+                AddressSpace::Uniform => tr!("take the value as a parameter"),
+                _ => tr!("`const` and `var<private>` are what there is outside functions"),
             };
-            self.tell(span, format!("nothing can be bound to `{name}` in a node: {instead}"));
+            self.tell(span, tr!("nothing can be bound to `{name}` in a node: {instead}"));
         }
         for (handle, function) in self.module().functions.iter() {
             if self.is_own(self.module().functions.get_span(handle)) {
@@ -111,10 +112,9 @@ impl<'a> Refusals<'a> {
         let is_told =
             self.told.iter().any(|error| error.message.contains("variables of this code"));
         if bytes > MAX_VARIABLE_BYTES && !is_told {
-            let message = format!(
-                "with `{name}` the variables of this code take {bytes} bytes, and at most \
-                 {MAX_VARIABLE_BYTES} are compiled in good time: use shorter arrays"
-            );
+            let message =
+                tr!("with `{name}` the variables of this code take {bytes} bytes, and at most \
+                 {MAX_VARIABLE_BYTES} are compiled in good time: use shorter arrays");
             self.tell(span, message);
         }
     }
@@ -128,10 +128,11 @@ impl<'a> Refusals<'a> {
 
     fn entry_points(&mut self) {
         for entry in &self.module().entry_points {
-            let message = format!(
-                "`{}` is an entry point, and a node's functions are called: leave `@{}` out",
-                entry.name,
-                stage(entry.stage)
+            let message = tr!(
+                "`{name}` is an entry point, and a node's functions are called: leave `@{stage}` \
+                 out",
+                name = entry.name,
+                stage = stage(entry.stage)
             );
             let span = entry
                 .function
@@ -155,11 +156,10 @@ impl<'a> Refusals<'a> {
                 let name = ty
                     .name
                     .as_ref()
-                    .map_or_else(|| "an array".to_owned(), |name| format!("`{name}`"));
-                let message = format!(
-                    "{name} takes {bytes} bytes, and a value at most {MAX_TABLE_BYTES}: use \
-                     shorter arrays"
-                );
+                    .map_or_else(|| tr!("an array").to_owned(), |name| format!("`{name}`"));
+                let message =
+                    tr!("{name} takes {bytes} bytes, and a value at most {MAX_TABLE_BYTES}: use \
+                     shorter arrays");
                 self.tell(self.module().types.get_span(handle), message);
             }
         }
@@ -175,12 +175,15 @@ impl<'a> Refusals<'a> {
             let name = function.name.clone().unwrap_or_default();
             self.tables(handle, function);
             if let Some(place) = barrier(&function.body) {
-                self.tell(place, "a barrier waits for a workgroup, and a look has none".to_owned());
+                self.tell(
+                    place,
+                    tr!("a barrier waits for a workgroup, and a look has none").to_owned(),
+                );
             }
             self.imported_resources(handle, &name, span);
             let count = operations.of_function(self.module(), &name);
             if count > MAX_CODE_OPERATIONS {
-                let message = format!(
+                let message = tr!(
                     "`{name}` asks for {count} operations, with those of what it calls, and at \
                      most \
                      {MAX_CODE_OPERATIONS} are compiled in good time"
@@ -205,7 +208,7 @@ impl<'a> Refusals<'a> {
             let length = size / u64::from(stride.max(1));
             let span = function.expressions.get_span(access);
             if length > MAX_TABLE_LENGTH {
-                let message = format!(
+                let message = tr!(
                     "an array has {length} elements, and one that is looked up in has at most \
                      {MAX_TABLE_LENGTH}"
                 );
@@ -213,7 +216,7 @@ impl<'a> Refusals<'a> {
                 return;
             }
             if bytes > MAX_TABLE_BYTES {
-                let message = format!(
+                let message = tr!(
                     "the arrays that are looked up in here take {bytes} bytes, and in one function \
                      at most \
                      {MAX_TABLE_BYTES}: look each up once, in a function of its own"
@@ -237,7 +240,7 @@ impl<'a> Refusals<'a> {
         {
             let resource = found.name.clone().unwrap_or_default();
             let message =
-                format!("`{name}` reads `{resource}`, which passes are given and nodes are not");
+                tr!("`{name}` reads `{resource}`, which passes are given and nodes are not");
             self.tell(span, message);
         }
     }

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::text;
 use serde_json::Value;
 
 use super::ExportFile;
@@ -50,7 +51,11 @@ impl EarlierDescriptions {
                 has_header || is_named()
             }
         };
-        then(OutputKind { name: "a file of an export", is_own: &is_own, has_seal: false })
+        then(OutputKind {
+            name: text!("a file of an export").english(),
+            is_own: &is_own,
+            has_seal: false,
+        })
     }
 }
 

@@ -116,7 +116,7 @@ pub fn effects(plan: &FramePlan, done: &HashMap<PassId, u64>) -> Vec<Effect> {
     let mut effects: Vec<Effect> = Vec::new();
     let pixels = u64::from(plan.size[0]) * u64::from(plan.size[1]);
     for pass in &plan.passes {
-        let mut effect = Effect::runs(pass.id.label(), EffectKind::Pass, &pass.reason);
+        let mut effect = Effect::runs(pass.id.title(), EffectKind::Pass, &pass.reason);
         effect.pass = Some(pass.id);
         effect.cost.operations = pass_operations(pass.id, &plan.draws);
         effect.cost.bytes = pass.id.row().bytes_per_pixel(plan.samples).0 * pixels;

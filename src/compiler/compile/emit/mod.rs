@@ -46,6 +46,7 @@ use crate::wgsl::WgslError;
 pub(super) use expression::float_literal;
 
 pub use attributes::VertexAttribute;
+use chiaro_locale::tr;
 pub use frame::SAMPLES_PER_ROW;
 
 /// A binding of the module, in group 0.
@@ -165,10 +166,12 @@ impl EmittedModule {
         let start = error.span.as_ref().map_or(0, |span| span.start);
         let line = crate::diag::LineColumn::of(&self.text, start).line as usize;
         let source = self.text.lines().nth(line - 1).unwrap_or_default().trim();
-        let message =
-            format!("the generated shader was refused: {} (in `{source}`)", error.message);
+        let message = tr!(
+            "the generated shader was refused: {message} (in `{source}`)",
+            message = error.message
+        );
         let problem = Diagnostic::error("internal-invalid-wgsl", message)
-            .hint("this is a mistake in Chiaro: please report the look");
+            .hint(tr!("this is a mistake in Chiaro: please report the look"));
         match self.spans.node_at(start) {
             Some(path) => problem.node(path.clone()),
             None => problem,
@@ -533,12 +536,13 @@ impl<'a> Emitter<'a> {
         shorter
             .map(|(&node, &[whole, left])| Removal {
                 path: self.graph.nodes[node].path.clone(),
-                reason: format!(
-                    "{} of its {whole} operations change nothing for what it is given, proved by \
-                     ranges",
-                    whole - left
+                reason: tr!(
+                    "{idle} of its {whole} operations change nothing for what it is given, proved \
+                     by ranges",
+                    idle = whole - left
                 ),
                 proof: Proof::Ranges,
+                still_gives: false,
                 operations: whole - left,
             })
             .collect()

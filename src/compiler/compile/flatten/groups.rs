@@ -5,6 +5,7 @@
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeSet, HashMap};
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 use petgraph::graph::{DiGraph, NodeIndex};
 
@@ -78,28 +79,28 @@ impl Extent {
         let problem =
             |code, message: String, hint: &str| Some(Diagnostic::error(code, message).hint(hint));
         if self.nodes > MAX_FLAT_NODES as u64 {
-            let message = format!("the look has more than {MAX_FLAT_NODES} nodes");
+            let message = tr!("the look has more than {MAX_FLAT_NODES} nodes");
             return problem(
                 "too-many-nodes",
                 message,
-                "groups within groups multiply: use fewer copies",
+                tr!("groups within groups multiply: use fewer copies"),
             );
         }
         if self.depth > MAX_DEPTH {
-            let message = format!("groups lie in each other more than {MAX_DEPTH} deep");
+            let message = tr!("groups lie in each other more than {MAX_DEPTH} deep");
             return problem(
                 "groups-too-deep",
                 message,
-                "dissolve groups that hold little but another group",
+                tr!("dissolve groups that hold little but another group"),
             );
         }
         if self.path_ids > MAX_PATH_IDS {
             let message =
-                "the look has too many nodes in groups that lie deep in each other".to_owned();
+                tr!("the look has too many nodes in groups that lie deep in each other").to_owned();
             return problem(
                 "too-many-nodes",
                 message,
-                "dissolve outer groups, or use fewer copies",
+                tr!("dissolve outer groups, or use fewer copies"),
             );
         }
         None

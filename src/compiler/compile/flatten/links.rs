@@ -7,6 +7,8 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use super::{FlatInput, FlatSlot, Flattener, WireEnd, let_through, stand_in_of};
 use crate::diag::Diagnostic;
 use crate::document::{Light, LightLink, LightRelation, LightSet, Node, SetMember as _, Value};
@@ -68,11 +70,12 @@ impl<'a> Flattener<'a> {
         {
             return;
         }
-        let message = "`layered` is for groups, and for nodes that name a light: this one does not";
+        let message =
+            tr!("`layered` is for groups, and for nodes that name a light: this one does not");
         self.problems.push(
-            Diagnostic::warning("no-light", message)
-                .node(path.clone())
-                .hint("set it on the node that its light comes from, or on a group around both"),
+            Diagnostic::warning("no-light", message).node(path.clone()).hint(tr!(
+                "set it on the node that its light comes from, or on a group around both"
+            )),
         );
     }
 
@@ -105,9 +108,9 @@ impl<'a> Flattener<'a> {
             if !can_be_left_out {
                 self.problems.extend(is_first.then(|| {
                     problem(
-                        "`filtered` is for nodes that let a light through: this one makes \
-                         something else of it",
-                        "set it on a Light filter, or on a node that gives one its share",
+                        tr!("`filtered` is for nodes that let a light through: this one makes \
+                         something else of it"),
+                        tr!("set it on a Light filter, or on a node that gives one its share"),
                     )
                 }));
                 continue;
@@ -121,9 +124,11 @@ impl<'a> Flattener<'a> {
                 }
                 None => self.problems.extend(is_first.then(|| {
                     problem(
-                        "`filtered` is for nodes that one light passes through, which is known \
-                         where it is named: here it is not",
-                        "set it where the light has not been joined with others",
+                        tr!(
+                            "`filtered` is for nodes that one light passes through, which is known \
+                         where it is named: here it is not"
+                        ),
+                        tr!("set it where the light has not been joined with others"),
                     )
                 })),
             }
@@ -233,7 +238,7 @@ impl<'a> Flattener<'a> {
             }
             Err(why) => {
                 let problem = Diagnostic::error(Light::BAD, format!("`{text}`: {why}"));
-                let problem = problem.node(path).port(port.clone()).hint(Light::EXAMPLE);
+                let problem = problem.node(path).port(port.clone()).hint(Light::EXAMPLE.tr());
                 self.problems.extend(is_first.then_some(problem));
                 None
             }

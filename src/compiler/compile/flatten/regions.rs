@@ -7,6 +7,8 @@
 
 use std::collections::{HashMap, HashSet};
 
+use chiaro_locale::tr;
+
 use super::{FlatGraph, FlatInput, FlatNode, FlatSlot, Flattener};
 use crate::diag::Diagnostic;
 use crate::document::{Light, LightSet, Value};
@@ -296,11 +298,11 @@ pub(super) fn without_lights(inputs: &[Input], output: &Output) -> Option<Value>
 }
 
 fn unjoined(path: &NodePath, port: &PortName) -> Diagnostic {
-    let message = format!(
+    let message = tr!(
         "the output `{port}` differs from light to light, and nothing joins what comes of them"
     );
-    Diagnostic::error("not-joined", message).node(path.clone()).port(port.clone()).hint(
+    Diagnostic::error("not-joined", message).node(path.clone()).port(port.clone()).hint(tr!(
         "put a node that joins lights before it, such as Sum of lights; or clear the node's \
-         `for_each`",
-    )
+         `for_each`"
+    ))
 }

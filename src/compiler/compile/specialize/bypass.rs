@@ -1,5 +1,7 @@
 //! The `@bypass` and `@unit` rules of node files: by constants, or by what ranges prove.
 
+use chiaro_locale::{tr, tr_in};
+
 use super::{Builder, ValueId};
 use crate::compile::check::TypedNode;
 use crate::compile::removal::Proof;
@@ -39,10 +41,14 @@ impl Builder<'_> {
                 self.constant(index, ty, value)
             }
         };
-        let reason = if bypass.reason.is_empty() { "it changes nothing" } else { &bypass.reason };
+        let reason = if bypass.reason.is_empty() {
+            tr!("it changes nothing")
+        } else {
+            tr_in("node", &bypass.reason)
+        };
         Some(match evidence {
             Evidence::Constants => (value, reason.to_owned(), proof_of(bypass)),
-            Evidence::Ranges => (value, format!("{reason}, proved by ranges"), Proof::Ranges),
+            Evidence::Ranges => (value, tr!("{reason}, proved by ranges"), Proof::Ranges),
         })
     }
 

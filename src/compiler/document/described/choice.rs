@@ -21,6 +21,8 @@
 //! }
 //! ```
 
+use chiaro_locale::tr;
+
 use super::{DescribedObject, FieldType};
 use crate::diag::Diagnostic;
 use crate::document::UnknownFields;
@@ -37,13 +39,13 @@ impl Reader<'_> {
     ) -> Option<usize> {
         let noun = with_article(shape.name);
         if self.tree.kind(at) != JsonKind::Object {
-            self.wrong_type(at, &format!("{noun} (an object)"));
+            self.wrong_type(at, &tr!("{noun} (an object)"));
             return None;
         }
         let Some(member) = self.tree.member(at, shape.tag) else {
             let words: Vec<&str> = shape.words.iter().map(|(word, _)| *word).collect();
-            let message = format!("{noun} needs the field `{}`", shape.tag);
-            let hint = format!("`{}` is one of {}", shape.tag, words.join(", "));
+            let message = tr!("{noun} needs the field `{tag}`", tag = shape.tag);
+            let hint = tr!("`{tag}` is one of {words}", tag = shape.tag, words = words.join(", "));
             self.report(at, Diagnostic::error("missing-field", message).hint(hint));
             return None;
         };

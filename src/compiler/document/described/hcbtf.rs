@@ -1,5 +1,6 @@
 //! Codecs of fields that only HCBTFs have.
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use super::Codec;
@@ -23,7 +24,7 @@ impl Codec<IndexMap<String, u64>> for Digests {
                 let digits = r.tree.string(member);
                 let digest = digits.and_then(|digits| u64::from_str_radix(&digits, 16).ok());
                 if digest.is_none() {
-                    let message = format!(
+                    let message = tr!(
                         "`{name}` has no digest of 16 hexadecimal digits; it is taken as painted"
                     );
                     r.report(member, Diagnostic::warning("wrong-type", message));

@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use super::{Codec, DescribedObject, FieldType as _, PlainCodec};
@@ -88,20 +89,23 @@ fn nodes(
         let is_given = id.is_some();
         let id = id.unwrap_or_else(|| node.kind.as_str().into());
         let problem = if !is_slug(id.as_str()) {
-            Diagnostic::error("missing-field", "the node needs an `id`, as its kind cannot be one")
-                .hint(format!(
-                    "write \"id\": \"{}\"",
-                    make_slug(id.as_str(), |slug| given.contains(slug))
-                ))
+            Diagnostic::error(
+                "missing-field",
+                tr!("the node needs an `id`, as its kind cannot be one"),
+            )
+            .hint(tr!(
+                "write \"id\": \"{id}\"",
+                id = make_slug(id.as_str(), |slug| given.contains(slug))
+            ))
         } else if nodes.contains_key(&id) || (!is_given && given.contains(&id)) {
             let free =
                 make_slug(id.as_str(), |slug| given.contains(slug) || nodes.contains_key(slug));
-            let which = if is_given { "" } else { " (the node's kind, as no `id` is given)" };
+            let which = if is_given { "" } else { tr!(" (the node's kind, as no `id` is given)") };
             Diagnostic::error(
                 "duplicate-id",
-                format!("another node has the id `{id}`{which}; this one is left out"),
+                tr!("another node has the id `{id}`{which}; this one is left out"),
             )
-            .hint(format!("write \"id\": \"{free}\""))
+            .hint(tr!("write \"id\": \"{free}\""))
         } else {
             kept.push(index);
             nodes.insert(id, node);
@@ -145,9 +149,9 @@ fn objects(
         });
         if objects.contains_key(&id) {
             let free = make_slug(id.as_str(), |slug| taken.contains(slug));
-            let message = format!("another object has the id `{id}`; this one is left out");
-            let problem = Diagnostic::error("duplicate-id", message)
-                .hint(format!("write \"id\": \"{free}\""));
+            let message = tr!("another object has the id `{id}`; this one is left out");
+            let problem =
+                Diagnostic::error("duplicate-id", message).hint(tr!("write \"id\": \"{free}\""));
             r.report_item(index, at, problem);
         } else {
             kept.push(index);

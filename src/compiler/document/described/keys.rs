@@ -1,5 +1,6 @@
 //! Direction or drivers that decide between direction keys, and the place of each key.
 
+use chiaro_locale::{text, tr};
 use indexmap::IndexMap;
 
 use super::{Codec, FieldType as _, PlainCodec, part};
@@ -91,8 +92,11 @@ impl Codec<[f64; 3]> for KeyPlace {
 
 fn direction_of_key(r: &mut Reader<'_>, fields: &Fields, name: &'static str) -> Option<[f64; 3]> {
     if fields.get(name).is_none() {
-        let problem = Diagnostic::error("missing-field", "`direction` is missing");
-        r.report(fields.at(), problem.hint("write where the key lies: \"direction\": [0, 0, 1]"));
+        let problem = Diagnostic::error("missing-field", tr!("`direction` is missing"));
+        r.report(
+            fields.at(),
+            problem.hint(tr!("write where the key lies: \"direction\": [0, 0, 1]")),
+        );
         return None;
     }
     r.field(fields, name, |r, at, kind| <[f64; 3]>::read(r, at, kind, &mut UnknownFields::new()))
@@ -101,12 +105,10 @@ fn direction_of_key(r: &mut Reader<'_>, fields: &Fields, name: &'static str) -> 
 fn place_of_key(r: &mut Reader<'_>, fields: &Fields, axes: usize) -> Option<[f64; 3]> {
     let numbers = ["0"; Driver::MOST][..axes.min(Driver::MOST)].join(", ");
     if fields.get("at").is_none() {
-        let problem = Diagnostic::error("missing-field", "`at` is missing");
+        let problem = Diagnostic::error("missing-field", tr!("`at` is missing"));
         r.report(
             fields.at(),
-            problem.hint(format!(
-                "write where the key lies, one number a driver: \"at\": [{numbers}]"
-            )),
+            problem.hint(tr!("write where the key lies, one number a driver: \"at\": [{numbers}]")),
         );
         return None;
     }
@@ -132,11 +134,14 @@ fn key_direction(r: &mut Reader<'_>, at: ValueIndex) -> Option<KeyDirection> {
         _ if r.tree.kind(at) == JsonKind::Bad => return None,
         _ => {}
     }
-    let problem = Diagnostic::error("wrong-type", "this names no direction");
+    let problem = Diagnostic::error("wrong-type", tr!("this names no direction"));
     r.report(
         at,
         problem.hint(
-            "write \"view\", {\"light\": \"the light's id\"}, or {\"drivers\": [\"distance\"]}",
+            text!(
+                "write \"view\", {\"light\": \"the light's id\"}, or {\"drivers\": [\"distance\"]}"
+            )
+            .tr(),
         ),
     );
     None
@@ -147,11 +152,15 @@ fn drivers(r: &mut Reader<'_>, at: ValueIndex) -> Option<KeyDirection> {
     let items: Vec<ValueIndex> =
         if tree.kind(at) == JsonKind::List { tree.children(at).collect() } else { Vec::new() };
     if items.is_empty() || items.len() > Driver::MOST {
-        let problem = Diagnostic::error("wrong-count", "one to three drivers decide between keys");
+        let problem =
+            Diagnostic::error("wrong-count", tr!("one to three drivers decide between keys"));
         r.report(
             at,
             problem.hint(
-                "write a list, such as [\"distance\"] or [\"facing\", {\"height\": \"key\"}]",
+                text!(
+                    "write a list, such as [\"distance\"] or [\"facing\", {\"height\": \"key\"}]"
+                )
+                .tr(),
             ),
         );
         return None;
@@ -179,10 +188,13 @@ fn driver(r: &mut Reader<'_>, at: ValueIndex) -> Option<Driver> {
     if let Some(wire) = wire {
         return output(r, wire).map(Driver::Wire);
     }
-    let problem = Diagnostic::error("wrong-type", "this names no driver");
-    let hint = "write \"distance\", \"facing\", {\"height\": \"a light's id\"}, \
+    let problem = Diagnostic::error("wrong-type", tr!("this names no driver"));
+    let hint = text!(
+        "write \"distance\", \"facing\", {\"height\": \"a light's id\"}, \
                 {\"near\": \"another object's id\"} or \
-                {\"wire\": \"node.output\"}";
+                {\"wire\": \"node.output\"}"
+    )
+    .tr();
     r.report(at, problem.hint(hint));
     None
 }
@@ -199,9 +211,8 @@ pub(super) fn output(r: &mut Reader<'_>, at: ValueIndex) -> Option<OutputPort> {
     let output = OutputPort::parse(&text).filter(is_one);
     if output.is_none() && r.tree.kind(at) != JsonKind::Bad {
         let shown: String = text.chars().take(80).collect();
-        let problem =
-            Diagnostic::error("bad-output", format!("`{shown}` names no output of a node"));
-        r.report(at, problem.hint("write `node`, `node.output` or `group/node.output`"));
+        let problem = Diagnostic::error("bad-output", tr!("`{shown}` names no output of a node"));
+        r.report(at, problem.hint(tr!("write `node`, `node.output` or `group/node.output`")));
     }
     output
 }

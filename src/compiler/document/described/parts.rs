@@ -1,5 +1,7 @@
 //! Switches, numbers, words, texts and ids as parts of documents.
 
+use chiaro_locale::tr;
+
 use super::FieldType;
 use crate::diag::Diagnostic;
 use crate::document::hcbtf::relief::Channel;
@@ -30,7 +32,7 @@ impl FieldType for bool {
         match r.tree.kind(at) {
             JsonKind::Bool(value) => Some(value),
             _ => {
-                r.wrong_type(at, "true or false");
+                r.wrong_type(at, tr!("true or false"));
                 None
             }
         }
@@ -126,7 +128,7 @@ impl FieldType for [[u8; 3]; 2] {
         let items = r.list_at(at, kind, |r, at| <[u8; 3]>::read(r, at, color, extras))?;
         let count = r.tree.children(at).count();
         if count != 2 {
-            let message = format!("expected 2 colors, found {count}");
+            let message = tr!("expected 2 colors, found {count}");
             r.report(at, Diagnostic::error("wrong-count", message));
             return None;
         }
@@ -269,7 +271,7 @@ impl<M: SetMember> FieldType for MemberSet<M> {
         let set = Self::parse(&text);
         if let Err(why) = &set {
             let problem = Diagnostic::error(M::BAD, format!("`{text}`: {why}"));
-            r.report(at, problem.hint(M::EXAMPLE));
+            r.report(at, problem.hint(M::EXAMPLE.tr()));
         }
         set.ok()
     }

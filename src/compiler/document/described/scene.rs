@@ -1,5 +1,6 @@
 //! Codecs of fields that only scenes have.
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use super::{Codec, FieldType as _, PlainCodec};
@@ -78,12 +79,15 @@ impl Codec<[f64; 3]> for Scale {
         r.field(fields, name, |r, at, kind| {
             let scale = <[f64; 3]>::read(r, at, kind, &mut UnknownFields::new())?;
             if scale.iter().any(|s| s.abs() < 1e-9) {
-                let problem =
-                    Diagnostic::error("out-of-range", "a scale of 0 leaves nothing of the mesh");
+                let problem = Diagnostic::error(
+                    "out-of-range",
+                    tr!("a scale of 0 leaves nothing of the mesh"),
+                );
                 r.report(
                     at,
-                    problem
-                        .hint("write any other number, or \"visible\": false to hide the object"),
+                    problem.hint(tr!(
+                        "write any other number, or \"visible\": false to hide the object"
+                    )),
                 );
                 return None;
             }
@@ -122,12 +126,12 @@ fn backdrop(r: &mut Reader<'_>, at: ValueIndex) -> Option<Option<[f64; 4]>> {
         JsonKind::Text => {
             let hex = r.tree.string(at).and_then(|text| parse_hex(&text));
             if hex.is_none() {
-                let problem = Diagnostic::error("bad-color", "this is no color");
+                let problem = Diagnostic::error("bad-color", tr!("this is no color"));
                 r.report(
                     at,
-                    problem.hint(
-                        "write \"#rrggbb\", \"#rrggbbaa\", [r, g, b, a], or null for transparent",
-                    ),
+                    problem.hint(tr!(
+                        "write \"#rrggbb\", \"#rrggbbaa\", [r, g, b, a], or null for transparent"
+                    )),
                 );
             }
             hex.map(Some)

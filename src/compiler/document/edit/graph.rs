@@ -1,5 +1,6 @@
 //! Edits of nodes, wires and frames.
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use super::parts::{insert, remove_named};
@@ -17,7 +18,7 @@ fn graph_mut<'l>(look: &'l mut Look, graph: &GraphId) -> Result<&'l mut Graph, B
             .definitions
             .get_mut(id)
             .map(|found| &mut found.graph)
-            .ok_or_else(|| missing("group", id)),
+            .ok_or_else(|| missing(tr!("part" => "group"), id)),
     }
 }
 
@@ -26,7 +27,7 @@ pub(super) fn node_mut<'l>(
     graph: &GraphId,
     id: &NodeId,
 ) -> Result<&'l mut Node, Box<Diagnostic>> {
-    graph_mut(look, graph)?.nodes.get_mut(id).ok_or_else(|| missing("node", id))
+    graph_mut(look, graph)?.nodes.get_mut(id).ok_or_else(|| missing(tr!("part" => "node"), id))
 }
 
 pub(super) fn add_node(
@@ -36,14 +37,14 @@ pub(super) fn add_node(
     node: Node,
     index: Option<usize>,
 ) -> EditResult<Edit> {
-    insert(&mut graph_mut(look, &graph)?.nodes, "node", id.clone(), node, index)?;
+    insert(&mut graph_mut(look, &graph)?.nodes, tr!("part" => "node"), id.clone(), node, index)?;
     Ok(Edit::RemoveNode { graph, id })
 }
 
 pub(super) fn remove_node(look: &mut Look, graph: GraphId, id: NodeId) -> EditResult<Edit> {
     let of = graph_mut(look, &graph)?;
     if !of.nodes.contains_key(&id) {
-        return Err(missing("node", id));
+        return Err(missing(tr!("part" => "node"), id));
     }
     let names_it = |wire: &&Wire| wire.from.node == id || wire.to.node == id;
     let remove_wire = |wire: &Wire| Edit::RemoveWire { graph: graph.clone(), wire: wire.clone() };
@@ -58,7 +59,8 @@ pub(super) fn remove_node(look: &mut Look, graph: GraphId, id: NodeId) -> EditRe
         steps(look, path).any(|(of, step)| of == graph && step == id)
     }));
     if edits.is_empty() {
-        let (index, node) = remove_named(&mut graph_mut(look, &graph)?.nodes, "node", &id)?;
+        let (index, node) =
+            remove_named(&mut graph_mut(look, &graph)?.nodes, tr!("part" => "node"), &id)?;
         return Ok(Edit::AddNode { graph, id, node, index: Some(index) });
     }
     edits.push(Edit::RemoveNode { graph, id });
@@ -165,7 +167,7 @@ pub(super) fn move_nodes(
 ) -> EditResult<Edit> {
     let of = graph_mut(look, &graph)?;
     if let Some(id) = positions.keys().find(|&id| !of.nodes.contains_key(id)) {
-        return Err(missing("node", id));
+        return Err(missing(tr!("part" => "node"), id));
     }
     let mut old = IndexMap::with_capacity(positions.len());
     for (id, position) in positions {
@@ -192,7 +194,7 @@ pub(super) fn set_value(
         let value = std::mem::replace(old, value);
         return Ok(Edit::SetValue { graph, id, port, value, index: None });
     }
-    insert(values, "value", port.clone(), value, index)?;
+    insert(values, tr!("part" => "value"), port.clone(), value, index)?;
     Ok(Edit::ClearValue { graph, id, port })
 }
 
@@ -206,7 +208,7 @@ pub(super) fn clear_value(
     if !values.contains_key(&port) {
         return Ok(nothing());
     }
-    let (index, value) = remove_named(values, "value", &port)?;
+    let (index, value) = remove_named(values, tr!("part" => "value"), &port)?;
     Ok(Edit::SetValue { graph, id, port, value, index: Some(index) })
 }
 
@@ -222,9 +224,9 @@ pub(super) fn add_wire(
     if index.is_some() || old.is_empty() {
         let index = index.unwrap_or(wires.len());
         if index > wires.len() {
-            return Err(impossible(format!(
-                "there is no place {index} among {} wires",
-                wires.len()
+            return Err(impossible(tr!(
+                "there is no place {index} among {count} wires",
+                count = wires.len()
             )));
         }
         wires.insert(index, wire.clone());
@@ -244,7 +246,7 @@ pub(super) fn remove_wire(look: &mut Look, graph: GraphId, wire: &Wire) -> EditR
     let wires = &mut graph_mut(look, &graph)?.wires;
     let index = wires.iter().position(|other| other == wire);
     let index = index.ok_or_else(|| {
-        impossible(format!("there is no wire from `{}` to `{}`", wire.from, wire.to))
+        impossible(tr!("there is no wire from `{from}` to `{to}`", from = wire.from, to = wire.to))
     })?;
     let wire = wires.remove(index);
     Ok(Edit::AddWire { graph, wire, index: Some(index) })
@@ -257,7 +259,7 @@ pub(super) fn add_frame(
     frame: Frame,
     index: Option<usize>,
 ) -> EditResult<Edit> {
-    insert(&mut graph_mut(look, &graph)?.frames, "frame", id.clone(), frame, index)?;
+    insert(&mut graph_mut(look, &graph)?.frames, tr!("part" => "frame"), id.clone(), frame, index)?;
     Ok(Edit::RemoveFrame { graph, id })
 }
 
@@ -267,13 +269,17 @@ pub(super) fn set_frame(
     id: FrameId,
     frame: Frame,
 ) -> EditResult<Edit> {
-    let old = graph_mut(look, &graph)?.frames.get_mut(&id).ok_or_else(|| missing("frame", &id))?;
+    let old = graph_mut(look, &graph)?
+        .frames
+        .get_mut(&id)
+        .ok_or_else(|| missing(tr!("part" => "frame"), &id))?;
     let frame = std::mem::replace(old, frame);
     Ok(Edit::SetFrame { graph, id, frame })
 }
 
 pub(super) fn remove_frame(look: &mut Look, graph: GraphId, id: FrameId) -> EditResult<Edit> {
-    let (index, frame) = remove_named(&mut graph_mut(look, &graph)?.frames, "frame", &id)?;
+    let (index, frame) =
+        remove_named(&mut graph_mut(look, &graph)?.frames, tr!("part" => "frame"), &id)?;
     Ok(Edit::AddFrame { graph, id, frame, index: Some(index) })
 }
 
@@ -284,7 +290,7 @@ pub(super) fn add_note(
     note: Note,
     index: Option<usize>,
 ) -> EditResult<Edit> {
-    insert(&mut graph_mut(look, &graph)?.notes, "note", id.clone(), note, index)?;
+    insert(&mut graph_mut(look, &graph)?.notes, tr!("part" => "note"), id.clone(), note, index)?;
     Ok(Edit::RemoveNote { graph, id })
 }
 
@@ -294,13 +300,17 @@ pub(super) fn set_note(
     id: NoteId,
     note: Note,
 ) -> EditResult<Edit> {
-    let old = graph_mut(look, &graph)?.notes.get_mut(&id).ok_or_else(|| missing("note", &id))?;
+    let old = graph_mut(look, &graph)?
+        .notes
+        .get_mut(&id)
+        .ok_or_else(|| missing(tr!("part" => "note"), &id))?;
     let note = std::mem::replace(old, note);
     Ok(Edit::SetNote { graph, id, note })
 }
 
 pub(super) fn remove_note(look: &mut Look, graph: GraphId, id: NoteId) -> EditResult<Edit> {
-    let (index, note) = remove_named(&mut graph_mut(look, &graph)?.notes, "note", &id)?;
+    let (index, note) =
+        remove_named(&mut graph_mut(look, &graph)?.notes, tr!("part" => "note"), &id)?;
     Ok(Edit::AddNote { graph, id, note, index: Some(index) })
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use serde::{Deserialize, Serialize};
 
 use super::parts::{at, insert_at};
@@ -84,22 +85,22 @@ impl HcbtfEdit {
             Self::Group { edits } => {
                 edits.first().map_or_else(|| "nothing".to_owned(), Self::label)
             }
-            Self::Replace { .. } => "load the file again".to_owned(),
+            Self::Replace { .. } => tr!("load the file again").to_owned(),
             Self::SetTile { address, tile: Some(_) } | Self::PatchTile { address, .. } => {
-                format!("paint {address}")
+                tr!("paint {address}")
             }
             Self::SetTile { address, tile: None } | Self::DeleteTile { address } => {
-                format!("delete {address}")
+                tr!("delete {address}")
             }
-            Self::CopyTile { to, .. } => format!("copy to {to}"),
-            Self::SetRules { .. } => "change the rules".to_owned(),
-            Self::AddRule { rule, .. } => format!("add the rule {}", rule.word()),
-            Self::SetRule { rule, .. } => format!("change the rule {}", rule.word()),
-            Self::RemoveRule { .. } => "remove a rule".to_owned(),
-            Self::MoveRule { .. } => "move a rule".to_owned(),
-            Self::SetTiling { is_tiling: true } => "let the tile repeat".to_owned(),
-            Self::SetTiling { .. } => "let the tile end".to_owned(),
-            Self::SetGrid { .. } => "change the grid".to_owned(),
+            Self::CopyTile { to, .. } => tr!("copy to {to}"),
+            Self::SetRules { .. } => tr!("change the rules").to_owned(),
+            Self::AddRule { rule, .. } => tr!("add the rule {rule}", rule = rule.word()),
+            Self::SetRule { rule, .. } => tr!("change the rule {rule}", rule = rule.word()),
+            Self::RemoveRule { .. } => tr!("remove a rule").to_owned(),
+            Self::MoveRule { .. } => tr!("move a rule").to_owned(),
+            Self::SetTiling { is_tiling: true } => tr!("let the tile repeat").to_owned(),
+            Self::SetTiling { .. } => tr!("let the tile end").to_owned(),
+            Self::SetGrid { .. } => tr!("change the grid").to_owned(),
         }
     }
 }
@@ -217,7 +218,7 @@ fn nothing() -> HcbtfEdit {
 }
 
 fn unpainted(address: Address) -> Box<Diagnostic> {
-    impossible(format!("the sample at {address} is not painted"))
+    impossible(tr!("the sample at {address} is not painted"))
 }
 
 fn set_tile(hcbtf: &mut Hcbtf, address: Address, tile: Option<Arc<Tile>>) -> HcbtfEdit {
@@ -239,8 +240,7 @@ fn set_tile(hcbtf: &mut Hcbtf, address: Address, tile: Option<Arc<Tile>>) -> Hcb
 
 fn patch_tile(hcbtf: &mut Hcbtf, address: Address, patch: &Patch) -> EditResult<HcbtfEdit> {
     let tile = hcbtf.painted.get_mut(&address.canonical()).ok_or_else(|| unpainted(address))?;
-    let other =
-        || impossible(format!("the sample at {address} is not what the stroke was painted on"));
+    let other = || impossible(tr!("the sample at {address} is not what the stroke was painted on"));
     // The patch is checked before a shared tile is copied.
     if !patch.applies_to(tile) {
         return Err(other());
@@ -341,13 +341,13 @@ fn check_tile(
     tile: Option<&Arc<Tile>>,
 ) -> Result<(), Box<Diagnostic>> {
     if !grid.contains(address) {
-        return Err(impossible(format!("there is no sample at {address} in the grid")));
+        return Err(impossible(tr!("there is no sample at {address} in the grid")));
     }
     match tile.map(|tile| tile.size()).filter(|size| *size != grid.size) {
         None => Ok(()),
         Some([width, height]) => {
             let [w, h] = grid.size;
-            Err(impossible(format!(
+            Err(impossible(tr!(
                 "the tile has {width} x {height} texels; the grid's tiles have {w} x {h}"
             )))
         }
@@ -357,7 +357,7 @@ fn check_tile(
 /// Checks rules that are added to `others` existing ones.
 fn check_rules(grid: &Grid, rules: &[Rule], others: usize) -> Result<(), Box<Diagnostic>> {
     if rules.len() + others > Hcbtf::MAX_RULES {
-        return Err(impossible(format!("there can be at most {} rules", Hcbtf::MAX_RULES)));
+        return Err(impossible(tr!("there can be at most {most} rules", most = Hcbtf::MAX_RULES)));
     }
     rules.iter().try_for_each(|rule| {
         rule.check(grid).map_err(|why| impossible(format!("{}: {why}", rule.word())))
@@ -376,7 +376,7 @@ fn check_room(grid: &Grid, samples: usize) -> Result<(), Box<Diagnostic>> {
     }
     let (most, mib) = (Hcbtf::MAX_PAINTED, Hcbtf::MAX_PAINTED_BYTES >> 20);
     Err(Box::new(
-        impossible(format!("at most {most} samples can be painted, of at most {mib} MiB"))
-            .hint("take a coarser grid, or fill by rules what is painted now"),
+        impossible(tr!("at most {most} samples can be painted, of at most {mib} MiB"))
+            .hint(tr!("take a coarser grid, or fill by rules what is painted now")),
     ))
 }

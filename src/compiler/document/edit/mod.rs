@@ -18,6 +18,7 @@ mod scene;
 mod shot;
 mod trial;
 
+use chiaro_locale::{tr, trn};
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
@@ -165,55 +166,59 @@ impl Edit {
             Self::Group { edits } => {
                 edits.first().map_or_else(|| "nothing".to_owned(), Self::label)
             }
-            Self::Replace { .. } => "load the file again".to_owned(),
-            Self::SetLookName { .. } => "rename the look".to_owned(),
-            Self::SetLookAbout { .. } => "describe the look".to_owned(),
-            Self::SetLookTags { .. } => "tag the look".to_owned(),
-            Self::SetColorSpace { .. } => "change the color space".to_owned(),
-            Self::SetLookTier { .. } => "change the look's tier".to_owned(),
-            Self::SetMaxError { .. } => "change the difference of automatic tiers".to_owned(),
-            Self::AddNode { id, .. } => format!("add {id}"),
-            Self::RemoveNode { id, .. } => format!("remove {id}"),
-            Self::SetName { id, .. } => format!("rename {id}"),
-            Self::SetKind { id, .. } => format!("change the kind of {id}"),
-            Self::SetTier { id, .. } => format!("change the tier of {id}"),
-            Self::SetNodeLinks { id, .. } => format!("link lights and {id}"),
-            Self::SetForEach { id, .. } => format!("change the lights of {id}"),
-            Self::SetMuted { id, muted: true, .. } => format!("mute {id}"),
-            Self::SetMuted { id, .. } => format!("unmute {id}"),
-            Self::SetCollapsed { id, collapsed: true, .. } => format!("collapse {id}"),
-            Self::SetCollapsed { id, .. } => format!("expand {id}"),
+            Self::Replace { .. } => tr!("load the file again").to_owned(),
+            Self::SetLookName { .. } => tr!("rename the look").to_owned(),
+            Self::SetLookAbout { .. } => tr!("describe the look").to_owned(),
+            Self::SetLookTags { .. } => tr!("tag the look").to_owned(),
+            Self::SetColorSpace { .. } => tr!("change the color space").to_owned(),
+            Self::SetLookTier { .. } => tr!("change the look's tier").to_owned(),
+            Self::SetMaxError { .. } => tr!("change the difference of automatic tiers").to_owned(),
+            Self::AddNode { id, .. } => tr!("add {id}"),
+            Self::RemoveNode { id, .. } => tr!("remove {id}"),
+            Self::SetName { id, .. } => tr!("rename {id}"),
+            Self::SetKind { id, .. } => tr!("change the kind of {id}"),
+            Self::SetTier { id, .. } => tr!("change the tier of {id}"),
+            Self::SetNodeLinks { id, .. } => tr!("link lights and {id}"),
+            Self::SetForEach { id, .. } => tr!("change the lights of {id}"),
+            Self::SetMuted { id, muted: true, .. } => tr!("mute {id}"),
+            Self::SetMuted { id, .. } => tr!("unmute {id}"),
+            Self::SetCollapsed { id, collapsed: true, .. } => tr!("collapse {id}"),
+            Self::SetCollapsed { id, .. } => tr!("expand {id}"),
             Self::MoveNodes { positions, .. } => match positions.keys().next() {
-                Some(id) if positions.len() == 1 => format!("move {id}"),
-                _ => format!("move {} nodes", positions.len()),
+                Some(id) if positions.len() == 1 => tr!("move {id}"),
+                _ => trn!(count = positions.len(), "move {count} nodes", "move {count} nodes"),
             },
-            Self::SetValue { id, port, .. } => format!("change {id}.{port}"),
-            Self::ClearValue { id, port, .. } => format!("reset {id}.{port}"),
-            Self::AddWire { wire, .. } => format!("wire {} to {}", wire.from, wire.to),
-            Self::RemoveWire { wire, .. } => format!("unwire {}", wire.to),
-            Self::AddFrame { .. } => "add a frame".to_owned(),
-            Self::SetFrame { .. } => "change a frame".to_owned(),
-            Self::RemoveFrame { .. } => "remove a frame".to_owned(),
-            Self::AddNote { .. } => "add a note".to_owned(),
-            Self::SetNote { .. } => "change a note".to_owned(),
-            Self::RemoveNote { .. } => "remove a note".to_owned(),
-            Self::SetBookmarks { .. } => "change bookmarks".to_owned(),
-            Self::AddLight { id, .. } => format!("add the light {id}"),
-            Self::SetLight { id, .. } => format!("change the light {id}"),
-            Self::RemoveLight { id } => format!("remove the light {id}"),
-            Self::AddDefinition { id, .. } => format!("add the group {id}"),
-            Self::SetInterface { id, .. } => format!("change the group {id}"),
-            Self::RemoveDefinition { id } => format!("remove the group {id}"),
-            Self::AddExposed { exposed, .. } => format!("expose {}", exposed.name),
-            Self::SetExposed { .. } => "change a parameter".to_owned(),
-            Self::RemoveExposed { .. } => "remove a parameter".to_owned(),
-            Self::SetAovs { .. } => "change named outputs".to_owned(),
-            Self::AddDirectionKeys { .. } | Self::AddTimeKeys { .. } => "add keys".to_owned(),
-            Self::SetDirectionKeys { .. } | Self::SetTimeKeys { .. } => "change keys".to_owned(),
-            Self::RemoveDirectionKeys { .. } | Self::RemoveTimeKeys { .. } => {
-                "remove keys".to_owned()
+            Self::SetValue { id, port, .. } => tr!("change {id}.{port}"),
+            Self::ClearValue { id, port, .. } => tr!("reset {id}.{port}"),
+            Self::AddWire { wire, .. } => {
+                tr!("wire {from} to {to}", from = wire.from, to = wire.to)
             }
-            Self::SetMarkers { .. } => "change markers".to_owned(),
+            Self::RemoveWire { wire, .. } => tr!("unwire {to}", to = wire.to),
+            Self::AddFrame { .. } => tr!("add a frame").to_owned(),
+            Self::SetFrame { .. } => tr!("change a frame").to_owned(),
+            Self::RemoveFrame { .. } => tr!("remove a frame").to_owned(),
+            Self::AddNote { .. } => tr!("add a note").to_owned(),
+            Self::SetNote { .. } => tr!("change a note").to_owned(),
+            Self::RemoveNote { .. } => tr!("remove a note").to_owned(),
+            Self::SetBookmarks { .. } => tr!("change bookmarks").to_owned(),
+            Self::AddLight { id, .. } => tr!("add the light {id}"),
+            Self::SetLight { id, .. } => tr!("change the light {id}"),
+            Self::RemoveLight { id } => tr!("remove the light {id}"),
+            Self::AddDefinition { id, .. } => tr!("add the group {id}"),
+            Self::SetInterface { id, .. } => tr!("change the group {id}"),
+            Self::RemoveDefinition { id } => tr!("remove the group {id}"),
+            Self::AddExposed { exposed, .. } => tr!("expose {name}", name = exposed.name),
+            Self::SetExposed { .. } => tr!("change a parameter").to_owned(),
+            Self::RemoveExposed { .. } => tr!("remove a parameter").to_owned(),
+            Self::SetAovs { .. } => tr!("change named outputs").to_owned(),
+            Self::AddDirectionKeys { .. } | Self::AddTimeKeys { .. } => tr!("add keys").to_owned(),
+            Self::SetDirectionKeys { .. } | Self::SetTimeKeys { .. } => {
+                tr!("change keys").to_owned()
+            }
+            Self::RemoveDirectionKeys { .. } | Self::RemoveTimeKeys { .. } => {
+                tr!("remove keys").to_owned()
+            }
+            Self::SetMarkers { .. } => tr!("change markers").to_owned(),
         }
     }
 }
@@ -395,7 +400,7 @@ fn nothing() -> Edit {
 
 /// Diagnostic of an edit that names a part that does not exist.
 fn missing(what: &str, name: impl std::fmt::Display) -> Box<Diagnostic> {
-    Box::new(Diagnostic::error("impossible-edit", format!("there is no {what} `{name}`")))
+    Box::new(Diagnostic::error("impossible-edit", tr!("there is no {what} `{name}`")))
 }
 
 /// Diagnostic of an edit that cannot be applied.

@@ -3,6 +3,7 @@
 use std::fmt::Display;
 use std::hash::Hash;
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use super::graph::drop_targets;
@@ -14,21 +15,25 @@ use crate::ids::{DefinitionId, LightId};
 pub(super) fn apply(look: &mut Look, edit: Edit) -> EditResult<Edit> {
     match edit {
         Edit::AddLight { id, light, index } => {
-            insert(&mut look.lights, "light", id.clone(), light, index)?;
+            insert(&mut look.lights, tr!("part" => "light"), id.clone(), light, index)?;
             Ok(Edit::RemoveLight { id })
         }
         Edit::SetLight { id, light } => {
-            let old = look.lights.get_mut(&id).ok_or_else(|| missing("light", &id))?;
+            let old =
+                look.lights.get_mut(&id).ok_or_else(|| missing(tr!("part" => "light"), &id))?;
             let light = std::mem::replace(old, light);
             Ok(Edit::SetLight { id, light })
         }
         Edit::RemoveLight { id } => remove_light(look, id),
         Edit::AddDefinition { id, definition, index } => {
-            insert(&mut look.definitions, "group", id.clone(), definition, index)?;
+            insert(&mut look.definitions, tr!("part" => "group"), id.clone(), definition, index)?;
             Ok(Edit::RemoveDefinition { id })
         }
         Edit::SetInterface { id, label, help, inputs, outputs } => {
-            let of = look.definitions.get_mut(&id).ok_or_else(|| missing("group", &id))?;
+            let of = look
+                .definitions
+                .get_mut(&id)
+                .ok_or_else(|| missing(tr!("part" => "group"), &id))?;
             let label = std::mem::replace(&mut of.label, label);
             let help = std::mem::replace(&mut of.help, help);
             let inputs = std::mem::replace(&mut of.inputs, inputs);
@@ -87,13 +92,15 @@ fn apply_keys(look: &mut Look, edit: Edit) -> EditResult<Edit> {
             at(&mut look.time_keys, index)?;
             Ok(Edit::AddTimeKeys { keys: look.time_keys.remove(index), index: Some(index) })
         }
-        other => Err(impossible(format!("nothing applies the edit \"{}\"", other.label()))),
+        other => {
+            Err(impossible(tr!("nothing applies the edit \"{other}\"", other = other.label())))
+        }
     }
 }
 
 fn remove_light(look: &mut Look, id: LightId) -> EditResult<Edit> {
     if !look.lights.contains_key(&id) {
-        return Err(missing("light", id));
+        return Err(missing(tr!("part" => "light"), id));
     }
     let mut edits = drop_targets(
         look,
@@ -109,7 +116,7 @@ fn remove_light(look: &mut Look, id: LightId) -> EditResult<Edit> {
         edits.push(Edit::RemoveDirectionKeys { index });
     }
     if edits.is_empty() {
-        let (index, light) = remove_named(&mut look.lights, "light", &id)?;
+        let (index, light) = remove_named(&mut look.lights, tr!("part" => "light"), &id)?;
         return Ok(Edit::AddLight { id, light, index: Some(index) });
     }
     edits.push(Edit::RemoveLight { id });
@@ -117,7 +124,7 @@ fn remove_light(look: &mut Look, id: LightId) -> EditResult<Edit> {
 }
 
 fn remove_definition(look: &mut Look, id: DefinitionId) -> EditResult<Edit> {
-    let (index, definition) = remove_named(&mut look.definitions, "group", &id)?;
+    let (index, definition) = remove_named(&mut look.definitions, tr!("part" => "group"), &id)?;
     Ok(Edit::AddDefinition { id, definition, index: Some(index) })
 }
 
@@ -130,11 +137,11 @@ pub(super) fn insert<K: Hash + Eq + Display, V>(
     index: Option<usize>,
 ) -> Result<(), Box<Diagnostic>> {
     if map.contains_key(&id) {
-        return Err(impossible(format!("there is a {what} `{id}` already")));
+        return Err(impossible(tr!("there is a {what} `{id}` already")));
     }
     let index = index.unwrap_or(map.len());
     if index > map.len() {
-        return Err(impossible(format!("there is no place {index} among {}", map.len())));
+        return Err(impossible(tr!("there is no place {index} among {count}", count = map.len())));
     }
     map.shift_insert(index, id, value);
     Ok(())
@@ -158,7 +165,7 @@ pub(super) fn insert_at<T>(
 ) -> Result<usize, Box<Diagnostic>> {
     let index = index.unwrap_or(list.len());
     if index > list.len() {
-        return Err(impossible(format!("there is no place {index} among {}", list.len())));
+        return Err(impossible(tr!("there is no place {index} among {count}", count = list.len())));
     }
     list.insert(index, item);
     Ok(index)
@@ -166,6 +173,5 @@ pub(super) fn insert_at<T>(
 
 pub(super) fn at<T>(list: &mut [T], index: usize) -> Result<&mut T, Box<Diagnostic>> {
     let count = list.len();
-    list.get_mut(index)
-        .ok_or_else(|| impossible(format!("there is no number {index} among {count}")))
+    list.get_mut(index).ok_or_else(|| impossible(tr!("there is no number {index} among {count}")))
 }

@@ -1,5 +1,6 @@
 //! Edits of scenes.
 
+use chiaro_locale::tr;
 use serde::{Deserialize, Serialize};
 
 use super::parts::{insert, remove_named};
@@ -107,23 +108,28 @@ impl Editable for Scene {
                 SceneEdit::SetSceneAbout { about: replace(&mut self.about, about) }
             }
             SceneEdit::AddObject { id, object, index } => {
-                insert(&mut self.objects, "object", id.clone(), *object, index)?;
+                insert(&mut self.objects, tr!("part" => "object"), id.clone(), *object, index)?;
                 SceneEdit::RemoveObject { id }
             }
             SceneEdit::SetObject { id, object } => {
-                let old = self.objects.get_mut(&id).ok_or_else(|| missing("object", &id))?;
+                let old = self
+                    .objects
+                    .get_mut(&id)
+                    .ok_or_else(|| missing(tr!("part" => "object"), &id))?;
                 SceneEdit::SetObject { object: Box::new(replace(old, *object)), id }
             }
             SceneEdit::RemoveObject { id } => {
-                let (index, object) = remove_named(&mut self.objects, "object", &id)?;
+                let (index, object) =
+                    remove_named(&mut self.objects, tr!("part" => "object"), &id)?;
                 SceneEdit::AddObject { id, object: Box::new(object), index: Some(index) }
             }
             SceneEdit::AddLight { id, light, index } => {
-                insert(&mut self.lights, "light", id.clone(), light, index)?;
+                insert(&mut self.lights, tr!("part" => "light"), id.clone(), light, index)?;
                 SceneEdit::RemoveLight { id }
             }
             SceneEdit::SetLight { id, light } => {
-                let old = self.lights.get_mut(&id).ok_or_else(|| missing("light", &id))?;
+                let old =
+                    self.lights.get_mut(&id).ok_or_else(|| missing(tr!("part" => "light"), &id))?;
                 SceneEdit::SetLight { light: replace(old, light), id }
             }
             SceneEdit::RemoveLight { id } => {
@@ -131,7 +137,7 @@ impl Editable for Scene {
                     let edits = vec![keys, SceneEdit::RemoveLight { id }];
                     return Ok(SceneEdit::Group { edits: all_or_none(self, edits, true)? });
                 }
-                let (index, light) = remove_named(&mut self.lights, "light", &id)?;
+                let (index, light) = remove_named(&mut self.lights, tr!("part" => "light"), &id)?;
                 SceneEdit::AddLight { id, light, index: Some(index) }
             }
             SceneEdit::SetLightKeys { direction_keys, time_keys } => SceneEdit::SetLightKeys {
@@ -183,26 +189,26 @@ impl Editable for Scene {
             SceneEdit::Group { edits } => {
                 edits.first().map_or_else(|| "nothing".to_owned(), Self::label)
             }
-            SceneEdit::Replace { .. } => "load the file again".to_owned(),
-            SceneEdit::SetSceneName { .. } => "rename the scene".to_owned(),
-            SceneEdit::SetSceneAbout { .. } => "describe the scene".to_owned(),
-            SceneEdit::AddObject { id, .. } => format!("add {id}"),
-            SceneEdit::SetObject { id, .. } => format!("change {id}"),
-            SceneEdit::RemoveObject { id } => format!("remove {id}"),
-            SceneEdit::AddLight { id, .. } => format!("add the light {id}"),
-            SceneEdit::SetLight { id, .. } => format!("change the light {id}"),
-            SceneEdit::RemoveLight { id } => format!("remove the light {id}"),
-            SceneEdit::SetLightKeys { .. } => "key the lights".to_owned(),
-            SceneEdit::SetMarkers { .. } => "change markers".to_owned(),
-            SceneEdit::SetMaster { group, .. } => format!("mix the lights of {group}"),
-            SceneEdit::SetMutedLights { .. } => "mute lights".to_owned(),
-            SceneEdit::SetSoloedLights { .. } => "solo lights".to_owned(),
-            SceneEdit::SetIllumination { .. } => "turn the lights".to_owned(),
-            SceneEdit::SetCamera { .. } => "move the camera".to_owned(),
-            SceneEdit::SetFileCamera { .. } => "choose the camera".to_owned(),
-            SceneEdit::SetBackdrop { .. } => "change the backdrop".to_owned(),
-            SceneEdit::SetOutlines { .. } => "change the outlines".to_owned(),
-            SceneEdit::SetTime { .. } => "change the time range".to_owned(),
+            SceneEdit::Replace { .. } => tr!("load the file again").to_owned(),
+            SceneEdit::SetSceneName { .. } => tr!("rename the scene").to_owned(),
+            SceneEdit::SetSceneAbout { .. } => tr!("describe the scene").to_owned(),
+            SceneEdit::AddObject { id, .. } => tr!("add {id}"),
+            SceneEdit::SetObject { id, .. } => tr!("change {id}"),
+            SceneEdit::RemoveObject { id } => tr!("remove {id}"),
+            SceneEdit::AddLight { id, .. } => tr!("add the light {id}"),
+            SceneEdit::SetLight { id, .. } => tr!("change the light {id}"),
+            SceneEdit::RemoveLight { id } => tr!("remove the light {id}"),
+            SceneEdit::SetLightKeys { .. } => tr!("key the lights").to_owned(),
+            SceneEdit::SetMarkers { .. } => tr!("change markers").to_owned(),
+            SceneEdit::SetMaster { group, .. } => tr!("mix the lights of {group}"),
+            SceneEdit::SetMutedLights { .. } => tr!("mute lights").to_owned(),
+            SceneEdit::SetSoloedLights { .. } => tr!("solo lights").to_owned(),
+            SceneEdit::SetIllumination { .. } => tr!("turn the lights").to_owned(),
+            SceneEdit::SetCamera { .. } => tr!("move the camera").to_owned(),
+            SceneEdit::SetFileCamera { .. } => tr!("choose the camera").to_owned(),
+            SceneEdit::SetBackdrop { .. } => tr!("change the backdrop").to_owned(),
+            SceneEdit::SetOutlines { .. } => tr!("change the outlines").to_owned(),
+            SceneEdit::SetTime { .. } => tr!("change the time range").to_owned(),
         }
     }
 

@@ -1,5 +1,6 @@
 //! Edits of shots.
 
+use chiaro_locale::tr;
 use serde::{Deserialize, Serialize};
 
 use super::{EditResult, Editable, all_or_none, trial};
@@ -134,19 +135,19 @@ impl Editable for Shot {
             ShotEdit::Group { edits } => {
                 edits.first().map_or_else(|| "nothing".to_owned(), Self::label)
             }
-            ShotEdit::Replace { .. } => "load the file again".to_owned(),
-            ShotEdit::SetShotName { .. } => "rename the shot".to_owned(),
+            ShotEdit::Replace { .. } => tr!("load the file again").to_owned(),
+            ShotEdit::SetShotName { .. } => tr!("rename the shot").to_owned(),
             ShotEdit::SetOverride { target, change, .. } => match change {
-                None => format!("reset {target}"),
-                Some(change) if change.value.is_none() => format!("key {target} in the shot"),
-                Some(_) => format!("change {target} in the shot"),
+                None => tr!("reset {target}"),
+                Some(change) if change.value.is_none() => tr!("key {target} in the shot"),
+                Some(_) => tr!("change {target} in the shot"),
             },
-            ShotEdit::SetFrames { .. } => "change the frames".to_owned(),
-            ShotEdit::SetRate { .. } => "change the rate".to_owned(),
-            ShotEdit::SetSize { .. } => "change the size of the picture".to_owned(),
-            ShotEdit::SetStep { .. } => "change the step".to_owned(),
-            ShotEdit::SetShotCamera { .. } => "move the camera".to_owned(),
-            ShotEdit::SetShotMarkers { .. } => "change markers".to_owned(),
+            ShotEdit::SetFrames { .. } => tr!("change the frames").to_owned(),
+            ShotEdit::SetRate { .. } => tr!("change the rate").to_owned(),
+            ShotEdit::SetSize { .. } => tr!("change the size of the picture").to_owned(),
+            ShotEdit::SetStep { .. } => tr!("change the step").to_owned(),
+            ShotEdit::SetShotCamera { .. } => tr!("move the camera").to_owned(),
+            ShotEdit::SetShotMarkers { .. } => tr!("change markers").to_owned(),
         }
     }
 

@@ -4,6 +4,8 @@
 //! The first check is a trial rather than a second set of rules: a small document with nothing but
 //! the new part is written and read, so that an edit obeys every bound of the reader.
 
+use chiaro_locale::tr;
+
 use super::{Edit, SceneEdit, ShotEdit, impossible, missing};
 use crate::diag::Diagnostic;
 use crate::document::check::{check_output, check_target};
@@ -25,7 +27,7 @@ pub(super) fn check(look: &Look, edit: &Edit) -> Check {
         Edit::AddNode { graph, id, node, .. } => {
             slug(id.as_str())?;
             if *graph != GraphId::Look && matches!(id.as_str(), GROUP_INPUTS | GROUP_OUTPUTS) {
-                return Err(impossible(format!("`{id}` is the name of the group's own {id}")));
+                return Err(impossible(tr!("`{id}` is the name of the group's own {id}")));
             }
             readable_node(node.clone())
         }
@@ -105,7 +107,7 @@ pub(super) fn check_scene(edit: &SceneEdit) -> Check {
             if targets.any(|target| target.light_field().is_none())
                 || direction_keys.iter().any(|keys| keys.by.outputs().next().is_some())
             {
-                return Err(impossible("the keys of a scene move fields of its lights alone"));
+                return Err(impossible(tr!("the keys of a scene move fields of its lights alone")));
             }
             return readable_alone(|look| {
                 look.direction_keys.clone_from(direction_keys);
@@ -117,7 +119,7 @@ pub(super) fn check_scene(edit: &SceneEdit) -> Check {
             let length = rotation.iter().map(|x| x * x).sum::<f64>().sqrt();
             let is_unit = (length - 1.0).abs() < 1e-6;
             if !is_unit {
-                return Err(impossible("the rotation is no quaternion of length 1"));
+                return Err(impossible(tr!("the rotation is no quaternion of length 1")));
             }
         }
         SceneEdit::SetCamera { camera } => trial.camera = *camera,
@@ -185,13 +187,13 @@ fn first_error(diagnostics: Vec<Diagnostic>) -> Check {
 }
 
 fn slug(id: &str) -> Check {
-    if is_slug(id) { Ok(()) } else { Err(impossible(format!("`{id}` is no id"))) }
+    if is_slug(id) { Ok(()) } else { Err(impossible(tr!("`{id}` is no id"))) }
 }
 
 fn graph_of<'l>(look: &'l Look, graph: &GraphId) -> Result<&'l Graph, Box<Diagnostic>> {
     look.graph_of(graph).ok_or_else(|| match graph {
-        GraphId::Definition(id) => missing("group", id),
-        GraphId::Look => impossible("there is no graph"),
+        GraphId::Definition(id) => missing(tr!("part" => "group"), id),
+        GraphId::Look => impossible(tr!("there is no graph")),
     })
 }
 
@@ -202,7 +204,7 @@ fn check_wire(look: &Look, graph: &GraphId, wire: &Wire, needs_free_input: bool)
         if is_own || of.nodes.contains_key(&end.node) {
             Ok(())
         } else {
-            Err(missing("node", &end.node))
+            Err(missing(tr!("part" => "node"), &end.node))
         }
     };
     end(&wire.from, GROUP_INPUTS)?;
@@ -212,7 +214,7 @@ fn check_wire(look: &Look, graph: &GraphId, wire: &Wire, needs_free_input: bool)
     }
     slug(wire.to.port.as_str())?;
     if needs_free_input && of.wire_into(&wire.to.node, &wire.to.port).is_some() {
-        return Err(impossible(format!("a wire leads into `{}` already", wire.to)));
+        return Err(impossible(tr!("a wire leads into `{to}` already", to = wire.to)));
     }
     Ok(())
 }
@@ -220,7 +222,7 @@ fn check_wire(look: &Look, graph: &GraphId, wire: &Wire, needs_free_input: bool)
 fn check_frame(look: &Look, graph: &GraphId, frame: &Frame) -> Check {
     let of = graph_of(look, graph)?;
     if let Some(id) = frame.nodes.iter().find(|&id| !of.nodes.contains_key(id)) {
-        return Err(missing("node", id));
+        return Err(missing(tr!("part" => "node"), id));
     }
     readable_alone(|trial| drop(trial.graph.frames.insert("trial".into(), frame.clone())))
 }
@@ -237,8 +239,8 @@ fn check_unused(look: &Look, id: &DefinitionId) -> Check {
         std::iter::once(&look.graph).chain(others.map(|(_, definition)| &definition.graph));
     match graphs.filter_map(uses).next() {
         Some(user) => {
-            let problem = impossible(format!("the node `{user}` is of the group `{id}`"));
-            Err(Box::new(problem.hint("remove its nodes first")))
+            let problem = impossible(tr!("the node `{user}` is of the group `{id}`"));
+            Err(Box::new(problem.hint(tr!("remove its nodes first"))))
         }
         None => Ok(()),
     }
@@ -264,7 +266,7 @@ fn keeps_targets(look: &Look, id: &DefinitionId, graph: &Graph) -> Check {
                 && !graph.nodes.contains_key(&ids[depth])
         });
         if loses {
-            return Err(impossible(format!(
+            return Err(impossible(tr!(
                 "the group `{id}` has nothing for `{target}`, which is exposed or keyed"
             )));
         }
@@ -276,7 +278,7 @@ fn check_exposed(look: &Look, exposed: &ExposedValue, own: usize) -> Check {
     let is_taken =
         |(index, other): (usize, &ExposedValue)| index != own && other.name == exposed.name;
     if look.exposed.iter().enumerate().any(is_taken) {
-        return Err(impossible(format!("there is a parameter `{}` already", exposed.name)));
+        return Err(impossible(tr!("there is a parameter `{name}` already", name = exposed.name)));
     }
     slug(exposed.name.as_str())?;
     first_error(check_target(look, &exposed.target))?;
@@ -286,7 +288,7 @@ fn check_exposed(look: &Look, exposed: &ExposedValue, own: usize) -> Check {
 fn check_aovs(look: &Look, aovs: &[NamedAov]) -> Check {
     for (index, aov) in aovs.iter().enumerate() {
         if aovs[..index].iter().any(|other| other.name == aov.name) {
-            return Err(impossible(format!("two outputs have the name `{}`", aov.name)));
+            return Err(impossible(tr!("two outputs have the name `{name}`", name = aov.name)));
         }
         slug(aov.name.as_str())?;
         first_error(check_output(look, &aov.from))?;
@@ -298,7 +300,7 @@ fn check_direction_keys(look: &Look, keys: &DirectionKeys) -> Check {
     if let Some(light) =
         keys.by.lights().into_iter().find(|light| !look.lights.contains_key(*light))
     {
-        return Err(missing("light", light));
+        return Err(missing(tr!("part" => "light"), light));
     }
     for output in keys.by.outputs() {
         first_error(check_output(look, output))?;
@@ -312,11 +314,11 @@ fn check_direction_keys(look: &Look, keys: &DirectionKeys) -> Check {
 fn check_time_keys(look: &Look, keys: &TimeKeys, own: usize) -> Check {
     let is_taken = |(index, other): (usize, &TimeKeys)| index != own && other.target == keys.target;
     if look.time_keys.iter().enumerate().any(is_taken) {
-        return Err(impossible(format!("`{}` has keys already", keys.target)));
+        return Err(impossible(tr!("`{target}` has keys already", target = keys.target)));
     }
     first_error(check_target(look, &keys.target))?;
     if !keys.keys.windows(2).all(|pair| pair[0].time < pair[1].time) {
-        return Err(impossible("the times of the keys do not increase"));
+        return Err(impossible(tr!("the times of the keys do not increase")));
     }
     readable_alone(|trial| trial.time_keys.push(keys.clone()))
 }

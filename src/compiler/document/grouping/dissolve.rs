@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use chiaro_locale::tr;
+
 use super::targets::{follow, path_of, step_in};
 use crate::diag::Diagnostic;
 use crate::document::{
@@ -34,23 +36,24 @@ pub fn dissolve(
     definition: &Definition,
 ) -> Result<DissolvedGroup, Box<Diagnostic>> {
     let impossible = |message: String| Box::new(Diagnostic::error("impossible-edit", message));
-    let of = look.graph_of(graph).ok_or_else(|| impossible("there is no such graph".to_owned()))?;
-    let node = of.nodes.get(id).ok_or_else(|| impossible(format!("there is no node `{id}`")))?;
+    let of =
+        look.graph_of(graph).ok_or_else(|| impossible(tr!("there is no such graph").to_owned()))?;
+    let node = of.nodes.get(id).ok_or_else(|| impossible(tr!("there is no node `{id}`")))?;
     if node.muted {
-        let problem = impossible(format!("the group `{id}` is muted, so it is not what is in it"));
-        return Err(Box::new(problem.hint("unmute it first")));
+        let problem = impossible(tr!("the group `{id}` is muted, so it is not what is in it"));
+        return Err(Box::new(problem.hint(tr!("unmute it first"))));
     }
     if node.for_each.is_some() {
-        let problem = impossible(format!(
+        let problem = impossible(tr!(
             "the group `{id}` runs for each light, so it is not what is in it once"
         ));
-        return Err(Box::new(problem.hint("clear *For each light* first")));
+        return Err(Box::new(problem.hint(tr!("clear *For each light* first"))));
     }
     if !node.links.is_all() {
-        let problem = impossible(format!(
+        let problem = impossible(tr!(
             "the group `{id}` has lights of its own, so it is not what is in it under all lights"
         ));
-        let hint = "clear *Reached by*, *Filters lights* and their exceptions first";
+        let hint = tr!("clear *Reached by*, *Filters lights* and their exceptions first");
         return Err(Box::new(problem.hint(hint)));
     }
     let opened = GroupContents { of, graph, id, node, definition, ids: new_ids(of, definition) };

@@ -3,6 +3,7 @@
 
 use std::collections::{HashMap, HashSet};
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use crate::diag::Diagnostic;
@@ -79,11 +80,10 @@ pub fn paste_text(
     text: &str,
     at: Option<[f64; 2]>,
 ) -> Result<PastedFragment, Box<Diagnostic>> {
-    const NOTHING: &str = "the clipboard holds no nodes";
     let nothing = || {
         Box::new(
-            Diagnostic::error("nothing-to-paste", NOTHING)
-                .hint("copy nodes first, or a look's JSON"),
+            Diagnostic::error("nothing-to-paste", tr!("the clipboard holds no nodes"))
+                .hint(tr!("copy nodes first, or a look's JSON")),
         )
     };
     let of = look.graph_of(graph).ok_or_else(nothing)?;

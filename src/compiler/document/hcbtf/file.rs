@@ -1,6 +1,7 @@
 //! Texts in which HCBTFs are kept: the manifest of an `.hcbtf` file, and the listing beside the
 //! images of a folder.
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use super::{Address, Direction, Directions, Grid, Hcbtf, Rule};
@@ -84,9 +85,10 @@ impl HcbtfManifest {
             {
                 if !of.contains(*direction) {
                     let Directions { theta, phi } = of;
-                    let message = format!(
-                        "[{}, {}] is outside the grid of {theta} x {phi} directions",
-                        direction.theta, direction.phi
+                    let message = tr!(
+                        "[{at_theta}, {at_phi}] is outside the grid of {theta} x {phi} directions",
+                        at_theta = direction.theta,
+                        at_phi = direction.phi
                     );
                     found.push(
                         Diagnostic::error("out-of-range", message)

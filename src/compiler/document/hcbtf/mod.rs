@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use serde::{Deserialize, Serialize};
 
 use super::UnknownFields;
@@ -169,16 +170,16 @@ impl Grid {
     pub fn check(&self) -> Result<(), String> {
         let sides = [("width", self.size[0]), ("height", self.size[1])];
         let angles = [
-            ("light's theta", self.light.theta),
-            ("light's phi", self.light.phi),
-            ("view's theta", self.view.theta),
-            ("view's phi", self.view.phi),
+            (tr!("light's theta"), self.light.theta),
+            (tr!("light's phi"), self.light.phi),
+            (tr!("view's theta"), self.view.theta),
+            (tr!("view's phi"), self.view.phi),
         ];
         for (most, numbers) in [(MAX_TILE_SIDE, &sides[..]), (MAX_ANGLE_STEPS, &angles[..])] {
             if let Some((name, number)) =
                 numbers.iter().find(|(_, number)| *number == 0 || *number > most)
             {
-                return Err(format!("the grid's {name} is {number}; it must be from 1 to {most}"));
+                return Err(tr!("the grid's {name} is {number}; it must be from 1 to {most}"));
             }
         }
         Ok(())
@@ -232,7 +233,8 @@ impl Address {
 
 impl fmt::Display for Address {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "light {}, view {}", self.light, self.view)
+        let Self { light, view } = self;
+        f.write_str(&tr!("light {light}, view {view}"))
     }
 }
 

@@ -15,6 +15,7 @@ mod writer;
 use std::borrow::Cow;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 #[cfg(test)]
 use parser::MAX_DEPTH;
 pub(super) use parser::{MAX_BYTES, parse};
@@ -51,11 +52,11 @@ impl JsonKind {
             Self::Null => "null",
             Self::Bool(true) => "`true`",
             Self::Bool(false) => "`false`",
-            Self::Number => "a number",
-            Self::Text => "a string",
-            Self::List => "a list",
-            Self::Object => "an object",
-            Self::Bad => "something that is no JSON",
+            Self::Number => tr!("a number"),
+            Self::Text => tr!("a string"),
+            Self::List => tr!("a list"),
+            Self::Object => tr!("an object"),
+            Self::Bad => tr!("something that is no JSON"),
         }
     }
 }

@@ -7,6 +7,8 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use chiaro_locale::{text, tr};
+
 use super::scan::unquote;
 use super::{Item, JsonKind, Tree};
 use crate::diag::{Diagnostic, LineColumn};
@@ -31,12 +33,14 @@ pub(in crate::document) fn parse(
     let mut tree = Tree { text: text.clone(), items: Vec::new(), cut: true };
     if text.len() > MAX_BYTES {
         let mib = text.len().div_ceil(1 << 20);
-        let message =
-            format!("the file is {mib} MiB long; a document has at most {} MiB", MAX_BYTES >> 20);
+        let message = tr!(
+            "the file is {mib} MiB long; a document has at most {most} MiB",
+            most = MAX_BYTES >> 20
+        );
         problems.push(
             0,
             Diagnostic::error("too-large", message)
-                .hint("keep big data in files that the document names"),
+                .hint(tr!("keep big data in files that the document names")),
         );
         return tree;
     }
@@ -112,20 +116,20 @@ impl<'t> Parser<'t> {
         {
             self.problem(
                 self.at,
-                Diagnostic::error("truncated", "the file ends in the middle of a string"),
+                Diagnostic::error("truncated", tr!("the file ends in the middle of a string")),
             );
         }
         while !self.open.is_empty() {
             if self.mistakes > MAX_MISTAKES {
-                let message = format!(
-                    "more than {MAX_MISTAKES} mistakes: the rest of the file is not looked at"
-                );
+                let message =
+                    tr!("more than {MAX_MISTAKES} mistakes: the rest of the file is not looked at");
                 self.problems.push(self.at, Diagnostic::error("too-many-mistakes", message));
             } else if self.items.len() > MAX_VALUES {
-                let message = format!("the document has more than {MAX_VALUES} values");
+                let message = tr!("the document has more than {MAX_VALUES} values");
                 self.problems.push(
                     self.at,
-                    Diagnostic::error("too-many", message).hint("split it into several documents"),
+                    Diagnostic::error("too-many", message)
+                        .hint(tr!("split it into several documents")),
                 );
             } else if self.step() {
                 continue;
@@ -135,9 +139,11 @@ impl<'t> Parser<'t> {
         }
         self.space();
         if self.peek().is_some() {
-            let problem =
-                Diagnostic::error("syntax", "there is more text after the end of the document");
-            self.problems.push(self.at, problem.hint("remove it; a file holds one document"));
+            let problem = Diagnostic::error(
+                "syntax",
+                tr!("there is more text after the end of the document"),
+            );
+            self.problems.push(self.at, problem.hint(tr!("remove it; a file holds one document")));
         }
         true
     }
@@ -160,7 +166,7 @@ impl<'t> Parser<'t> {
                 self.at += 1;
             }
             (Some(b','), _) => {
-                self.mistake(self.at, "there is a comma too many", "remove it");
+                self.mistake(self.at, tr!("there is a comma too many"), tr!("remove it"));
                 self.at += 1;
             }
             (Some(b':'), ExpectedToken::Comma) if is_name_in_list => return self.name_in_list(),
@@ -169,8 +175,8 @@ impl<'t> Parser<'t> {
                 let end = self.text[..self.at].trim_end().len();
                 self.mistake(
                     end,
-                    "a comma is missing here",
-                    "write `,` between one item and the next",
+                    tr!("a comma is missing here"),
+                    tr!("write `,` between one item and the next"),
                 );
             }
             (Some(_), ExpectedToken::Comma) => self.unexpected(),
@@ -191,8 +197,8 @@ impl<'t> Parser<'t> {
             b'"' | b'\'' => drop(self.string()),
             c if c.is_ascii_alphanumeric() || c == b'_' || c == b'$' => {
                 let word = self.word();
-                let hint = format!("write \"{word}\"");
-                self.mistake(key_start, "the names of fields stand in double quotes", &hint);
+                let hint = tr!("write \"{word}\"");
+                self.mistake(key_start, tr!("the names of fields stand in double quotes"), &hint);
             }
             _ => {
                 self.unexpected();
@@ -212,15 +218,15 @@ impl<'t> Parser<'t> {
             None => return true,
             Some(b':') => self.at += 1,
             Some(b'=') => {
-                self.mistake(self.at, "found `=` after the name of a field", "write `:`");
+                self.mistake(self.at, tr!("found `=` after the name of a field"), tr!("write `:`"));
                 self.at += 1;
             }
             Some(_) => {
                 let name = short(&self.text[key.clone()]);
                 self.mistake(
                     self.at,
-                    &format!("{name} has no `:` and no value"),
-                    "write `\"name\": value`",
+                    &tr!("{name} has no `:` and no value"),
+                    tr!("write `\"name\": value`"),
                 );
                 if !begins_value(self.peek()) {
                     self.push(JsonKind::Bad, self.at, key);
@@ -233,8 +239,8 @@ impl<'t> Parser<'t> {
             let name = short(&self.text[key.clone()]);
             self.mistake(
                 self.at,
-                &format!("{name} has no value"),
-                "write one, or remove the field",
+                &tr!("{name} has no value"),
+                tr!("write one, or remove the field"),
             );
             self.push(JsonKind::Bad, self.at, key);
             return true;
@@ -260,8 +266,8 @@ impl<'t> Parser<'t> {
         let (Some(name), Some(list)) = (self.items.pop(), self.open.pop()) else { return false };
         let key = name.start as usize..name.end as usize;
         let from = self.lines.at(self.text, self.items[list.item].start as usize);
-        let message = format!("the list opened at {} is not closed", line_column(from));
-        self.mistake(key.start, &message, "write `]` before this");
+        let message = tr!("the list opened at {place} is not closed", place = line_column(from));
+        self.mistake(key.start, &message, tr!("write `]` before this"));
         self.end_item(list.item, key.start, true);
         self.member(key)
     }
@@ -294,10 +300,11 @@ impl<'t> Parser<'t> {
     fn open(&mut self, is_object: bool, key: Range<usize>) -> bool {
         if self.open.len() >= MAX_DEPTH {
             let message =
-                format!("lists and objects lie in each other more than {MAX_DEPTH} deep here");
+                tr!("lists and objects lie in each other more than {MAX_DEPTH} deep here");
             self.problem(
                 self.at,
-                Diagnostic::error("too-deep", message).hint("no field of a document needs this"),
+                Diagnostic::error("too-deep", message)
+                    .hint(tr!("no field of a document needs this")),
             );
             return false;
         }
@@ -316,8 +323,8 @@ impl<'t> Parser<'t> {
             let found = &self.text[self.at..=self.at];
             self.mistake(
                 self.at,
-                &format!("there is a `{found}` that nothing has opened"),
-                "remove it",
+                &tr!("there is a `{found}` that nothing has opened"),
+                tr!("remove it"),
             );
             self.at += 1;
             return;
@@ -328,10 +335,11 @@ impl<'t> Parser<'t> {
             if cut {
                 let (what, end) = if open.is_object { ("object", '}') } else { ("list", ']') };
                 let from = self.lines.at(self.text, self.items[open.item].start as usize);
-                let message = format!("the {what} opened at {} is not closed", line_column(from));
-                self.mistake(self.at, &message, &format!("write `{end}` before this"));
+                let message =
+                    tr!("the {what} opened at {place} is not closed", place = line_column(from));
+                self.mistake(self.at, &message, &tr!("write `{end}` before this"));
             } else if let ExpectedToken::AfterComma(comma) = open.expects {
-                self.mistake(comma, "there is a comma after the last item", "remove it");
+                self.mistake(comma, tr!("there is a comma after the last item"), tr!("remove it"));
             }
             self.end_item(open.item, self.at + usize::from(!cut), cut);
         }
@@ -356,14 +364,14 @@ impl<'t> Parser<'t> {
         let Some(open) = self.open.last() else { return };
         let what = if open.is_object { "object" } else { "list" };
         let from = self.lines.at(self.text, self.items[open.item].start as usize);
-        let message = format!(
-            "the file ends in the middle: the {what} opened at {} is not closed",
-            line_column(from)
+        let message = tr!(
+            "the file ends in the middle: the {what} opened at {place} is not closed",
+            place = line_column(from)
         );
         let problem = Diagnostic::error("truncated", message);
         self.problem(
             self.at,
-            problem.hint("take the whole file from where it came from, or close what is open"),
+            problem.hint(tr!("take the whole file from where it came from, or close what is open")),
         );
     }
 
@@ -419,15 +427,16 @@ fn begins_value(c: Option<u8>) -> bool {
 }
 
 fn empty() -> Diagnostic {
-    Diagnostic::error("empty-file", "the file is empty")
-        .hint("`{}` is the shortest document; `chiaro new` writes a start")
+    Diagnostic::error("empty-file", tr!("the file is empty"))
+        .hint(text!("`{}` is the shortest document; `chiaro new` writes a start").tr())
 }
 
 fn not_json(text: &str, at: usize) -> Diagnostic {
     let begin: String =
         text[at..].chars().take(12).map(|c| if c.is_control() { ' ' } else { c }).collect();
-    let message = format!("this is not JSON: it begins with `{}`", begin.trim_end());
-    Diagnostic::error("not-json", message).hint("a document is JSON and begins with `{`")
+    let message = tr!("this is not JSON: it begins with `{begin}`", begin = begin.trim_end());
+    Diagnostic::error("not-json", message)
+        .hint(text!("a document is JSON and begins with `{`").tr())
 }
 
 /// Beginning of a text that may be long.
@@ -437,5 +446,5 @@ pub(super) fn short(text: &str) -> String {
 }
 
 fn line_column(place: LineColumn) -> String {
-    format!("line {}, column {}", place.line, place.column)
+    tr!("line {line}, column {column}", line = place.line, column = place.column)
 }

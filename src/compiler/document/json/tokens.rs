@@ -1,6 +1,8 @@
 //! Tokens that the parser reads without regard to open lists and objects: strings, numbers, words,
 //! white space, and unexpected text.
 
+use chiaro_locale::tr;
+
 use super::JsonKind;
 use super::parser::{Parser, short};
 use super::scan::{escape, format_number, is_json_number};
@@ -13,7 +15,11 @@ impl<'t> Parser<'t> {
         let start = self.at;
         let quote = bytes[start];
         if quote == b'\'' {
-            self.mistake(start, "strings stand in double quotes", "write `\"` where there is `'`");
+            self.mistake(
+                start,
+                tr!("strings stand in double quotes"),
+                tr!("write `\"` where there is `'`"),
+            );
         }
         self.at += 1;
         let mut has_control = false;
@@ -26,8 +32,8 @@ impl<'t> Parser<'t> {
                 b'\n' | b'\r' => {
                     self.mistake(
                         start,
-                        "the string is not closed on its line",
-                        "write `\"` at its end, `\\n` for a new line",
+                        tr!("the string is not closed on its line"),
+                        tr!("write `\"` at its end, `\\n` for a new line"),
                     );
                     return false;
                 }
@@ -35,8 +41,8 @@ impl<'t> Parser<'t> {
                     has_control = true;
                     self.mistake(
                         self.at,
-                        "there is a control character in the string",
-                        "write a tab as `\\t`",
+                        tr!("there is a control character in the string"),
+                        tr!("write a tab as `\\t`"),
                     );
                     self.at += 1;
                 }
@@ -60,11 +66,11 @@ impl<'t> Parser<'t> {
             None => self.at += 1,
             Some('\n' | '\r') => self.at += 1,
             Some(c) => {
-                let message = format!("`\\{c}` is no escape of JSON");
+                let message = tr!("`\\{c}` is no escape of JSON");
                 self.mistake(
                     self.at,
                     &message,
-                    "write a backslash itself as `\\\\`; paths may use `/`",
+                    tr!("write a backslash itself as `\\\\`; paths may use `/`"),
                 );
                 self.at += if c.is_ascii() && !c.is_ascii_control() {
                     1 + usize::from(c != '"')
@@ -89,10 +95,16 @@ impl<'t> Parser<'t> {
                 self.not_finite(start, text);
             } else {
                 let hint = match text.parse::<f64>() {
-                    Ok(number) if number.is_finite() => format!("write {}", format_number(number)),
-                    _ => "write numbers like 2, -0.5 or 1e-3".to_owned(),
+                    Ok(number) if number.is_finite() => {
+                        tr!("write {number}", number = format_number(number))
+                    }
+                    _ => tr!("write numbers like 2, -0.5 or 1e-3").to_owned(),
                 };
-                self.mistake(start, &format!("`{}` is no number of JSON", short(text)), &hint);
+                self.mistake(
+                    start,
+                    &tr!("`{text}` is no number of JSON", text = short(text)),
+                    &hint,
+                );
             }
             return JsonKind::Bad;
         }
@@ -104,11 +116,11 @@ impl<'t> Parser<'t> {
     }
 
     fn not_finite(&mut self, start: usize, text: &str) {
-        let message = format!("`{}` is no finite number", short(text));
+        let message = tr!("`{text}` is no finite number", text = short(text));
         self.problem(
             start,
             Diagnostic::error("not-finite", message)
-                .hint("write a number that is not beyond all bounds"),
+                .hint(tr!("write a number that is not beyond all bounds")),
         );
     }
 
@@ -121,18 +133,18 @@ impl<'t> Parser<'t> {
             "false" => return JsonKind::Bool(false),
             "null" => return JsonKind::Null,
             _ if self.at == self.text.len() && self.is_inside() => return JsonKind::Bad, // Cut off.
-            "True" | "TRUE" | "yes" | "on" => "write true".to_owned(),
-            "False" | "FALSE" | "no" | "off" => "write false".to_owned(),
+            "True" | "TRUE" | "yes" | "on" => tr!("write true").to_owned(),
+            "False" | "FALSE" | "no" | "off" => tr!("write false").to_owned(),
             "None" | "nil" | "undefined" | "NULL" | "Null" => {
-                "leave the field out, or write null".to_owned()
+                tr!("leave the field out, or write null").to_owned()
             }
             _ if is_not_finite(word) => {
                 self.not_finite(start, word);
                 return JsonKind::Bad;
             }
-            _ => format!("strings stand in double quotes: \"{}\"", short(word)),
+            _ => tr!("strings stand in double quotes: \"{word}\"", word = short(word)),
         };
-        self.mistake(start, &format!("`{}` is no value of JSON", short(word)), &hint);
+        self.mistake(start, &tr!("`{word}` is no value of JSON", word = short(word)), &hint);
         JsonKind::Bad
     }
 
@@ -153,8 +165,9 @@ impl<'t> Parser<'t> {
             .find(|c: char| c.is_whitespace() || "{}[],\"".contains(c))
             .unwrap_or(rest.len() - first);
         self.at += first + more;
-        let message = format!("did not expect `{}` here", short(&self.text[start..self.at]));
-        self.mistake(start, &message, "remove it");
+        let message =
+            tr!("did not expect `{found}` here", found = short(&self.text[start..self.at]));
+        self.mistake(start, &message, tr!("remove it"));
     }
 
     /// Skips white space; comments too, which are mistakes.
@@ -172,8 +185,8 @@ impl<'t> Parser<'t> {
             };
             self.mistake(
                 self.at,
-                "JSON has no comments",
-                "remove it, or say it in a `name`, `title` or `help`",
+                tr!("JSON has no comments"),
+                tr!("remove it, or say it in a `name`, `title` or `help`"),
             );
             self.at += length;
         }

@@ -1,6 +1,8 @@
 //! Form of the rows of a light's fields. The rows themselves, with defaults and bounds, are in
 //! `light` (`mod.rs`).
 
+use chiaro_locale::Text;
+
 use super::{Light, LightField, LightKind};
 use crate::document::Value;
 use crate::document::described::DescribedObject as _;
@@ -26,9 +28,9 @@ pub enum LightQuantity {
 /// Properties of a field beyond its row in files.
 pub(super) struct LightRow {
     /// Label in the window.
-    pub(super) label: &'static str,
+    pub(super) label: Text,
     /// Help text in the window.
-    pub(super) hint: &'static str,
+    pub(super) hint: Text,
     pub(super) quantity: LightQuantity,
     /// Kinds of lights that have the field.
     pub(super) kinds: &'static [LightKind],
@@ -93,11 +95,21 @@ impl LightField {
 
     /// Label of the field in the window.
     pub fn label(self) -> &'static str {
+        self.label_text().tr()
+    }
+
+    /// The same, for files and search.
+    pub fn label_text(self) -> Text {
         self.row().label
     }
 
     /// Help text of the field in the window, with its unit.
     pub fn help(self) -> &'static str {
+        self.help_text().tr()
+    }
+
+    /// The same, for files and search.
+    pub fn help_text(self) -> Text {
         self.row().hint
     }
 

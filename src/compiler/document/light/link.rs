@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use super::Light;
@@ -101,7 +102,7 @@ impl LightLink {
     /// The rule in words, with the expression that decided, for a relation.
     pub fn words(&self, relation: LightRelation, rule: LinkRule) -> String {
         if rule == LinkRule::Linked && relation == LightRelation::Linked && self.is_all() {
-            return "all lights are linked".to_owned();
+            return tr!("all lights are linked").to_owned();
         }
         words_of(relation.fields(), [self.linked.text(), self.unlinked.text()], rule)
     }
@@ -131,10 +132,10 @@ fn rule_of(is_in: bool, is_out: bool) -> LinkRule {
 fn words_of(fields: [&str; 2], texts: [&str; 2], rule: LinkRule) -> String {
     let ([field, out], [text, out_text]) = (fields, texts);
     match rule {
-        LinkRule::Linked => format!("`{field}` (`{text}`) has it"),
-        LinkRule::NotLinked if text.trim().is_empty() => format!("`{field}` is empty"),
-        LinkRule::NotLinked => format!("`{field}` (`{text}`) has it not"),
-        LinkRule::Unlinked => format!("`{out}` (`{out_text}`) has it"),
+        LinkRule::Linked => tr!("`{field}` (`{text}`) has it"),
+        LinkRule::NotLinked if text.trim().is_empty() => tr!("`{field}` is empty"),
+        LinkRule::NotLinked => tr!("`{field}` (`{text}`) has it not"),
+        LinkRule::Unlinked => tr!("`{out}` (`{out_text}`) has it"),
     }
 }
 

@@ -13,6 +13,7 @@ mod master;
 mod mix;
 mod values;
 
+use chiaro_locale::text;
 use serde::{Deserialize, Serialize};
 
 use super::described::described;
@@ -38,8 +39,14 @@ const ANY: &[LightKind] = &[Directional, Point, Spot];
 const PLACED: &[LightKind] = &[Point, Spot];
 
 /// Defaults of the properties that a row leaves out.
-const ROW: LightRow =
-    LightRow { label: "", hint: "", quantity: Factor, kinds: ANY, within: None, shader: None };
+const ROW: LightRow = LightRow {
+    label: text!(""),
+    hint: text!(""),
+    quantity: Factor,
+    kinds: ANY,
+    within: None,
+    shader: None,
+};
 
 /// Makes the type of lights, the enum of their fields, and the table of these, from the rows.
 macro_rules! light_fields {
@@ -110,9 +117,9 @@ light_fields! {
     /// Directional lights: toward the light; any length but 0.
     Direction direction: [f64; 3] = [0.0, 0.0, 1.0], FieldKind::Direction;
     {
-        label: "Direction",
-        hint: "Toward the light. The middle is toward you, the inner ring sideways, the rim \
-         behind.",
+        label: text!("Direction"),
+        hint: text!("Toward the light. The middle is toward you, the inner ring sideways, the rim \
+         behind."),
         quantity: Direction,
         kinds: &[Directional],
         shader: Some("unit, toward a directional light, world space"),
@@ -122,8 +129,8 @@ light_fields! {
     /// scene units.
     Position position: [f64; 3] = [0.0, 0.0, 3.0], FieldKind::Numbers(3, 3, FAR);
     {
-        label: "Position",
-        hint: "In scene units",
+        label: text!("Position"),
+        hint: text!("In scene units"),
         quantity: Position,
         kinds: PLACED,
         shader: Some("world space"),
@@ -132,8 +139,8 @@ light_fields! {
     /// Spot lights: the way it shines, from the light outward; any length but 0.
     Aim aim: [f64; 3] = [0.0, 0.0, -1.0], FieldKind::Direction;
     {
-        label: "Aim",
-        hint: "From the light outward",
+        label: text!("Aim"),
+        hint: text!("From the light outward"),
         quantity: Direction,
         kinds: &[Spot],
         shader: Some("unit, the way a spot light shines, world space"),
@@ -142,8 +149,8 @@ light_fields! {
     /// Spot lights: the half-angle of the full cone, in radians; at most `outer`.
     Inner inner: f64 = 0.35, FieldKind::Number(NumberBounds::new(0.0, std::f64::consts::PI));
     {
-        label: "Full cone",
-        hint: "Half-angle of full light",
+        label: text!("Full cone"),
+        hint: text!("Half-angle of full light"),
         quantity: Angle,
         kinds: &[Spot],
         within: Some(LightField::Outer),
@@ -152,8 +159,8 @@ light_fields! {
     /// Spot lights: the half-angle at which nothing is left, in radians.
     Outer outer: f64 = 0.5, FieldKind::Number(NumberBounds::above(0.0, std::f64::consts::PI));
     {
-        label: "Whole cone",
-        hint: "Half-angle at which nothing is left",
+        label: text!("Whole cone"),
+        hint: text!("Half-angle at which nothing is left"),
         quantity: Angle,
         kinds: &[Spot],
     }
@@ -161,8 +168,8 @@ light_fields! {
     /// Straight RGB in the look's color space.
     Color color: [f64; 3] = [1.0; 3], FieldKind::Color { alpha: false };
     {
-        label: "Color",
-        hint: "Of the light",
+        label: text!("Color"),
+        hint: text!("Of the light"),
         quantity: Color,
         shader: Some("straight RGB in the look's color space"),
     }
@@ -170,8 +177,8 @@ light_fields! {
     /// A factor.
     Intensity intensity: f64 = 1.0, FieldKind::Number(POSITIVE);
     {
-        label: "Intensity",
-        hint: "A factor on the color",
+        label: text!("Intensity"),
+        hint: text!("A factor on the color"),
         quantity: Factor,
         shader: Some("0 or more"),
     }
@@ -180,8 +187,9 @@ light_fields! {
     /// for no fading, and 1e-30 for less than that.
     HalfDistance half_distance: f64 = 0.0, FieldKind::Number(POSITIVE);
     {
-        label: "Half distance",
-        hint: "How far from the light half its intensity is left, in scene units; 0 for no fading",
+        label: text!("Half distance"),
+        hint: text!("How far from the light half its intensity is left, in scene units; 0 for no \
+                     fading"),
         quantity: Distance,
         kinds: PLACED,
     }
@@ -190,8 +198,8 @@ light_fields! {
     /// end, and 1e-30 for less than that.
     Range range: f64 = 0.0, FieldKind::Number(POSITIVE);
     {
-        label: "Range",
-        hint: "How far from the light nothing is left, in scene units; 0 for no end",
+        label: text!("Range"),
+        hint: text!("How far from the light nothing is left, in scene units; 0 for no end"),
         quantity: Distance,
         kinds: PLACED,
     }

@@ -2,6 +2,7 @@
 
 use std::hash::Hash;
 
+use chiaro_locale::{tr, trn};
 use indexmap::IndexMap;
 
 use super::reader::{PathStep, Reader};
@@ -18,7 +19,7 @@ impl Reader<'_> {
         mut read: impl FnMut(&mut Self, ValueIndex) -> Option<T>,
     ) -> Option<Vec<(u32, T)>> {
         if self.tree.kind(at) != JsonKind::List {
-            self.wrong_type(at, "a list");
+            self.wrong_type(at, tr!("a list"));
             return None;
         }
         let tree = self.tree;
@@ -45,7 +46,7 @@ impl Reader<'_> {
         mut read: impl FnMut(&mut Self, ValueIndex, &str) -> Option<(K, T)>,
     ) -> Option<IndexMap<K, T>> {
         if self.tree.kind(at) != JsonKind::Object {
-            self.wrong_type(at, "an object");
+            self.wrong_type(at, tr!("an object"));
             return None;
         }
         let tree = self.tree;
@@ -74,7 +75,11 @@ impl Reader<'_> {
         };
         let count = self.tree.children(at).count();
         if count > most {
-            let message = format!("there are {count} here; at most {most} are read");
+            let message = trn!(
+                count,
+                "there are {count} here; at most {most} are read",
+                "there are {count} here; at most {most} are read"
+            );
             self.report(at, Diagnostic::error("too-many", message));
         }
         most

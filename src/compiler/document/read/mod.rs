@@ -19,6 +19,7 @@ use super::source::{LoadedDocument, SourceMap};
 use super::{HcbtfListing, HcbtfManifest, Look, Scene, Shot, UnknownFields, VERSION, read_text};
 use crate::diag::Diagnostic;
 use crate::files::Files;
+use chiaro_locale::{text, tr};
 use reader::{PathStep, Reader, with_article};
 pub(super) use value::AxisAngle;
 
@@ -272,27 +273,31 @@ impl ParsedText {
         let tree = &self.source.tree;
         let root = tree.root()?;
         if tree.kind(root) != JsonKind::Object {
-            let message = format!(
-                "expected {}, which is an object, found {}",
-                with_article(shape.name),
-                tree.kind(root).noun()
+            let message = tr!(
+                "expected {noun}, which is an object, found {found}",
+                noun = with_article(shape.name),
+                found = tree.kind(root).noun()
             );
-            let problem =
-                Diagnostic::error("wrong-document", message).hint("a document begins with `{`");
+            let problem = Diagnostic::error("wrong-document", message)
+                .hint(text!("a document begins with `{`").tr());
             self.problems.push(tree.start(root), problem);
             return None;
         }
         if let Some(kind) = self.kind().filter(|&kind| kind != shape.name) {
             let hint = match kind {
-                "glTF" => "a scene names it as the `mesh` of an object",
-                "scene" => "open it as a scene",
-                "shot" => "open it as a shot, which changes a scene",
-                "hcbtf" => "it lies in an `.hcbtf` file, which a look names",
-                _ => "open it as a look, or name it in the `looks` of a scene's object",
+                "glTF" => tr!("a scene names it as the `mesh` of an object"),
+                "scene" => tr!("open it as a scene"),
+                "shot" => tr!("open it as a shot, which changes a scene"),
+                "hcbtf" => tr!("it lies in an `.hcbtf` file, which a look names"),
+                _ => tr!("open it as a look, or name it in the `looks` of a scene's object"),
             };
             let problem = Diagnostic::error(
                 "wrong-document",
-                format!("this is {}, not {}", with_article(kind), with_article(shape.name)),
+                tr!(
+                    "this is {found}, not {noun}",
+                    found = with_article(kind),
+                    noun = with_article(shape.name)
+                ),
             );
             self.problems.push(tree.start(root), problem.hint(hint));
             return None;
@@ -301,9 +306,10 @@ impl ParsedText {
         match version.and_then(|at| tree.number(at).map(|number| (at, number))) {
             Some((at, version)) if version > VERSION as f64 && version.fract() == 0.0 => {
                 let message =
-                    format!("this file is version {version}; this Chiaro reads up to {VERSION}");
+                    tr!("this file is version {version}; this Chiaro reads up to {VERSION}");
                 let problem = Diagnostic::error("newer-version", message).json_path("version");
-                self.problems.push(tree.key_start(at), problem.hint("update Chiaro to open it"));
+                self.problems
+                    .push(tree.key_start(at), problem.hint(tr!("update Chiaro to open it")));
                 None
             }
             _ => Some(root),

@@ -4,6 +4,8 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+use chiaro_locale::{tr, tr_in};
+
 use crate::diag::Diagnostic;
 use crate::document::color::{parse_hex, srgb_to_linear};
 use crate::document::json::{JsonKind, Tree, ValueIndex};
@@ -126,15 +128,17 @@ impl<'t> Reader<'t> {
         if kind == JsonKind::Bad {
             return; // The parser has reported it.
         }
-        let mut problem =
-            Diagnostic::error("wrong-type", format!("expected {expected}, found {}", kind.noun()));
+        let mut problem = Diagnostic::error(
+            "wrong-type",
+            tr!("expected {expected}, found {found}", found = kind.noun()),
+        );
         let is_item = matches!(self.path.last(), Some(PathStep::Index(_)));
         if kind == JsonKind::Null && !is_item {
-            problem = problem.hint("leave the field out for its default");
+            problem = problem.hint(tr!("leave the field out for its default"));
         } else if let Some(number) =
             self.tree.string(at).filter(|text| text.parse::<f64>().is_ok_and(f64::is_finite))
         {
-            problem = problem.hint(format!("write {number} without quotes"));
+            problem = problem.hint(tr!("write {number} without quotes"));
         }
         self.report(at, problem);
     }
@@ -146,7 +150,7 @@ impl<'t> Reader<'t> {
         shape: &'static ObjectShape,
     ) -> Option<Fields> {
         if self.tree.kind(at) != JsonKind::Object {
-            self.wrong_type(at, &format!("{} (an object)", with_article(shape.name)));
+            self.wrong_type(at, &tr!("{noun} (an object)", noun = with_article(shape.name)));
             return None;
         }
         let mut fields = Fields { shape, at, found: [None; 24], unknown: UnknownFields::new() };
@@ -168,8 +172,10 @@ impl<'t> Reader<'t> {
     }
 
     fn unknown_field(&mut self, at: ValueIndex, name: &str, shape: &'static ObjectShape) {
-        let message =
-            format!("{} has no field `{name}`; it is kept as it is", with_article(shape.name));
+        let message = tr!(
+            "{noun} has no field `{name}`; it is kept as it is",
+            noun = with_article(shape.name)
+        );
         let known = shape.fields().map(|field| field.name);
         self.path.push(PathStep::Key(at));
         let problem = Diagnostic::warning("unknown-field", message);
@@ -179,9 +185,9 @@ impl<'t> Reader<'t> {
     }
 
     pub(in crate::document) fn duplicate_key(&mut self, at: ValueIndex, name: &str) {
-        let message = format!("`{name}` is given twice; the first is used");
+        let message = tr!("`{name}` is given twice; the first is used");
         self.path.push(PathStep::Key(at));
-        self.report_name(at, Diagnostic::error("duplicate-key", message).hint("remove one"));
+        self.report_name(at, Diagnostic::error("duplicate-key", message).hint(tr!("remove one")));
         self.path.pop();
     }
 
@@ -205,7 +211,8 @@ impl<'t> Reader<'t> {
     fn missing(&mut self, fields: &Fields, name: &'static str) {
         let Some((_, field)) = fields.shape.field(name) else { return };
         if matches!(field.default, shape::FieldDefault::Required) {
-            let message = format!("{} needs the field `{name}`", with_article(fields.shape.name));
+            let message =
+                tr!("{noun} needs the field `{name}`", noun = with_article(fields.shape.name));
             self.report(
                 fields.at,
                 Diagnostic::error("missing-field", message).hint(format!("{name}: {}", field.help)),
@@ -219,12 +226,12 @@ impl<'t> Reader<'t> {
         bounds: NumberBounds,
     ) -> Option<f64> {
         let Some(number) = self.tree.number(at) else {
-            self.wrong_type(at, "a number");
+            self.wrong_type(at, tr!("a number"));
             return None;
         };
         if !bounds.hold(number) {
-            let problem = Diagnostic::error("out-of-range", format!("{number} is out of range"));
-            self.report(at, problem.hint(format!("write {}", bounds.describe())));
+            let problem = Diagnostic::error("out-of-range", tr!("{number} is out of range"));
+            self.report(at, problem.hint(tr!("write {bounds}", bounds = bounds.describe())));
             return None;
         }
         Some(number)
@@ -246,13 +253,10 @@ impl<'t> Reader<'t> {
         most: usize,
         bounds: NumberBounds,
     ) -> Option<Vec<f64>> {
-        let expected = if least == most {
-            format!("{least} numbers")
-        } else {
-            format!("{least} to {most} numbers")
-        };
+        let expected =
+            if least == most { tr!("{least} numbers") } else { tr!("{least} to {most} numbers") };
         if self.tree.kind(at) != JsonKind::List {
-            self.wrong_type(at, &format!("a list of {expected}"));
+            self.wrong_type(at, &tr!("a list of {expected}"));
             return None;
         }
         let tree = self.tree;
@@ -260,7 +264,7 @@ impl<'t> Reader<'t> {
         if !(least..=most).contains(&count) {
             self.report(
                 at,
-                Diagnostic::error("wrong-count", format!("expected {expected}, found {count}")),
+                Diagnostic::error("wrong-count", tr!("expected {expected}, found {count}")),
             );
             return None;
         }
@@ -290,8 +294,8 @@ impl<'t> Reader<'t> {
         let is_zero = direction.iter().all(|x| x.abs() < 1e-12);
         if is_zero {
             let problem =
-                Diagnostic::error("zero-vector", "a direction of length 0 points nowhere");
-            self.report(at, problem.hint("write any other length, e.g. [0, 0, 1]"));
+                Diagnostic::error("zero-vector", tr!("a direction of length 0 points nowhere"));
+            self.report(at, problem.hint(tr!("write any other length, e.g. [0, 0, 1]")));
         }
         !is_zero
     }
@@ -302,11 +306,12 @@ impl<'t> Reader<'t> {
         most: usize,
     ) -> Option<Cow<'t, str>> {
         let Some(text) = self.tree.string(at) else {
-            self.wrong_type(at, "a string");
+            self.wrong_type(at, tr!("a string"));
             return None;
         };
         if text.len() > most {
-            let message = format!("the string has {} bytes; at most {most} are read", text.len());
+            let message =
+                tr!("the string has {bytes} bytes; at most {most} are read", bytes = text.len());
             self.report(at, Diagnostic::error("too-long", message));
             return None;
         }
@@ -329,10 +334,10 @@ impl<'t> Reader<'t> {
 
     pub(in crate::document) fn no_slug(text: &str) -> Diagnostic {
         let shown: String = text.chars().take(80).collect();
-        let message = format!(
+        let message = tr!(
             "`{shown}` is no id: one has 1 to 64 of a-z A-Z 0-9 _ - and begins with a letter or _"
         );
-        let hint = format!("write `{}`", make_slug(text, |_| false));
+        let hint = tr!("write `{id}`", id = make_slug(text, |_| false));
         Diagnostic::error("bad-id", message).hint(hint)
     }
 
@@ -348,7 +353,7 @@ impl<'t> Reader<'t> {
         }
         let shown: String = text.chars().take(80).collect();
         let all = words.iter().map(|(word, _)| format!("`{word}`")).collect::<Vec<_>>().join(", ");
-        let problem = Diagnostic::error("unknown-word", format!("`{shown}` is not one of {all}"));
+        let problem = Diagnostic::error("unknown-word", tr!("`{shown}` is not one of {all}"));
         self.report(at, problem.suggest(&shown, words.iter().map(|(word, _)| *word)));
         None
     }
@@ -361,11 +366,14 @@ impl<'t> Reader<'t> {
     ) -> Option<Vec<f64>> {
         if let Some(text) = self.tree.string(at) {
             let Some(hex) = parse_hex(&text).filter(|_| alpha || text.len() == 7) else {
-                let hint =
-                    if alpha { "write \"#rrggbb\" or \"#rrggbbaa\"" } else { "write \"#rrggbb\"" };
+                let hint = if alpha {
+                    tr!("write \"#rrggbb\" or \"#rrggbbaa\"")
+                } else {
+                    tr!("write \"#rrggbb\"")
+                };
                 let shown: String = text.chars().take(40).collect();
-                let problem = Diagnostic::error("bad-color", format!("`{shown}` is no color"));
-                self.report(at, problem.hint(format!("{hint}, or the numbers [r, g, b]")));
+                let problem = Diagnostic::error("bad-color", tr!("`{shown}` is no color"));
+                self.report(at, problem.hint(tr!("{hint}, or the numbers [r, g, b]")));
                 return None;
             };
             let space = self.color_space;
@@ -375,7 +383,7 @@ impl<'t> Reader<'t> {
             return Some(color);
         }
         if self.tree.kind(at) != JsonKind::List {
-            self.wrong_type(at, "a color: [r, g, b] or \"#rrggbb\"");
+            self.wrong_type(at, tr!("a color: [r, g, b] or \"#rrggbb\""));
             return None;
         }
         self.numbers_at(at, 3, if alpha { 4 } else { 3 }, shape::FAR)
@@ -384,9 +392,10 @@ impl<'t> Reader<'t> {
 
 /// Name with `a` or `an` before it.
 pub(in crate::document) fn with_article(name: &str) -> String {
-    if name == "hcbtf" {
-        return "an HCBTF".to_owned();
-    }
-    let article = if name.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
-    format!("{article} {name}")
+    let article = match name {
+        "hcbtf" => return tr!("an HCBTF").to_owned(),
+        _ if name.starts_with(['a', 'e', 'i', 'o', 'u']) => "an",
+        _ => "a",
+    };
+    tr_in("shape", &format!("{article} {name}")).to_owned()
 }

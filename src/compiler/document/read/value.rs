@@ -1,5 +1,7 @@
 //! Reading of values, targets, endpoints and rotations.
 
+use chiaro_locale::{text, tr};
+
 use super::reader::Reader;
 use crate::diag::Diagnostic;
 use crate::document::described::{FieldType as _, described};
@@ -41,15 +43,18 @@ impl Reader<'_> {
                 Some(Value::Curve(curve))
             }
             JsonKind::Object => {
-                let problem = Diagnostic::error("wrong-type", "this object is no value");
-                let hint = "a curve is {\"points\": [[x, y], ...]}, a ramp \
-                            {\"stops\": [{\"at\": x, \"color\": [r, g, b]}, ...]}";
+                let problem = Diagnostic::error("wrong-type", tr!("this object is no value"));
+                let hint = text!(
+                    "a curve is {\"points\": [[x, y], ...]}, a ramp \
+                            {\"stops\": [{\"at\": x, \"color\": [r, g, b]}, ...]}"
+                )
+                .tr();
                 self.report(at, problem.hint(hint));
                 None
             }
             JsonKind::Null => {
-                let problem = Diagnostic::error("wrong-type", "null is no value");
-                self.report(at, problem.hint("leave the value out for the input's default"));
+                let problem = Diagnostic::error("wrong-type", tr!("null is no value"));
+                self.report(at, problem.hint(tr!("leave the value out for the input's default")));
                 None
             }
             JsonKind::Bad => None,
@@ -65,15 +70,20 @@ impl Reader<'_> {
     ) -> Option<()> {
         let places: Vec<f64> = places.collect();
         if places.is_empty() {
-            let problem = Diagnostic::error("wrong-count", format!("`{what}` has nothing in it"));
-            self.report(at, problem.hint("write at least one"));
+            let problem = Diagnostic::error("wrong-count", tr!("`{what}` has nothing in it"));
+            self.report(at, problem.hint(tr!("write at least one")));
             return None;
         }
         if let Some(pair) = places.windows(2).find(|pair| pair[0] >= pair[1]) {
-            let message = format!("`{what}` must increase, but {} follows {}", pair[1], pair[0]);
+            let message = tr!(
+                "`{what}` must increase, but {later} follows {earlier}",
+                later = pair[1],
+                earlier = pair[0]
+            );
             self.report(
                 at,
-                Diagnostic::error("not-increasing", message).hint("sort them, and remove doubles"),
+                Diagnostic::error("not-increasing", message)
+                    .hint(tr!("sort them, and remove doubles")),
             );
             return None;
         }
@@ -93,19 +103,22 @@ impl Reader<'_> {
         let end = Endpoint::parse(&text);
         let (node, port) = (end.node.as_str(), end.port.as_str());
         let problem = if node.is_empty() {
-            Diagnostic::error("wire-to-nothing", "this end of the wire leads to nothing")
+            Diagnostic::error("wire-to-nothing", tr!("this end of the wire leads to nothing"))
         } else if needs_port && port.is_empty() {
             Diagnostic::error(
                 "wire-to-nothing",
-                format!("the wire leads to `{node}`, but to no input of it"),
+                tr!("the wire leads to `{node}`, but to no input of it"),
             )
         } else if is_slug(node) && (port.is_empty() || is_slug(port)) {
             return Some(end);
         } else {
-            Diagnostic::error("bad-wire", format!("`{text}` is no port"))
+            Diagnostic::error("bad-wire", tr!("`{text}` is no port"))
         };
-        let hint =
-            if needs_port { "write \"node.input\"" } else { "write \"node.output\", or \"node\"" };
+        let hint = if needs_port {
+            tr!("write \"node.input\"")
+        } else {
+            tr!("write \"node.output\", or \"node\"")
+        };
         self.report(at, problem.hint(hint));
         None
     }
@@ -124,10 +137,10 @@ impl Reader<'_> {
         if target.is_none() {
             let shown: String = text.chars().take(80).collect();
             let problem =
-                Diagnostic::error("bad-target", format!("`{shown}` names nothing that can be set"));
+                Diagnostic::error("bad-target", tr!("`{shown}` names nothing that can be set"));
             self.report(
                 at,
-                problem.hint("write `node.input`, `group/node.input` or `lights.light.field`"),
+                problem.hint(tr!("write `node.input`, `group/node.input` or `lights.light.field`")),
             );
         }
         target
@@ -150,12 +163,15 @@ impl Reader<'_> {
                 rotation::from_quaternion(self.array_at(at, FAR)?)
             }
             JsonKind::Bad => return None,
-            _ => Err("this is no rotation"),
+            _ => Err(tr!("this is no rotation")),
         };
         found
             .map_err(|message| {
-                let hint = "write a quaternion [x, y, z, w], a 3x3 matrix as three rows, or \
-                            {\"axis\": [x, y, z], \"angle\": radians}";
+                let hint = text!(
+                    "write a quaternion [x, y, z, w], a 3x3 matrix as three rows, or \
+                            {\"axis\": [x, y, z], \"angle\": radians}"
+                )
+                .tr();
                 self.report(at, Diagnostic::error("bad-rotation", message).hint(hint));
             })
             .ok()
@@ -175,7 +191,7 @@ impl Reader<'_> {
             .map_err(|_| {
                 self.report(
                     at,
-                    Diagnostic::error("wrong-count", format!("expected 3 rows, found {count}")),
+                    Diagnostic::error("wrong-count", tr!("expected 3 rows, found {count}")),
                 );
             })
             .ok()

@@ -4,6 +4,7 @@
 mod schema;
 mod tables;
 
+use chiaro_locale::tr;
 pub use schema::{hcbtf_schema, look_schema, scene_schema, shot_schema};
 pub use tables::field_tables;
 pub(super) use tables::kind_words;
@@ -153,9 +154,13 @@ impl NumberBounds {
         if self.min == self.max {
             return number_name(self.min);
         }
-        let whole = if self.whole { "whole " } else { "" };
-        let from = if self.above { "above" } else { "from" };
-        format!("a {whole}number {from} {} to {}", number_name(self.min), number_name(self.max))
+        let (min, max) = (number_name(self.min), number_name(self.max));
+        match (self.whole, self.above) {
+            (true, true) => tr!("a whole number above {min} to {max}"),
+            (true, false) => tr!("a whole number from {min} to {max}"),
+            (false, true) => tr!("a number above {min} to {max}"),
+            (false, false) => tr!("a number from {min} to {max}"),
+        }
     }
 }
 

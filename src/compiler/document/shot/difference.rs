@@ -6,6 +6,7 @@
 
 use std::hash::Hash;
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 use serde_json::Value as Json;
 
@@ -58,8 +59,8 @@ impl Scene {
             ..Self::default()
         };
         let (none, no_lights, no_groups) = (IndexMap::new(), IndexMap::new(), IndexMap::new());
-        same_ids("object", &self.objects, &after.objects)?;
-        same_ids("light", &self.lights, &after.lights)?;
+        same_ids(tr!("part" => "object"), &self.objects, &after.objects)?;
+        same_ids(tr!("part" => "light"), &self.lights, &after.lights)?;
         let objects = changed(&self.objects, &after.objects);
         for [before, after] in objects {
             walk_documents(
@@ -83,7 +84,7 @@ impl Scene {
             }
         }
         if self.direction_keys != after.direction_keys {
-            return Err(beyond("keys by direction"));
+            return Err(beyond(tr!("keys by direction")));
         }
         differing_keys(&self.time_keys, &after.time_keys, &mut found);
         let rest = |scene: &Self| Self {
@@ -121,22 +122,22 @@ impl Look {
         let mut found = Differences::new();
         differing_nodes("", &self.graph, &after.graph, &mut found)?;
         self.differing_definitions(after, open, &mut found)?;
-        same_ids("light", &self.lights, &after.lights)?;
+        same_ids(tr!("part" => "light"), &self.lights, &after.lights)?;
         for pair in changed(&self.lights, &after.lights) {
             let part = |lights| Self { lights, ..Self::default() };
             walk_documents(pair.map(part), &mut found)?;
         }
         if self.exposed != after.exposed {
-            return Err(beyond("what is exposed"));
+            return Err(beyond(tr!("what is exposed")));
         }
         if self.aovs != after.aovs {
-            return Err(beyond("the names of outputs"));
+            return Err(beyond(tr!("the names of outputs")));
         }
         if self.markers != after.markers {
-            return Err(beyond("a marker of the look"));
+            return Err(beyond(tr!("a marker of the look")));
         }
         if self.direction_keys != after.direction_keys {
-            return Err(beyond("keys by direction"));
+            return Err(beyond(tr!("keys by direction")));
         }
         differing_keys(&self.time_keys, &after.time_keys, &mut found);
         let rest = |look: &Self| Self {
@@ -160,7 +161,7 @@ impl Look {
         open: &[NodeId],
         found: &mut Differences,
     ) -> Result<(), Diagnostic> {
-        same_ids("group", &self.definitions, &after.definitions)?;
+        same_ids(tr!("part" => "group"), &self.definitions, &after.definitions)?;
         for (id, before) in &self.definitions {
             let Some(now) = after.definitions.get(id).filter(|now| *now != before) else {
                 continue;
@@ -169,7 +170,7 @@ impl Look {
                 (of.label.clone(), of.help.clone(), of.inputs.clone(), of.outputs.clone())
             };
             if interface(before) != interface(now) {
-                return Err(beyond("inputs and outputs of groups"));
+                return Err(beyond(tr!("inputs and outputs of groups")));
             }
             let uses = self.uses_of(id);
             let path = match uses.as_slice() {
@@ -179,18 +180,18 @@ impl Look {
                     let named: Vec<String> = named.collect();
                     let count = uses.len();
                     let more = if count > NAMED_USES { ", ..." } else { "" };
-                    let message = format!(
-                        "the group is used {count} times ({}{more}), and a shot changes one of \
-                         them: open the node that is meant, and change the value there",
-                        named.join(", ")
+                    let message = tr!(
+                        "the group is used {count} times ({named}{more}), and a shot changes one \
+                         of them: open the node that is meant, and change the value there",
+                        named = named.join(", ")
                     );
-                    Diagnostic::error("not-of-a-shot", message)
+                    Diagnostic::error("used-more-than-once", message)
                 })?,
             };
             let mut inner = Differences::new();
             differing_nodes(&format!("{path}/"), &before.graph, &now.graph, &mut inner)?;
             if inner.iter().any(|difference| difference.target.starts_with("nodes.")) {
-                return Err(beyond("nodes within groups"));
+                return Err(beyond(tr!("nodes within groups")));
             }
             found.append(&mut inner);
         }
@@ -225,7 +226,7 @@ impl Look {
 
 /// An error of a difference that no address says.
 fn beyond(what: &str) -> Diagnostic {
-    Diagnostic::error("not-of-a-shot", format!("{what} are no values that a shot can change"))
+    Diagnostic::error("not-of-a-shot", tr!("{what} are no values that a shot can change"))
 }
 
 /// Checks that two maps have the same ids in the same order.
@@ -240,9 +241,9 @@ fn same_ids<K: Eq + std::fmt::Display, T>(
     let new = after.keys().find(|id| !before.keys().any(|old| old == *id));
     let gone = before.keys().find(|id| !after.keys().any(|now| now == *id));
     let message = match (new, gone) {
-        (Some(id), _) => format!("{what} `{id}` would be new: a shot changes values alone"),
-        (None, Some(id)) => format!("{what} `{id}` would be gone: a shot changes values alone"),
-        (None, None) => format!("the order of the {what}s is no value that a shot can change"),
+        (Some(id), _) => tr!("{what} `{id}` would be new: a shot changes values alone"),
+        (None, Some(id)) => tr!("{what} `{id}` would be gone: a shot changes values alone"),
+        (None, None) => tr!("the order of the {what}s is no value that a shot can change"),
     };
     Err(Diagnostic::error("not-of-a-shot", message))
 }
@@ -285,14 +286,14 @@ fn differing_nodes(
     after: &Graph,
     found: &mut Differences,
 ) -> Result<(), Diagnostic> {
-    same_ids("node", &before.nodes, &after.nodes)?;
+    same_ids(tr!("part" => "node"), &before.nodes, &after.nodes)?;
     if before.wires != after.wires {
-        return Err(beyond("wires"));
+        return Err(beyond(tr!("wires")));
     }
     if (&before.frames, &before.notes, &before.bookmarks)
         != (&after.frames, &after.notes, &after.bookmarks)
     {
-        return Err(beyond("frames, notes and bookmarks"));
+        return Err(beyond(tr!("frames, notes and bookmarks")));
     }
     for ((id, before), after) in before.nodes.iter().zip(after.nodes.values()) {
         if before != after {
@@ -309,11 +310,11 @@ fn differing_node(
     found: &mut Differences,
 ) -> Result<(), Diagnostic> {
     if before.kind != after.kind {
-        return Err(beyond("kinds of nodes"));
+        return Err(beyond(tr!("kinds of nodes")));
     }
     let layout = |node: &Node| (node.position, node.collapsed, node.name.clone());
     if layout(before) != layout(after) {
-        return Err(beyond("names and places of nodes"));
+        return Err(beyond(tr!("names and places of nodes")));
     }
     for (port, value) in &after.values {
         if before.values.get(port) != Some(value) {
@@ -353,7 +354,7 @@ fn walk_object(
         return Ok(());
     }
     if !after.is_object() && before.is_object() {
-        return Err(beyond(&format!("`{address}`, taken away,")));
+        return Err(beyond(&tr!("`{address}`, taken away,")));
     }
     // What is there for the first time is told whole.
     let is_new = !before.is_object();
@@ -369,7 +370,7 @@ fn walk_object(
             if was == is {
                 continue;
             }
-            return Err(beyond("names and texts of documents"));
+            return Err(beyond(tr!("names and texts of documents")));
         }
         let dot = if address.is_empty() { "" } else { "." };
         walk(&field.kind, [was, is], &format!("{address}{dot}{}", field.name), found)?;
@@ -407,7 +408,7 @@ fn walk(
                 items.iter().find(|item| item_name(item).as_deref() == Some(name)).cloned()
             };
             for now in after {
-                let Some(name) = item_name(now) else { return Err(beyond("lists")) };
+                let Some(name) = item_name(now) else { return Err(beyond(tr!("lists"))) };
                 let was = named(before, &name).unwrap_or_else(|| {
                     let named = if now.get("node").is_some() { "node" } else { "id" };
                     serde_json::json!({ named: name.as_str() })
@@ -416,11 +417,11 @@ fn walk(
             }
             let gone = before.iter().filter_map(item_name);
             if gone.into_iter().any(|name| named(after, &name).is_none()) {
-                return Err(beyond("rows of lists"));
+                return Err(beyond(tr!("rows of lists")));
             }
             Ok(())
         }
-        FieldKind::List(..) => Err(beyond(&format!("lists such as `{address}`"))),
+        FieldKind::List(..) => Err(beyond(&tr!("lists such as `{address}`"))),
         // A look of the whole mesh is written as a text, and read by its name.
         FieldKind::Looks => {
             let of = |json: &Json| match json {
@@ -435,7 +436,7 @@ fn walk(
 
 fn leaf(after: &Json, address: &str, found: &mut Differences) -> Result<(), Diagnostic> {
     let value = serde_json::from_value::<Value>(after.clone());
-    let value = value.map_err(|_| beyond(&format!("`{address}` without a value")))?;
+    let value = value.map_err(|_| beyond(&tr!("`{address}` without a value")))?;
     found.push(ValueDifference { target: address.to_owned(), to: ChangedTo::Value(value) });
     Ok(())
 }

@@ -6,6 +6,7 @@
 //! field's own reader judges it. Parts are single lights and objects, so that a value of a scene of
 //! thousands is as quick to set as in a scene of one.
 
+use chiaro_locale::{Text, text, tr, tr_in};
 use indexmap::IndexMap;
 use serde_json::Value as Json;
 
@@ -21,8 +22,9 @@ use crate::ids::{LightGroup, LightId, NodeId, ObjectId};
 const IDENTITY: [&str; 4] = ["chiaro", "version", "$schema", "id"];
 
 /// Addresses of values of a look, in words.
-const LOOK_ADDRESSES: &str = "write `node.input`, `group/node.input`, `lights.light.field`, \
-                              `nodes.node.field` or `tier`";
+const LOOK_ADDRESSES: Text = text!(
+    "write `node.input`, `group/node.input`, `lights.light.field`, `nodes.node.field` or `tier`"
+);
 
 /// Way in which a value goes from key to key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,11 +85,11 @@ impl Scene {
         let (first, id) = first_steps(address);
         let part = match first {
             "objects" => {
-                let objects = only::<ObjectId, _>(&self.objects, id, "object")?;
+                let objects = only::<ObjectId, _>(&self.objects, id, tr!("part" => "object"))?;
                 Self { objects, ..Self::default() }
             }
             "lights" => {
-                let lights = only::<LightId, _>(&self.lights, id, "light")?;
+                let lights = only::<LightId, _>(&self.lights, id, tr!("part" => "light"))?;
                 Self { lights, ..Self::default() }
             }
             "light_groups" => {
@@ -228,9 +230,9 @@ impl Look {
         }
         let target = Target::parse(address).filter(|target| matches!(target, Target::Input { .. }));
         let Some(target) = target else {
-            let problem = Diagnostic::error("bad-target", format!("`{address}` names no value"));
+            let problem = Diagnostic::error("bad-target", tr!("`{address}` names no value"));
             let problem = problem.suggest(address, self.graph.nodes.keys().map(NodeId::as_str));
-            return Err(problem.hint(LOOK_ADDRESSES));
+            return Err(problem.hint(LOOK_ADDRESSES.tr()));
         };
         if let Some(mut problem) = check::check_target(self, &target).into_iter().next() {
             problem.place = crate::diag::Place::default();
@@ -239,9 +241,9 @@ impl Look {
         let Target::Input { node, port } = &target else { return Ok(None) };
         let own = if let [id] = node.ids() { Some(id.clone()) } else { None };
         if let Some(wire) = own.as_ref().and_then(|id| self.graph.wire_into(id, port)) {
-            let message = format!("a wire from `{}` leads into `{address}`", wire.from);
+            let message = tr!("a wire from `{from}` leads into `{address}`", from = wire.from);
             return Err(Diagnostic::error("wired-input", message)
-                .hint(format!("change values of `{}`, which decides", wire.from.node)));
+                .hint(tr!("change values of `{node}`, which decides", node = wire.from.node)));
         }
         Ok(Some((target, own)))
     }
@@ -251,8 +253,10 @@ impl Look {
         let (first, id) = first_steps(address);
         let mut part = Self { color_space: self.color_space, ..Self::default() };
         match first {
-            "lights" => part.lights = only::<LightId, _>(&self.lights, id, "light")?,
-            "nodes" => part.graph.nodes = only::<NodeId, _>(&self.graph.nodes, id, "node")?,
+            "lights" => part.lights = only::<LightId, _>(&self.lights, id, tr!("part" => "light"))?,
+            "nodes" => {
+                part.graph.nodes = only::<NodeId, _>(&self.graph.nodes, id, tr!("part" => "node"))?
+            }
             "name" | "about" | "tuned" | "tier" | "max_error" | "color_space" => {
                 part = Self {
                     name: self.name.clone(),
@@ -264,8 +268,8 @@ impl Look {
                 };
             }
             _ => {
-                let message = format!("`{first}` of a look is not changed from outside");
-                return Err(Diagnostic::error("bad-target", message).hint(LOOK_ADDRESSES));
+                let message = tr!("`{first}` of a look is not changed from outside");
+                return Err(Diagnostic::error("bad-target", message).hint(LOOK_ADDRESSES.tr()));
             }
         }
         Ok(part)
@@ -306,13 +310,13 @@ where
 {
     if id.is_empty() {
         let known: Vec<&str> = all.keys().take(6).map(AsRef::as_ref).collect();
-        let problem = Diagnostic::error("bad-target", format!("the {what} is missing"));
-        return Err(problem.hint(format!("name one, such as {}", known.join(", "))));
+        let problem = Diagnostic::error("bad-target", tr!("the {what} is missing"));
+        return Err(problem.hint(tr!("name one, such as {known}", known = known.join(", "))));
     }
     match all.get_key_value(id) {
         Some((key, part)) => Ok(IndexMap::from([(key.clone(), part.clone())])),
         None => {
-            let problem = Diagnostic::error("unknown-target", format!("there is no {what} `{id}`"));
+            let problem = Diagnostic::error("unknown-target", tr!("there is no {what} `{id}`"));
             Err(problem.suggest(id, all.keys().map(AsRef::as_ref)))
         }
     }
@@ -350,7 +354,7 @@ fn with_value<T: Document>(part: &T, address: &str, value: &Value) -> Result<T, 
     }
     let first = loaded.diagnostics.into_iter().find(Diagnostic::is_error);
     let mut problem =
-        first.unwrap_or_else(|| Diagnostic::error("wrong-type", "this cannot be read"));
+        first.unwrap_or_else(|| Diagnostic::error("wrong-type", tr!("this cannot be read")));
     problem.message = format!("`{address}`: {}", problem.message);
     problem.place = crate::diag::Place::default();
     Err(problem)
@@ -407,10 +411,8 @@ fn place<'j>(
                 (item_of(json, shape(), step)?, *item)
             }
             AddressStep::Kind(_) => {
-                let message = format!("`{so_far}` is one value, which has no `{step}`");
-                return Err(
-                    Diagnostic::error("bad-target", message).hint(format!("write `{so_far}`"))
-                );
+                let message = tr!("`{so_far}` is one value, which has no `{step}`");
+                return Err(Diagnostic::error("bad-target", message).hint(tr!("write `{so_far}`")));
             }
         };
         so_far = &address[..(so_far.len() + usize::from(!so_far.is_empty()) + step.len())];
@@ -427,14 +429,14 @@ fn place<'j>(
         AddressStep::Object(shape) => {
             let names = shape.fields().map(|field| field.name);
             let names: Vec<&str> = names.filter(|name| !IDENTITY.contains(name)).collect();
-            let message = format!("`{address}` is many values");
+            let message = tr!("`{address}` is many values");
             Err(Diagnostic::error("bad-target", message)
-                .hint(format!("name one of them: `{address}.` and {}", names.join(", "))))
+                .hint(tr!("name one of them: `{address}.` and {names}", names = names.join(", "))))
         }
         AddressStep::Kind(_) => {
-            let message = format!("`{address}` is a list, of which one value is named");
+            let message = tr!("`{address}` is a list, of which one value is named");
             Err(Diagnostic::error("bad-target", message)
-                .hint(format!("write `{address}.` and its id or name")))
+                .hint(tr!("write `{address}.` and its id or name")))
         }
     }
 }
@@ -454,9 +456,9 @@ fn member<'j>(
     let field = shape.field(step).filter(|_| !IDENTITY.contains(&step));
     let (Some((_, field)), Some(members)) = (field, json.as_object_mut()) else {
         let message = if step.is_empty() {
-            format!("a field of the {} is missing", shape.name)
+            tr!("a field of the {name} is missing", name = tr_in("shape", shape.name))
         } else {
-            format!("the {} has no `{step}` that can be changed", shape.name)
+            tr!("the {name} has no `{step}` that can be changed", name = tr_in("shape", shape.name))
         };
         let known = shape.fields().map(|field| field.name);
         return Err(Diagnostic::error("bad-target", message)
@@ -495,7 +497,7 @@ fn entry<'j>(
     step: &str,
 ) -> Result<&'j mut Json, Diagnostic> {
     let unknown = |known: Vec<String>| {
-        let problem = Diagnostic::error("unknown-target", format!("there is no `{step}`"));
+        let problem = Diagnostic::error("unknown-target", tr!("there is no `{step}`"));
         problem.suggest(step, known.iter().map(String::as_str))
     };
     let Some(members) = json.as_object_mut() else { return Err(unknown(Vec::new())) };
@@ -520,7 +522,7 @@ fn item_of<'j>(
     let index = known.iter().position(|known| known.as_deref() == Some(step));
     let may_be_new = shape.field("node").is_some() && crate::ids::is_slug(step);
     let missing = || {
-        let message = format!("there is no {} `{step}`", shape.name);
+        let message = tr!("there is no {name} `{step}`", name = tr_in("shape", shape.name));
         Diagnostic::error("unknown-target", message)
             .suggest(step, known.iter().flatten().map(String::as_str))
     };

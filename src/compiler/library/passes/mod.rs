@@ -64,9 +64,14 @@ impl PassId {
         &TABLE[usize::from(self.0)]
     }
 
-    /// Label that people read.
+    /// Label for drivers, tools and hashes.
     pub fn label(self) -> &'static str {
-        self.row().label
+        self.row().label.english()
+    }
+
+    /// Label that people read.
+    pub fn title(self) -> &'static str {
+        self.row().label.tr()
     }
 
     /// Stage of the looks' modules that the pass draws meshes with; `None` where the pass draws

@@ -1,5 +1,7 @@
 //! Rows of the table of passes.
 
+use chiaro_locale::Text;
+
 use crate::library::Context;
 
 /// Stage: the purpose of a look's module.
@@ -127,7 +129,7 @@ pub struct PassRow {
     /// Name of the pass in exports and in the rows of other tables.
     pub slug: &'static str,
     /// Label that people read.
-    pub label: &'static str,
+    pub label: Text,
     /// Work of the pass.
     pub work: PassWork,
     /// Results of earlier passes that the pass reads, by the names of its module's textures.
@@ -138,10 +140,10 @@ pub struct PassRow {
     /// look reads the pass.
     pub map: &'static str,
     /// Quantity that a look reads from the pass; of a pass that draws meshes, its purpose.
-    pub purpose: &'static str,
+    pub purpose: Text,
     /// Quantity that the pass computes from meshes' normals, with its verb: `curvature is` computed
     /// from them.
-    pub result: &'static str,
+    pub result: Text,
     /// Work of the module, as a sentence.
     pub help: &'static str,
 }

@@ -6,7 +6,7 @@ mod strokes;
 
 use std::f64::consts::PI;
 
-use chiaro_locale::{Text, text, tr, tr_in};
+use chiaro_locale::{Text, text, tr};
 use eframe::egui::{
     Checkbox, ComboBox, DragValue, Id, ProgressBar, RichText, Role, ScrollArea, Slider, Ui,
     WidgetInfo,
@@ -68,7 +68,7 @@ fn help(rule: &Rule) -> &'static str {
 
 /// Name of a rule for the user.
 fn label(rule: &Rule) -> &'static str {
-    tr_in("rule", rule.about().label)
+    rule.about().label.tr()
 }
 
 /// Explanation of a rule, with its name in files.

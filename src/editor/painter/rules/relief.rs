@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use chiaro_locale::{Text, text, tr, tr_in};
+use chiaro_locale::{Text, text, tr};
 use eframe::egui::{Button, CollapsingHeader, Id, Role, Slider, Ui, WidgetInfo};
 
 use super::{LEAD, OpenPainting};
@@ -48,7 +48,7 @@ fn presets(ui: &mut Ui, work: &OpenPainting, relief: &mut Relief) -> Option<Id> 
     let mut changed = None;
     ui.horizontal_wrapped(|ui| {
         for (name, preset) in PRESETS {
-            let name = tr_in("relief", name);
+            let name = name.tr();
             let label = tr!("Make it {name}");
             let button = ui.add(Button::new(name).small());
             button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));

@@ -373,8 +373,7 @@ impl Session {
 
 /// A problem of an edit that no shot can say, with the file that has what was edited.
 fn refusal(problem: Diagnostic, file: &Path) -> Diagnostic {
-    let says_more = problem.message.contains("open the node");
-    if problem.code != "not-of-a-shot" || says_more {
+    if problem.code != "not-of-a-shot" {
         return problem;
     }
     let name = file.file_name().unwrap_or_default().to_string_lossy();

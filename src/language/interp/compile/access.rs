@@ -1,5 +1,6 @@
 //! Access to parts of composites, and to the targets of pointers.
 
+use chiaro_locale::tr;
 use naga::{ArraySize, Expression, Handle, TypeInner};
 
 use super::Outcome;
@@ -103,7 +104,7 @@ impl FunctionCompiler<'_> {
         match self.place(array)?.buffer {
             Some(buffer) => Ok(vec![self.assembler.bound(SlotSource::Length { buffer })?]),
             None => Err(self.unsupported(
-                "the length of an array that is in no buffer (ArrayLength)",
+                tr!("the length of an array that is in no buffer (ArrayLength)"),
                 self.span(array),
             )),
         }

@@ -3,6 +3,7 @@
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
+use chiaro_locale::tr;
 use naga::{Expression, Handle};
 
 use super::Outcome;
@@ -85,7 +86,7 @@ impl Assembler {
     /// Appends an instruction.
     pub(super) fn emit(&mut self, instruction: Instruction) -> Outcome<()> {
         if self.code.len() >= MAX_CODE {
-            return Err(too_big(&format!("{MAX_CODE} instructions")));
+            return Err(too_big(&tr!("{MAX_CODE} instructions")));
         }
         self.code.push(instruction);
         Ok(())
@@ -95,7 +96,7 @@ impl Assembler {
     pub(super) fn reserve(&mut self, count: u32) -> Outcome<Slot> {
         let first = self.image.len() as u32;
         if count > MAX_SLOTS - first {
-            return Err(too_big(&format!("{MAX_SLOTS} scalars")));
+            return Err(too_big(&tr!("{MAX_SLOTS} scalars")));
         }
         self.image.resize(self.image.len() + count as usize, 0);
         Ok(first)
@@ -179,7 +180,7 @@ impl Assembler {
     pub(super) fn list(&mut self, slots: usize) -> Outcome<()> {
         self.listed += slots;
         if self.listed > MAX_LISTED {
-            Err(too_big(&format!("{MAX_LISTED} scalars in its values")))
+            Err(too_big(&tr!("{MAX_LISTED} scalars in its values")))
         } else {
             Ok(())
         }
@@ -265,8 +266,9 @@ impl Assembler {
 #[cold]
 fn too_big(limit: &str) -> Box<Diagnostic> {
     let message =
-        format!("the function needs more than {limit}, which is all that the interpreter grants");
+        tr!("the function needs more than {limit}, which is all that the interpreter grants");
     Box::new(
-        Diagnostic::error("interp-too-big", message).hint("use smaller arrays or fewer of them"),
+        Diagnostic::error("interp-too-big", message)
+            .hint(tr!("use smaller arrays or fewer of them")),
     )
 }

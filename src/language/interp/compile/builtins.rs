@@ -1,5 +1,6 @@
 //! Built-in functions of WGSL, by the formulas of its specification.
 
+use chiaro_locale::tr;
 use naga::{Expression, Handle, MathFunction as Math, TypeInner};
 
 use super::Outcome;
@@ -24,7 +25,7 @@ impl FunctionCompiler<'_> {
         }
         if arguments.len() != fun.argument_count() {
             return Err(self.unsupported(
-                "a function with a wrong number of arguments (Math)",
+                tr!("a function with a wrong number of arguments (Math)"),
                 self.span(first),
             ));
         }
@@ -53,7 +54,7 @@ impl FunctionCompiler<'_> {
                     this.compute(|to| Instruction::InsertBits { to, a, b, offset, count })
                 })
             }
-            _ => Err(self.unsupported("an unknown function (Math)", self.span(first))),
+            _ => Err(self.unsupported(tr!("an unknown function (Math)"), self.span(first))),
         }
     }
 
@@ -329,7 +330,7 @@ impl FunctionCompiler<'_> {
 
     #[cold]
     fn unknown(&self, fun: Math) -> Box<crate::diag::Diagnostic> {
-        self.unsupported(&format!("`{fun:?}` on the wrong types (Math)"), naga::Span::UNDEFINED)
+        self.unsupported(&tr!("`{fun:?}` on the wrong types (Math)"), naga::Span::UNDEFINED)
     }
 }
 

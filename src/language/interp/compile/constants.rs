@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use chiaro_locale::tr;
 use naga::{Expression, Handle, Literal, Span};
 
 use super::Outcome;
@@ -47,7 +48,7 @@ impl<'a> FunctionCompiler<'a> {
             pending.pop();
         }
         result.ok_or_else(|| {
-            self.unsupported("an expression that is not valid naga IR", self.span_of(root))
+            self.unsupported(tr!("an expression that is not valid naga IR"), self.span_of(root))
         })
     }
 
@@ -145,7 +146,7 @@ impl<'a> FunctionCompiler<'a> {
             Literal::Bool(x) => self.assembler.constant(u64::from(x)),
             Literal::F16(x) => self.assembler.float(x.to_f64()),
             Literal::U64(_) | Literal::I64(_) | Literal::U16(_) | Literal::I16(_) => {
-                Err(self.unsupported("an integer not of 32 bits (Literal)", span))
+                Err(self.unsupported(tr!("an integer not of 32 bits (Literal)"), span))
             }
         }
     }

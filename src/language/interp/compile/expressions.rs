@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use chiaro_locale::tr;
 use naga::{DerivativeAxis, DerivativeControl, Expression, Handle, MathFunction, Span, TypeInner};
 
 use super::globals::no_stage;
@@ -167,7 +168,9 @@ impl<'a> FunctionCompiler<'a> {
     pub(super) fn value(&mut self, handle: Handle<Expression>) -> Outcome<Rc<[Slot]>> {
         match self.operand(handle)? {
             Operand::Value(slots) => Ok(slots),
-            Operand::Place(_) => Err(self.unsupported("a pointer as a value", self.span(handle))),
+            Operand::Place(_) => {
+                Err(self.unsupported(tr!("a pointer as a value"), self.span(handle)))
+            }
         }
     }
 
@@ -175,7 +178,7 @@ impl<'a> FunctionCompiler<'a> {
     pub(super) fn scalar(&mut self, handle: Handle<Expression>) -> Outcome<Slot> {
         match *self.value(handle)? {
             [slot] => Ok(slot),
-            _ => Err(self.unsupported("a composite as a scalar", self.span(handle))),
+            _ => Err(self.unsupported(tr!("a composite as a scalar"), self.span(handle))),
         }
     }
 
@@ -183,7 +186,9 @@ impl<'a> FunctionCompiler<'a> {
     pub(super) fn place(&mut self, handle: Handle<Expression>) -> Outcome<MemoryPlace> {
         match self.operand(handle)? {
             Operand::Place(place) => Ok(place),
-            Operand::Value(_) => Err(self.unsupported("a value as a pointer", self.span(handle))),
+            Operand::Value(_) => {
+                Err(self.unsupported(tr!("a value as a pointer"), self.span(handle)))
+            }
         }
     }
 
@@ -242,7 +247,7 @@ impl<'a> FunctionCompiler<'a> {
         let scalar = self
             .inner(handle)
             .scalar()
-            .ok_or(LayoutProblem::Unsupported("neither scalar, vector nor matrix"));
+            .ok_or_else(|| LayoutProblem::Unsupported(tr!("neither scalar, vector nor matrix")));
         self.checked(scalar.and_then(scalar_kind), handle)
     }
 
@@ -277,7 +282,7 @@ impl<'a> FunctionCompiler<'a> {
             self.unsupported(&expression_name(self.context.module, expression), self.span(handle));
         if matches!(expression, Expression::Derivative { .. }) {
             error.hints.push(
-                "`Derivatives::Zero` makes derivatives 0, as where everything is constant"
+                tr!("`Derivatives::Zero` makes derivatives 0, as where everything is constant")
                     .to_owned(),
             );
         }

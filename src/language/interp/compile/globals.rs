@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use chiaro_locale::tr;
 use naga::{
     AddressSpace, ArraySize, Expression, Function, GlobalVariable, Handle, ImageClass, Module,
     StorageAccess,
@@ -60,7 +61,7 @@ impl Globals {
         for handle in used {
             globals.add(module, layouts, assembler, handle).map_err(|problem| {
                 let name = module.global_variables[handle].name.as_deref().unwrap_or("");
-                let mut error = problem.diagnose(&format!("the global variable `{name}`"));
+                let mut error = problem.diagnose(&tr!("the global variable `{name}`"));
                 error.place.wgsl = module.global_variables.get_span(handle).to_range();
                 Box::new(error)
             })?;
@@ -88,15 +89,19 @@ impl Globals {
                     variable.space,
                     AddressSpace::Storage { access } if access.contains(StorageAccess::STORE)
                 ) {
-                    return Err(LayoutProblem::Unsupported("a storage buffer that can be written"));
+                    return Err(LayoutProblem::Unsupported(tr!(
+                        "a storage buffer that can be written"
+                    )));
                 }
                 GlobalPlace::Buffer(self.resource(variable, buffer(module, layouts, variable.ty)?)?)
             }
             AddressSpace::Handle => GlobalPlace::Handle(
                 self.resource(variable, opaque(&module.types[variable.ty].inner)?)?,
             ),
-            AddressSpace::WorkGroup => return Err(LayoutProblem::Unsupported("workgroup memory")),
-            _ => return Err(LayoutProblem::Unsupported("in an address space of its own")),
+            AddressSpace::WorkGroup => {
+                return Err(LayoutProblem::Unsupported(tr!("workgroup memory")));
+            }
+            _ => return Err(LayoutProblem::Unsupported(tr!("in an address space of its own"))),
         };
         self.homes.insert(handle, home);
         Ok(())
@@ -107,8 +112,9 @@ impl Globals {
         variable: &GlobalVariable,
         kind: ResourceKind,
     ) -> Result<u32, LayoutProblem> {
-        let binding =
-            variable.binding.ok_or(LayoutProblem::Unsupported("a resource without a binding"))?;
+        let binding = variable
+            .binding
+            .ok_or_else(|| LayoutProblem::Unsupported(tr!("a resource without a binding")))?;
         let name = variable.name.clone().unwrap_or_default();
         self.resources.push(Resource {
             group: binding.group,
@@ -184,11 +190,15 @@ fn opaque(inner: &TypeInner) -> Result<ResourceKind, LayoutProblem> {
         TypeInner::Sampler { comparison } => {
             Ok(ResourceKind::Sampler { is_comparison: comparison })
         }
-        TypeInner::BindingArray { .. } => Err(LayoutProblem::Unsupported("an array of bindings")),
-        TypeInner::AccelerationStructure { .. } => {
-            Err(LayoutProblem::Unsupported("an acceleration structure"))
+        TypeInner::BindingArray { .. } => {
+            Err(LayoutProblem::Unsupported(tr!("an array of bindings")))
         }
-        _ => Err(LayoutProblem::Unsupported("an opaque type that is neither texture nor sampler")),
+        TypeInner::AccelerationStructure { .. } => {
+            Err(LayoutProblem::Unsupported(tr!("an acceleration structure")))
+        }
+        _ => Err(LayoutProblem::Unsupported(tr!(
+            "an opaque type that is neither texture nor sampler"
+        ))),
     }
 }
 
@@ -205,20 +215,20 @@ fn dimension(dim: ImageDimension) -> TextureDimension {
 pub(super) fn texel(class: ImageClass) -> Result<Texel, LayoutProblem> {
     match class {
         ImageClass::Sampled { multi: true, .. } | ImageClass::Depth { multi: true } => {
-            Err(LayoutProblem::Unsupported("a multisampled texture"))
+            Err(LayoutProblem::Unsupported(tr!("a multisampled texture")))
         }
         ImageClass::Sampled { kind: Kind::Sint, .. } => Ok(Texel::I32),
         ImageClass::Sampled { kind: Kind::Uint, .. } => Ok(Texel::U32),
         ImageClass::Sampled { .. } => Ok(Texel::Float),
         ImageClass::Depth { .. } => Ok(Texel::Depth),
-        ImageClass::External => Err(LayoutProblem::Unsupported("an external texture")),
-        ImageClass::Storage { .. } => Err(LayoutProblem::Unsupported("a storage texture")),
+        ImageClass::External => Err(LayoutProblem::Unsupported(tr!("an external texture"))),
+        ImageClass::Storage { .. } => Err(LayoutProblem::Unsupported(tr!("a storage texture"))),
     }
 }
 
 /// Error of a function that uses a global variable and is no stage.
 #[cold]
 pub(super) fn no_stage(mut error: Box<Diagnostic>) -> Box<Diagnostic> {
-    error.hints.push("`Options::stage` lets it use what a stage of a pipeline has".to_owned());
+    error.hints.push(tr!("`Options::stage` lets it use what a stage of a pipeline has").to_owned());
     error
 }

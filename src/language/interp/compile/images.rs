@@ -1,5 +1,6 @@
 //! Texture samples, loads and queries.
 
+use chiaro_locale::tr;
 use naga::{Expression, Handle, ImageQuery, SampleLevel, SwizzleComponent, TypeInner};
 
 use super::Outcome;
@@ -61,7 +62,9 @@ impl FunctionCompiler<'_> {
         [array_index, sample, level]: [Option<Handle<Expression>>; 3],
     ) -> Outcome<Vec<Slot>> {
         if let Some(sample) = sample {
-            return Err(self.unsupported("a multisampled texture (ImageLoad)", self.span(sample)));
+            return Err(
+                self.unsupported(tr!("a multisampled texture (ImageLoad)"), self.span(sample))
+            );
         }
         let texel = self.texel(image)?;
         let kind = OperationKind::Load {
@@ -90,7 +93,7 @@ impl FunctionCompiler<'_> {
             ImageQuery::NumLayers => (OperationKind::Layers, 1),
             ImageQuery::NumSamples => {
                 return Err(
-                    self.unsupported("a multisampled texture (ImageQuery)", self.span(image))
+                    self.unsupported(tr!("a multisampled texture (ImageQuery)"), self.span(image))
                 );
             }
         };
@@ -128,7 +131,7 @@ impl FunctionCompiler<'_> {
     fn texel(&self, image: Handle<Expression>) -> Outcome<Texel> {
         let texel = match *self.inner(image) {
             TypeInner::Image { class, .. } => texel(class),
-            _ => Err(LayoutProblem::Unsupported("no texture")),
+            _ => Err(LayoutProblem::Unsupported(tr!("no texture"))),
         };
         texel.map_err(|problem| self.locate(problem.diagnose(&self.subject()), self.span(image)))
     }

@@ -1,5 +1,6 @@
 //! Layouts: the number of slots of each type, and its parts.
 
+use chiaro_locale::tr;
 use naga::{ArraySize, Handle, Module, Scalar, ScalarKind as Kind, Type, TypeInner, UniqueArena};
 
 use super::assembler::MAX_SLOTS;
@@ -23,15 +24,15 @@ impl LayoutProblem {
     pub(super) fn diagnose(self, subject: &str) -> Diagnostic {
         match self {
             Self::Unsupported(what) => {
-                let message = format!("{subject} is {what}, which the interpreter cannot hold");
-                Diagnostic::error("interp-unsupported", message).hint(
+                let message = tr!("{subject} is {what}, which the interpreter cannot hold");
+                Diagnostic::error("interp-unsupported", message).hint(tr!(
                     "it knows bool, i32, u32, f32, and vectors, matrices, arrays and structs \
-                           of them",
-                )
+                           of them"
+                ))
             }
             Self::TooBig => Diagnostic::error(
                 "interp-too-big",
-                format!(
+                tr!(
                     "the type of {subject} is larger than {MAX_SLOTS} scalars or nested more than \
                      {MAX_DEPTH} deep"
                 ),
@@ -159,14 +160,14 @@ impl Layouts {
             let offset = self.offset(types, inner, index)?;
             let member = members
                 .get(index as usize)
-                .ok_or(LayoutProblem::Unsupported("a struct without that member"))?;
+                .ok_or_else(|| LayoutProblem::Unsupported(tr!("a struct without that member")))?;
             return Ok((offset, self.slots(&types[member.ty].inner)?));
         }
         let (count, stride) = self.elements(types, inner)?;
         if index < count {
             Ok((index * stride, stride))
         } else {
-            Err(LayoutProblem::Unsupported("shorter than its index"))
+            Err(LayoutProblem::Unsupported(tr!("shorter than its index")))
         }
     }
 
@@ -201,7 +202,7 @@ pub(super) fn scalar_kind(scalar: Scalar) -> Result<ScalarKind, LayoutProblem> {
         (Kind::Uint, 4) => Ok(ScalarKind::U32),
         (Kind::Float, _) | (Kind::AbstractFloat, _) => Ok(ScalarKind::Float),
         (Kind::Sint | Kind::Uint, _) => {
-            Err(LayoutProblem::Unsupported("an integer not of 32 bits"))
+            Err(LayoutProblem::Unsupported(tr!("an integer not of 32 bits")))
         }
     }
 }
@@ -210,26 +211,26 @@ fn array_count(size: ArraySize) -> Result<u32, LayoutProblem> {
     match size {
         ArraySize::Constant(count) => Ok(count.get()),
         ArraySize::Pending(_) => {
-            Err(LayoutProblem::Unsupported("an array whose size is an override"))
+            Err(LayoutProblem::Unsupported(tr!("an array whose size is an override")))
         }
-        ArraySize::Dynamic => Err(LayoutProblem::Unsupported("an array without a fixed size")),
+        ArraySize::Dynamic => Err(LayoutProblem::Unsupported(tr!("an array without a fixed size"))),
     }
 }
 
 fn type_name(inner: &TypeInner) -> &'static str {
     match inner {
-        TypeInner::Scalar(_) => "a scalar",
-        TypeInner::Vector { .. } => "a vector",
-        TypeInner::Matrix { .. } => "a matrix",
-        TypeInner::Array { .. } => "an array",
-        TypeInner::Struct { .. } => "a struct",
-        TypeInner::Pointer { .. } | TypeInner::ValuePointer { .. } => "a pointer",
-        TypeInner::Atomic(_) => "an atomic",
-        TypeInner::Image { .. } => "a texture",
-        TypeInner::Sampler { .. } => "a sampler",
-        TypeInner::AccelerationStructure { .. } => "an acceleration structure",
-        TypeInner::RayQuery { .. } => "a ray query",
-        TypeInner::BindingArray { .. } => "a binding array",
-        TypeInner::CooperativeMatrix { .. } => "a cooperative matrix",
+        TypeInner::Scalar(_) => tr!("a scalar"),
+        TypeInner::Vector { .. } => tr!("a vector"),
+        TypeInner::Matrix { .. } => tr!("a matrix"),
+        TypeInner::Array { .. } => tr!("an array"),
+        TypeInner::Struct { .. } => tr!("a struct"),
+        TypeInner::Pointer { .. } | TypeInner::ValuePointer { .. } => tr!("a pointer"),
+        TypeInner::Atomic(_) => tr!("an atomic"),
+        TypeInner::Image { .. } => tr!("a texture"),
+        TypeInner::Sampler { .. } => tr!("a sampler"),
+        TypeInner::AccelerationStructure { .. } => tr!("an acceleration structure"),
+        TypeInner::RayQuery { .. } => tr!("a ray query"),
+        TypeInner::BindingArray { .. } => tr!("a binding array"),
+        TypeInner::CooperativeMatrix { .. } => tr!("a cooperative matrix"),
     }
 }

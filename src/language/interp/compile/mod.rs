@@ -21,6 +21,7 @@ mod purity;
 mod statements;
 mod unsupported;
 
+use chiaro_locale::tr;
 pub use literals::Literals;
 
 use naga::front::Typifier;
@@ -137,7 +138,7 @@ fn find<'m>(module: &'m Module, name: &str) -> Outcome<&'m Function> {
     let known: Vec<(&str, &Function)> = functions.chain(entry_points).collect();
     known.iter().find(|(known, _)| *known == name).map(|(_, function)| *function).ok_or_else(|| {
         let error =
-            Diagnostic::error("interp-unknown-function", format!("there is no function `{name}`"));
+            Diagnostic::error("interp-unknown-function", tr!("there is no function `{name}`"));
         Box::new(error.suggest(name, known.iter().map(|(known, _)| *known)))
     })
 }
@@ -153,22 +154,22 @@ fn signature(
     let shape = |ty, what: &str| {
         layouts
             .shape(module, ty)
-            .map_err(|problem| Box::new(problem.diagnose(&format!("{what} of `{name}`"))))
+            .map_err(|problem| Box::new(problem.diagnose(&tr!("{what} of `{name}`"))))
     };
     let mut parameters = Vec::new();
     for argument in &function.arguments {
         let argument_name = argument.name.clone().unwrap_or_default();
-        let shape = shape(argument.ty, &format!("argument `{argument_name}`"))?;
+        let shape = shape(argument.ty, &tr!("argument `{argument_name}`"))?;
         parameters.push((argument_name, shape));
     }
     let Some(result) = &function.result else {
         if options.is_stage {
             return Ok((parameters, Shape::Struct { name: String::new(), members: Vec::new() }));
         }
-        let message = format!("`{name}` returns nothing, so there is nothing to run it for");
+        let message = tr!("`{name}` returns nothing, so there is nothing to run it for");
         return Err(Box::new(Diagnostic::error("interp-unsupported", message)));
     };
-    Ok((parameters, shape(result.ty, "the result")?))
+    Ok((parameters, shape(result.ty, tr!("the result"))?))
 }
 
 /// Functions that `entry` calls, directly or through others, callees before callers.
@@ -243,7 +244,7 @@ fn types(module: &Module, function: &Function) -> Outcome<Typifier> {
             let name = function.name.as_deref().unwrap_or("");
             Box::new(Diagnostic::error(
                 "interp-unsupported",
-                format!("the types of `{name}` are not known: {problem}"),
+                tr!("the types of `{name}` are not known: {problem}"),
             ))
         })?;
     }
@@ -262,20 +263,22 @@ fn frame(
         context
             .layouts
             .slots(inner)
-            .map_err(|problem| Box::new(problem.diagnose(&format!("{what} of `{name}`"))))
+            .map_err(|problem| Box::new(problem.diagnose(&tr!("{what} of `{name}`"))))
     };
     let entry = assembler.label();
     let link = assembler.reserve(1)?;
     let (mut arguments, mut shared) = (Vec::new(), Vec::new());
     for argument in &function.arguments {
-        let count =
-            slots(argument.ty, &format!("argument `{}`", argument.name.as_deref().unwrap_or("")))?;
+        let count = slots(
+            argument.ty,
+            &tr!("argument `{argument}`", argument = argument.name.as_deref().unwrap_or("")),
+        )?;
         let first = assembler.reserve(count)?;
         arguments.push(first);
         shared.extend(first..first + count);
     }
     let result_slots =
-        function.result.as_ref().map_or(Ok(0), |result| slots(result.ty, "the result"))?;
+        function.result.as_ref().map_or(Ok(0), |result| slots(result.ty, tr!("the result")))?;
     let result = assembler.reserve(result_slots)?;
     Ok(FunctionFrame { entry, link, arguments, result, result_slots, shared: Some(shared) })
 }

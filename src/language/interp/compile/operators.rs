@@ -1,5 +1,6 @@
 //! Operators, comparisons, selections and conversions.
 
+use chiaro_locale::tr;
 use naga::{
     BinaryOperator, Expression, Handle, RelationalFunction, ScalarKind as Kind, TypeInner,
     UnaryOperator,
@@ -67,7 +68,9 @@ impl FunctionCompiler<'_> {
             }
         }
         let Some(operation) = operation(op, self.kind(left)?) else {
-            return Err(self.unsupported("an operator on the wrong type (Binary)", self.span(left)));
+            return Err(
+                self.unsupported(tr!("an operator on the wrong type (Binary)"), self.span(left))
+            );
         };
         self.zip(&a, &b, |this, a, b| match operation {
             Operation::Float(op) => this.float2(op, a, b),
@@ -124,7 +127,7 @@ impl FunctionCompiler<'_> {
     ) -> Outcome<Vec<Slot>> {
         let from = self.kind(expr)?;
         if !by_value && self.inner(expr).scalar().is_some_and(|scalar| scalar.width == 2) {
-            return Err(self.unsupported("the bits of an f16 (As)", self.span(expr)));
+            return Err(self.unsupported(tr!("the bits of an f16 (As)"), self.span(expr)));
         }
         let to = match scalar_kind(naga::Scalar { kind: to, width: 4 }) {
             Ok(kind) => kind,

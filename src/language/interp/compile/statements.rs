@@ -1,5 +1,6 @@
 //! Statements: control flow, stores and calls.
 
+use chiaro_locale::tr;
 use naga::front::Typifier;
 use naga::proc::TypeResolution;
 use naga::{
@@ -182,15 +183,15 @@ impl<'a> FunctionCompiler<'a> {
             }
             Statement::Break => match self.exits.last() {
                 Some(exit) => self.assembler.emit(Instruction::Jump { target: exit.on_break }),
-                None => Err(self.unsupported("`break` outside of a loop (Break)", Span::UNDEFINED)),
-            },
-            Statement::Continue => {
-                match self.exits.last().and_then(|exit| exit.on_continue) {
-                    Some(target) => self.assembler.emit(Instruction::Jump { target }),
-                    None => Err(self
-                        .unsupported("`continue` outside of a loop (Continue)", Span::UNDEFINED)),
+                None => {
+                    Err(self.unsupported(tr!("`break` outside of a loop (Break)"), Span::UNDEFINED))
                 }
-            }
+            },
+            Statement::Continue => match self.exits.last().and_then(|exit| exit.on_continue) {
+                Some(target) => self.assembler.emit(Instruction::Jump { target }),
+                None => Err(self
+                    .unsupported(tr!("`continue` outside of a loop (Continue)"), Span::UNDEFINED)),
+            },
             Statement::Return { value } => {
                 if let Some(value) = value {
                     let from = self.value(*value)?;
@@ -302,9 +303,10 @@ impl<'a> FunctionCompiler<'a> {
         result: Option<Handle<Expression>>,
     ) -> Outcome<()> {
         let Some(frame) = &self.context.frames[callee.index()] else {
-            return Err(
-                self.unsupported("a function that has not ended yet (recursion)", Span::UNDEFINED)
-            );
+            return Err(self.unsupported(
+                tr!("a function that has not ended yet (recursion)"),
+                Span::UNDEFINED,
+            ));
         };
         for (&argument, &to) in arguments.iter().zip(&frame.arguments) {
             match self.operand(argument)? {
@@ -374,7 +376,7 @@ impl<'a> FunctionCompiler<'a> {
 
     fn store(&mut self, place: MemoryPlace, from: &[Slot]) -> Outcome<()> {
         if place.buffer.is_some() {
-            return Err(self.unsupported("a store to a buffer (Store)", Span::UNDEFINED));
+            return Err(self.unsupported(tr!("a store to a buffer (Store)"), Span::UNDEFINED));
         }
         let Some(pointer) = place.pointer else { return self.copy(place.offset, from) };
         for (offset, &from) in (place.offset..).zip(from) {
@@ -393,7 +395,7 @@ impl<'a> FunctionCompiler<'a> {
 
     /// Name of the value that has a type, for errors about types.
     pub(super) fn subject(&self) -> String {
-        format!("a value in `{}`", self.name())
+        tr!("a value in `{function}`", function = self.name())
     }
 
     fn name(&self) -> &str {
@@ -403,7 +405,10 @@ impl<'a> FunctionCompiler<'a> {
     /// Error of a function that uses a feature which the interpreter cannot run.
     #[cold]
     pub(super) fn unsupported(&self, what: &str, span: Span) -> Box<Diagnostic> {
-        let message = format!("`{}` uses {what}, which the interpreter cannot run", self.name());
+        let message = tr!(
+            "`{function}` uses {what}, which the interpreter cannot run",
+            function = self.name()
+        );
         self.locate(Diagnostic::error("interp-unsupported", message), span)
     }
 

@@ -1,18 +1,18 @@
 //! Names of features that only a GPU has.
 
+use chiaro_locale::tr;
 use naga::{Expression, MathFunction, Module, Statement};
 
 /// Name of an expression that the interpreter cannot run, and of the IR construct behind it.
 pub(super) fn expression_name(module: &Module, expression: &Expression) -> String {
-    let named =
-        |what: &str, name: &Option<String>| format!("{what} `{}`", name.as_deref().unwrap_or(""));
     match expression {
         Expression::Override(handle) => {
-            named("the override", &module.overrides[*handle].name) + " (Override)"
+            let name = module.overrides[*handle].name.as_deref().unwrap_or_default();
+            tr!("the override `{name}` (Override)")
         }
         Expression::GlobalVariable(handle) => {
-            named("the global variable", &module.global_variables[*handle].name)
-                + " (GlobalVariable)"
+            let name = module.global_variables[*handle].name.as_deref().unwrap_or_default();
+            tr!("the global variable `{name}` (GlobalVariable)")
         }
         other => anonymous_expression_name(other).to_owned(),
     }
@@ -20,48 +20,54 @@ pub(super) fn expression_name(module: &Module, expression: &Expression) -> Strin
 
 fn anonymous_expression_name(expression: &Expression) -> &'static str {
     match expression {
-        Expression::ImageSample { .. } => "a texture sample (ImageSample)",
-        Expression::ImageLoad { .. } => "a texture load (ImageLoad)",
-        Expression::ImageQuery { .. } => "a texture query (ImageQuery)",
-        Expression::Derivative { .. } => "a derivative (Derivative)",
-        Expression::AtomicResult { .. } => "an atomic operation (AtomicResult)",
+        Expression::ImageSample { .. } => tr!("a texture sample (ImageSample)"),
+        Expression::ImageLoad { .. } => tr!("a texture load (ImageLoad)"),
+        Expression::ImageQuery { .. } => tr!("a texture query (ImageQuery)"),
+        Expression::Derivative { .. } => tr!("a derivative (Derivative)"),
+        Expression::AtomicResult { .. } => tr!("an atomic operation (AtomicResult)"),
         Expression::WorkGroupUniformLoadResult { .. } => {
-            "a workgroup load (WorkGroupUniformLoadResult)"
+            tr!("a workgroup load (WorkGroupUniformLoadResult)")
         }
-        Expression::ArrayLength(_) => "the length of a runtime-sized array (ArrayLength)",
+        Expression::ArrayLength(_) => tr!("the length of a runtime-sized array (ArrayLength)"),
         Expression::RayQueryVertexPositions { .. }
         | Expression::RayQueryProceedResult
-        | Expression::RayQueryGetIntersection { .. } => "a ray query (RayQuery)",
+        | Expression::RayQueryGetIntersection { .. } => tr!("a ray query (RayQuery)"),
         Expression::SubgroupBallotResult | Expression::SubgroupOperationResult { .. } => {
-            "a subgroup operation (SubgroupOperationResult)"
+            tr!("a subgroup operation (SubgroupOperationResult)")
         }
         Expression::CooperativeLoad { .. } | Expression::CooperativeMultiplyAdd { .. } => {
-            "a cooperative matrix (CooperativeLoad)"
+            tr!("a cooperative matrix (CooperativeLoad)")
         }
         // naga's typing and its back ends disagree on which argument gives the columns; WGSL has no
         // such function.
         Expression::Math { fun: MathFunction::Outer, .. } => {
-            "an outer product (MathFunction::Outer)"
+            tr!("an outer product (MathFunction::Outer)")
         }
-        _ => "an expression that is not valid naga IR",
+        _ => tr!("an expression that is not valid naga IR"),
     }
 }
 
 /// Name of a statement that the interpreter cannot run, and of the IR construct behind it.
 pub(super) fn statement_name(statement: &Statement) -> &'static str {
     match statement {
-        Statement::Kill => "`discard` (Kill)",
-        Statement::ControlBarrier(_) | Statement::MemoryBarrier(_) => "a barrier (ControlBarrier)",
-        Statement::ImageStore { .. } => "a texture store (ImageStore)",
-        Statement::Atomic { .. } | Statement::ImageAtomic { .. } => "an atomic operation (Atomic)",
-        Statement::WorkGroupUniformLoad { .. } => "a workgroup load (WorkGroupUniformLoad)",
-        Statement::RayQuery { .. } | Statement::RayPipelineFunction(_) => "ray tracing (RayQuery)",
+        Statement::Kill => tr!("`discard` (Kill)"),
+        Statement::ControlBarrier(_) | Statement::MemoryBarrier(_) => {
+            tr!("a barrier (ControlBarrier)")
+        }
+        Statement::ImageStore { .. } => tr!("a texture store (ImageStore)"),
+        Statement::Atomic { .. } | Statement::ImageAtomic { .. } => {
+            tr!("an atomic operation (Atomic)")
+        }
+        Statement::WorkGroupUniformLoad { .. } => tr!("a workgroup load (WorkGroupUniformLoad)"),
+        Statement::RayQuery { .. } | Statement::RayPipelineFunction(_) => {
+            tr!("ray tracing (RayQuery)")
+        }
         Statement::SubgroupBallot { .. }
         | Statement::SubgroupGather { .. }
         | Statement::SubgroupCollectiveOperation { .. } => {
-            "a subgroup operation (SubgroupCollectiveOperation)"
+            tr!("a subgroup operation (SubgroupCollectiveOperation)")
         }
-        Statement::CooperativeStore { .. } => "a cooperative matrix (CooperativeStore)",
-        _ => "a statement that is not valid naga IR",
+        Statement::CooperativeStore { .. } => tr!("a cooperative matrix (CooperativeStore)"),
+        _ => tr!("a statement that is not valid naga IR"),
     }
 }

@@ -20,6 +20,7 @@ use super::resources::{BoundProgram, BoundResources};
 use super::step::step;
 use super::{LanePort, Precision, Program, Value};
 use crate::diag::Diagnostic;
+use chiaro_locale::tr;
 use groups::{LaneGroup, LaneGroups};
 use shared::SharedCalls;
 
@@ -80,14 +81,14 @@ impl<'b> Lanes<'b> {
     pub(super) fn new(bound: &'b BoundProgram<'b>) -> Result<Self, Diagnostic> {
         let program = bound.program();
         if program.image.len() > MAX_SLOTS {
-            let message = format!(
-                "`{}` needs {} scalars for each lane, more than the {MAX_SLOTS} that the \
-                 interpreter grants",
-                program.name(),
-                program.image.len()
+            let message = tr!(
+                "`{function}` needs {slots} scalars for each lane, more than the {MAX_SLOTS} that \
+                 the interpreter grants",
+                function = program.name(),
+                slots = program.image.len()
             );
             return Err(Diagnostic::error("interp-too-big", message)
-                .hint("use smaller arrays or fewer of them"));
+                .hint(tr!("use smaller arrays or fewer of them")));
         }
         let (precision, resources) = (bound.precision(), bound.resources());
         let shared = SharedCalls::new(program, precision, &resources);

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use chiaro_locale::tr;
+
 use super::{
     BoundContent, BoundResources, Resource, ResourceKind, Sampler, Texture, TextureDimension,
 };
@@ -117,11 +119,11 @@ fn bound_content(
 ) -> Result<BoundContent, Diagnostic> {
     let Resource { group, binding, name, kind } = resource;
     let wrong = |message: String| {
-        let message = format!("`{name}` (@group({group}) @binding({binding})) {message}");
+        let message = tr!("`{name}` (@group({group}) @binding({binding})) {message}");
         Diagnostic::error("interp-binding", message)
     };
     let Some(content) = content else {
-        return Err(wrong(format!("is {}, and nothing is bound", describe(kind))));
+        return Err(wrong(tr!("is {expected}, and nothing is bound", expected = describe(kind))));
     };
     let bound = match (kind, content) {
         (ResourceKind::Buffer(shape), ResourceContent::Value(value)) => {
@@ -143,7 +145,11 @@ fn bound_content(
         _ => None,
     };
     bound.ok_or_else(|| {
-        wrong(format!("is {}, but {} was bound", describe(kind), describe_content(content)))
+        wrong(tr!(
+            "is {expected}, but {bound} was bound",
+            expected = describe(kind),
+            bound = describe_content(content)
+        ))
     })
 }
 
@@ -188,19 +194,19 @@ fn runtime_sized(
 
 fn describe(kind: &ResourceKind) -> String {
     match kind {
-        ResourceKind::Buffer(shape) => format!("a buffer of {shape}"),
+        ResourceKind::Buffer(shape) => tr!("a buffer of {shape}"),
         ResourceKind::Unsized { head: None, element } => {
-            format!("a buffer of one or more {element}")
+            tr!("a buffer of one or more {element}")
         }
         ResourceKind::Unsized { head: Some(head), element } => {
             let members: Vec<String> = head.iter().map(|(_, shape)| shape.to_string()).collect();
-            format!("a buffer of {} and one or more {element}", members.join(", "))
+            tr!("a buffer of {members} and one or more {element}", members = members.join(", "))
         }
         ResourceKind::Texture { dimension, is_arrayed, .. } => {
             describe_texture(*dimension, *is_arrayed)
         }
-        ResourceKind::Sampler { is_comparison: true } => "a comparison sampler".to_owned(),
-        ResourceKind::Sampler { is_comparison: false } => "a sampler".to_owned(),
+        ResourceKind::Sampler { is_comparison: true } => tr!("a comparison sampler").to_owned(),
+        ResourceKind::Sampler { is_comparison: false } => tr!("a sampler").to_owned(),
     }
 }
 
@@ -211,18 +217,18 @@ fn describe_content(content: &ResourceContent) -> String {
             describe_texture(texture.dimension(), texture.layers() > 1)
         }
         ResourceContent::Sampler(Sampler { compare: Some(_), .. }) => {
-            "a comparison sampler".to_owned()
+            tr!("a comparison sampler").to_owned()
         }
-        ResourceContent::Sampler(_) => "a sampler".to_owned(),
+        ResourceContent::Sampler(_) => tr!("a sampler").to_owned(),
     }
 }
 
 fn describe_texture(dimension: TextureDimension, is_arrayed: bool) -> String {
     let what = match dimension {
-        TextureDimension::D1 => "a 1D texture",
-        TextureDimension::D2 => "a 2D texture",
-        TextureDimension::D3 => "a 3D texture",
-        TextureDimension::Cube => "a cube texture",
+        TextureDimension::D1 => tr!("a 1D texture"),
+        TextureDimension::D2 => tr!("a 2D texture"),
+        TextureDimension::D3 => tr!("a 3D texture"),
+        TextureDimension::Cube => tr!("a cube texture"),
     };
-    if is_arrayed { format!("{what} with layers") } else { what.to_owned() }
+    if is_arrayed { tr!("{what} with layers") } else { what.to_owned() }
 }

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use crate::diag::Diagnostic;
 
 /// Dimension of a texture: the meaning of its coordinates.
@@ -114,7 +116,7 @@ impl Texture {
     pub fn new(dimension: TextureDimension, levels: Vec<TextureLevel>) -> Result<Self, Diagnostic> {
         let wrong = |message: String| Err(Diagnostic::error("interp-texture", message));
         let Some(first) = levels.first() else {
-            return wrong("a texture needs at least one level".to_owned());
+            return wrong(tr!("a texture needs at least one level").to_owned());
         };
         let [width, height, depth] = first.size;
         let fits = match dimension {
@@ -123,25 +125,23 @@ impl Texture {
             TextureDimension::Cube => width == height && depth.is_multiple_of(6),
         };
         if !fits || first.size.contains(&0) {
-            return wrong(format!(
-                "a texture of {dimension:?} cannot be {width} x {height} x {depth}"
-            ));
+            return wrong(tr!("a texture of {dimension:?} cannot be {width} x {height} x {depth}"));
         }
         for (index, level) in levels.iter().enumerate() {
             let half = |n: u32| n.checked_shr(index as u32).unwrap_or(0).max(1);
             let layers = if dimension == TextureDimension::D3 { half(depth) } else { depth };
             let expected = [half(width), half(height), layers];
             if level.size != expected {
-                return wrong(format!(
-                    "level {index} must be {expected:?} texels large, and is {:?}",
-                    level.size
+                return wrong(tr!(
+                    "level {index} must be {expected:?} texels large, and is {size:?}",
+                    size = level.size
                 ));
             }
             let count = expected.iter().map(|&n| u128::from(n)).product::<u128>();
             if level.count() as u128 != count {
-                return wrong(format!(
-                    "level {index} has {} texels, and needs {count}",
-                    level.count()
+                return wrong(tr!(
+                    "level {index} has {texels} texels, and needs {count}",
+                    texels = level.count()
                 ));
             }
         }

@@ -191,7 +191,8 @@ impl FramePlan {
                 passes.push(before);
             }
         }
-        let planned = |id: PassId| Pass { id, reason: id.row().purpose.to_owned(), input_hash: 0 };
+        let planned =
+            |id: PassId| Pass { id, reason: id.row().purpose.tr().to_owned(), input_hash: 0 };
         Self {
             size,
             samples: 1,

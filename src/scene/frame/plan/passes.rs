@@ -4,6 +4,8 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use super::omissions::quoted;
 use super::placement::{PlacedScene, VisibleObject};
 use super::variants::{LookShaders, Variants};
@@ -81,13 +83,13 @@ impl WantedPasses {
         // before it.
         for pass in PassId::all().rev() {
             let mut served = Context::all().filter(|context| context.pass() == Some(pass));
-            let own = served.find_map(|context| readers.reason(context, pass.row().purpose));
+            let own = served.find_map(|context| readers.reason(context, pass.row().purpose.tr()));
             let of_reader = || {
                 let (reader, reason) = wanted.iter().find(|(reader, _)| reader.reads(pass))?;
                 Some(if pass.stage().is_none() {
                     reason.clone()
                 } else {
-                    format!("{} computed from them: {reason}", reader.row().result)
+                    tr!("{result} computed from them: {reason}", result = reader.row().result)
                 })
             };
             if let Some(reason) = own.or_else(of_reader) {
@@ -117,7 +119,7 @@ impl WantedPasses {
         let is_first = |pass: &PassId| !pass.is_screen() && pass.row().reads.is_empty();
         let unwanted = PassId::all().filter(|pass| is_first(pass) && !self.0.contains_key(pass));
         dropped.extend(unwanted.map(|pass| DroppedEffect {
-            what: pass.row().purpose.to_owned(),
+            what: pass.row().purpose.tr().to_owned(),
             why: "no live node of a visible object reads it".to_owned(),
             kind: EffectKind::Pass,
             proof: Proof::Unreachable,

@@ -4,6 +4,7 @@ mod light;
 mod pattern;
 mod presets;
 
+use chiaro_locale::tr;
 pub use light::{Finish, Glint, Illumination};
 pub use pattern::{Channel, Pattern};
 pub use presets::{PRESETS, Preset};
@@ -67,11 +68,11 @@ impl Relief {
     /// Checks what the bounds of single numbers do not tell.
     pub(super) fn check_whole(&self, grid: &Grid) -> Result<(), String> {
         if let Some(address) = self.painted().find(|address| !grid.contains(*address)) {
-            return Err(format!("the pattern names {address}, which is outside the grid"));
+            return Err(tr!("the pattern names {address}, which is outside the grid"));
         }
         let [width, height] = grid.size;
         if grid.texels() > Self::MAX_TEXELS {
-            return Err(format!(
+            return Err(tr!(
                 "a relief has at most 512 x 512 texels; the grid's tiles have {width} x {height}"
             ));
         }
@@ -79,9 +80,7 @@ impl Relief {
         let bytes = grid.texels() as u64 * directions * Self::BYTES_PER_TEXEL;
         if bytes > Self::MAX_BYTES {
             let (mib, most) = (bytes >> 20, Self::MAX_BYTES >> 20);
-            return Err(format!(
-                "drawing the relief would take {mib} MiB; at most {most} MiB can be"
-            ));
+            return Err(tr!("drawing the relief would take {mib} MiB; at most {most} MiB can be"));
         }
         Ok(())
     }

@@ -1,17 +1,19 @@
 //! Presets of reliefs.
 
+use chiaro_locale::{Text, text};
+
 use super::{Finish, Glint, Illumination, Pattern, Relief};
 
 /// Name of a preset, and the function that makes its relief.
-pub type Preset = (&'static str, fn() -> Relief);
+pub type Preset = (Text, fn() -> Relief);
 
 /// Presets of reliefs, by name.
 pub const PRESETS: [Preset; 5] = [
-    ("Bricks", bricks),
-    ("Asphalt", asphalt),
-    ("Facade", facade),
-    ("Arches", arches),
-    ("Sand", sand),
+    (text!("Bricks"), bricks),
+    (text!("Asphalt"), asphalt),
+    (text!("Facade"), facade),
+    (text!("Arches"), arches),
+    (text!("Sand"), sand),
 ];
 
 fn bricks() -> Relief {

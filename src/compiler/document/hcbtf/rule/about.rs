@@ -1,6 +1,7 @@
 //! Descriptions of the rules for people, in one list: help on the command line, the table of
 //! docs/format.md, the window.
 
+use chiaro_locale::{Text, text, tr};
 use serde_json::Value;
 
 use super::Rule;
@@ -12,79 +13,97 @@ pub struct RuleAbout {
     /// Word of the rule in files.
     pub word: &'static str,
     /// Label of the rule in the window.
-    pub label: &'static str,
+    pub label: Text,
     /// Effect of the rule; begins with `fills` or `changes`, and ends without a full stop.
-    pub does: &'static str,
+    pub does: Text,
 }
 
 /// All rules: those that fill, then those that change.
 pub(super) const ABOUT: [RuleAbout; 12] = [
-    RuleAbout { word: "copy", label: "Copy", does: "fills with one painted sample" },
+    RuleAbout { word: "copy", label: text!("Copy"), does: text!("fills with one painted sample") },
     RuleAbout {
         word: "lock",
-        label: "Lock angles",
-        does: "fills with the nearest painted sample that is equal in all other angles",
+        label: text!("Lock angles"),
+        does: text!("fills with the nearest painted sample that is equal in all other angles"),
     },
     RuleAbout {
         word: "blend",
-        label: "Blend",
-        does: "fills with the mean of all painted samples, weighted by d^(-2 sharpness) and alpha; \
+        label: text!("Blend"),
+        does: text!(
+            "fills with the mean of all painted samples, weighted by d^(-2 sharpness) and alpha; \
                d is the root of the sum \
-               of the squared great-circle angles between the lights and between the views",
+               of the squared great-circle angles between the lights and between the views"
+        ),
     },
     RuleAbout {
         word: "morph",
-        label: "Morph",
-        does: "fills with the two or three nearest painted samples, weighted as by `blend`, their \
+        label: text!("Morph"),
+        does: text!(
+            "fills with the two or three nearest painted samples, weighted as by `blend`, their \
                strokes moved toward each \
-               other in place of faded; blended where nothing in them is alike",
+               other in place of faded; blended where nothing in them is alike"
+        ),
     },
     RuleAbout {
         word: "mirror",
-        label: "Highlight",
-        does: "fills with one color where the light is less than `width` off the mirrored view; \
+        label: text!("Highlight"),
+        does: text!(
+            "fills with one color where the light is less than `width` off the mirrored view; \
                its alpha fades outward as a \
-               raised cosine",
+               raised cosine"
+        ),
     },
     RuleAbout {
         word: "specular",
-        label: "Copy near the mirror",
-        does: "fills with one painted sample where the light is at most `width` off the mirrored \
-               view",
+        label: text!("Copy near the mirror"),
+        does: text!(
+            "fills with one painted sample where the light is at most `width` off the mirrored \
+               view"
+        ),
     },
-    RuleAbout { word: "color", label: "Color", does: "fills with one color" },
+    RuleAbout { word: "color", label: text!("Color"), does: text!("fills with one color") },
     RuleAbout {
         word: "strokes",
-        label: "Strokes",
-        does: "fills with strokes that stand on the tile, as each eye and each light see them \
-               (docs/format.md, *Strokes*)",
+        label: text!("Strokes"),
+        does: text!(
+            "fills with strokes that stand on the tile, as each eye and each light see them \
+               (docs/format.md, *Strokes*)"
+        ),
     },
     RuleAbout {
         word: "relief",
-        label: "Relief",
-        does: "fills with a height field as each eye sees it under each light (docs/format.md, *A \
-               relief*)",
+        label: text!("Relief"),
+        does: text!(
+            "fills with a height field as each eye sees it under each light (docs/format.md, *A \
+               relief*)"
+        ),
     },
     RuleAbout {
         word: "lambert",
-        label: "Darken by Lambert",
-        does: "changes: mixed with the shadow's color by 1 - cos(theta) of the light, times \
-               `amount`",
+        label: text!("Darken by Lambert"),
+        does: text!(
+            "changes: mixed with the shadow's color by 1 - cos(theta) of the light, times \
+               `amount`"
+        ),
     },
     RuleAbout {
         word: "rotate",
-        label: "Turn with the eye",
-        does: "changes: the content turned with the view around the normal, `turns` times as fast; \
+        label: text!("Turn with the eye"),
+        does: text!(
+            "changes: the content turned with the view around the normal, `turns` times as fast; \
                Catmull-Rom's cubic kept \
                within the four nearest texels, exact at quarter turns of square tiles, wrapped \
-               around where the tile repeats",
+               around where the tile repeats"
+        ),
     },
     RuleAbout {
         word: "recolor",
-        label: "Recolor",
-        does: "changes: multiplied by a color, `from` at the normal and `to` at the horizon, or \
+        label: text!("Recolor"),
+        does: text!(
+            "changes: multiplied by a color, `from` at the normal and `to` at the horizon, or \
                `from` at step 0 and `to` \
-               half a turn away; at the normal itself the middle of both",
+               half a turn away; at the normal itself the middle of both"
+        ),
     },
 ];
 
@@ -161,7 +180,7 @@ fn told(value: &Value) -> Option<String> {
             Some(items?.join(", "))
         }
         Value::Object(fields) if fields.contains_key("light") && fields.contains_key("view") => {
-            Some("straight above".to_owned())
+            Some(tr!("straight above").to_owned())
         }
         _ => None,
     }
@@ -198,7 +217,11 @@ mod tests {
                 .unwrap_or_else(|| panic!("`{}` has a field without a default", about.word));
             assert_eq!((fresh.word(), fresh.about()), (about.word, about));
             assert!(
-                about.does.starts_with(if fresh.fills() { "fills " } else { "changes: " }),
+                about.does.english().starts_with(if fresh.fills() {
+                    "fills "
+                } else {
+                    "changes: "
+                }),
                 "{}",
                 about.word
             );

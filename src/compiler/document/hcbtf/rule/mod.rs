@@ -4,6 +4,8 @@ pub(in crate::document) mod about;
 
 use std::f64::consts::PI;
 
+use chiaro_locale::tr;
+
 pub use self::about::{RuleAbout, RuleField};
 use super::{Address, AddressFields, Angle, BYTES, Grid, RGBA_BYTES, Relief, Strokes, amount};
 use crate::document::described::{DescribedObject as _, described, described_choice};
@@ -165,9 +167,11 @@ impl Rule {
     pub(super) fn check_whole(&self, grid: &Grid) -> Result<(), String> {
         match self {
             Self::Copy { from } | Self::Specular { from, .. } if !grid.contains(*from) => {
-                Err(format!("`from` names {from}, which is outside the grid"))
+                Err(tr!("`from` names {from}, which is outside the grid"))
             }
-            Self::Lock { angles } if angles.is_empty() => Err("`angles` names no angle".to_owned()),
+            Self::Lock { angles } if angles.is_empty() => {
+                Err(tr!("`angles` names no angle").to_owned())
+            }
             Self::Strokes(strokes) => strokes.check_whole(),
             Self::Relief(relief) => relief.check_whole(grid),
             _ => Ok(()),

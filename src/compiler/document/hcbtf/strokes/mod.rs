@@ -5,6 +5,7 @@
 
 mod presets;
 
+use chiaro_locale::tr;
 use serde::{Deserialize, Serialize};
 
 use super::{BYTES, RGBA_BYTES, SEED, amount};
@@ -199,8 +200,12 @@ impl FieldType for Placement {
             // The one field has been reported.
             _ if given == 1 => None,
             _ => {
-                let message = "a placement has one of the fields `scatter`, `lattice` and `paths`";
-                r.report(at, Diagnostic::error("wrong-count", message).hint("write one of them"));
+                let message =
+                    tr!("a placement has one of the fields `scatter`, `lattice` and `paths`");
+                r.report(
+                    at,
+                    Diagnostic::error("wrong-count", message).hint(tr!("write one of them")),
+                );
                 None
             }
         }
@@ -306,19 +311,19 @@ impl Strokes {
     /// Checks what the bounds of single numbers do not tell.
     pub(super) fn check_whole(&self) -> Result<(), String> {
         for (index, bundle) in self.bundles.iter().enumerate() {
-            bundle.check_whole().map_err(|why| format!("in bundle {index}, {why}"))?;
+            bundle.check_whole().map_err(|why| tr!("in bundle {index}, {why}"))?;
         }
         let points: usize = self.bundles.iter().map(|bundle| bundle.place.points()).sum();
         if points > Self::MAX_PATH_POINTS {
-            return Err(format!(
-                "all paths have {points} points; at most {} can be",
-                Self::MAX_PATH_POINTS
+            return Err(tr!(
+                "all paths have {points} points; at most {most} can be",
+                most = Self::MAX_PATH_POINTS
             ));
         }
         let layers: f64 = self.bundles.iter().map(Bundle::layers).sum();
         if layers > Self::MAX_LAYERS {
             let most = Self::MAX_LAYERS;
-            return Err(format!(
+            return Err(tr!(
                 "the strokes cover the tile {layers:.0} times; at most {most} can be: take fewer \
                  or finer"
             ));
@@ -330,12 +335,14 @@ impl Strokes {
 impl Bundle {
     fn check_whole(&self) -> Result<(), String> {
         if self.tones.is_some_and(|tones| (tones.first - tones.all).abs() < 1e-6) {
-            return Err("`tones.first` and `tones.all` are equal; one must be larger".to_owned());
+            return Err(
+                tr!("`tones.first` and `tones.all` are equal; one must be larger").to_owned()
+            );
         }
         let Placement::Paths(paths) = &self.place else { return Ok(()) };
         match paths.iter().flatten().find(|point| point[2] < 0.0) {
             Some([_, _, height]) => {
-                Err(format!("a point of `paths` has the height {height}; it must be from 0 to 4"))
+                Err(tr!("a point of `paths` has the height {height}; it must be from 0 to 4"))
             }
             None => Ok(()),
         }

@@ -262,7 +262,7 @@ fn told_of(told: &ExposedParameter) -> Vec<String> {
 }
 
 fn about_field(id: &LightId, light: &Light, field: LightField) -> Vec<String> {
-    let (name, label) = (light.display_name(id), field.label());
+    let (name, label) = (light.display_name(id), field.label_text().english());
     let (label, group) = (label.to_lowercase(), "Lights");
     let mut about = vec![
         format!("string label = \"{} {}\"", escaped(name), escaped(&label)),
@@ -271,7 +271,7 @@ fn about_field(id: &LightId, light: &Light, field: LightField) -> Vec<String> {
     if !field.unit().is_empty() {
         about.push(format!("string units = \"{}\"", field.unit()));
     }
-    about.push(format!("string help = \"{}\"", escaped(field.help())));
+    about.push(format!("string help = \"{}\"", escaped(field.help_text().english())));
     about
 }
 
