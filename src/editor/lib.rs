@@ -105,10 +105,12 @@ pub fn run(files: &[PathBuf], mesh: Option<&str>) -> Result<(), Box<Diagnostic>>
     let file = files.first().cloned();
     let mesh = mesh.map(str::to_owned);
     warm_up(mesh.as_deref());
+    let places = Places::of_user();
+    places.as_ref().map(|places| Settings::load(&places.settings())).unwrap_or_default().speak();
     let create = move |context: &eframe::CreationContext<'_>| {
         milestones::reached("window and device");
         let mut app = App::new(&context.egui_ctx, context.wgpu_render_state.clone());
-        if let Some(places) = Places::of_user() {
+        if let Some(places) = places {
             app.keep_in(places, &context.egui_ctx);
         }
         match file {

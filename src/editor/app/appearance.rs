@@ -1,7 +1,9 @@
-//! Theme and scale of the window, as settings remember them.
+//! Theme, scale and language of the window, as settings remember them.
 
-use eframe::egui::{Context, ThemePreference};
+use chiaro_locale::{LANGUAGES, tr};
+use eframe::egui::{Context, ThemePreference, Ui};
 
+use super::App;
 use crate::state::settings::{SCALE, Settings, Theme};
 
 /// Gives the window the theme and the scale of its settings.
@@ -22,4 +24,24 @@ pub(super) fn current(ctx: &Context) -> (Theme, f32) {
         ThemePreference::System => Theme::System,
     };
     (theme, ctx.zoom_factor().clamp(*SCALE.start(), *SCALE.end()))
+}
+
+impl App {
+    /// Speaks the language of a tag from now on, or the system's, and remembers it.
+    pub(super) fn speak(&mut self, tag: Option<&str>) {
+        self.safety.change_settings(|settings| settings.language = tag.map(str::to_owned));
+        self.safety.settings.speak();
+    }
+
+    /// Shows the menu of languages, by their own names.
+    pub(super) fn language_menu(&mut self, ui: &mut Ui) {
+        let present = self.safety.settings.language.clone();
+        let languages = LANGUAGES.iter().map(|language| (Some(language.tag), language.name));
+        for (tag, name) in languages.chain([(None, tr!("As the system"))]) {
+            if ui.radio(present.as_deref() == tag, name).clicked() {
+                self.speak(tag);
+                ui.close();
+            }
+        }
+    }
 }

@@ -38,6 +38,7 @@ fn keeps_message(command: &Command) -> bool {
         | Command::OpenGraph(_)
         | Command::OpenPalette
         | Command::Scale(_)
+        | Command::Speak(_)
         | Command::OpenShortcuts
         | Command::CopyShader(..)
         | Command::Graph(_)
@@ -80,6 +81,7 @@ impl App {
                 self.tell(|session| session.apply(edit, Some(gesture)));
             }
             Command::Scale(scale) => scale.apply(ui.ctx()),
+            Command::Speak(tag) => self.speak(tag),
             Command::Select(ids) => self.session.select(ids),
             Command::Reveal(id) => {
                 self.session.select(vec![id.clone()]);

@@ -143,6 +143,7 @@ impl App {
                 }
             }
         });
+        ui.menu_button(tr!("Language"), |ui| self.language_menu(ui));
     }
 
     pub(super) fn status(&self, ui: &mut Ui) -> Option<Command> {
@@ -189,8 +190,9 @@ impl App {
         }
         let open_scene_of_shot = session.shot().is_some();
         // A look that only shows the painting goes without saying.
-        let is_bare =
-            |work: &OpenPainting| session.path().is_none() && session.look().name == work.name();
+        let is_bare = |work: &OpenPainting| {
+            session.path().is_none() && session.look().name == work.kept_name()
+        };
         if open_scene_of_shot {
             // Its look is told.
         } else if is_look_dirty
@@ -305,10 +307,10 @@ fn menu_with(
 ) {
     let entry = |ui: &mut Ui, row: &CommandRow, commands: &mut Vec<Command>| {
         let why = why(row);
-        let button = egui::Button::new(&*row.label).shortcut_text(row.text());
+        let button = egui::Button::new(row.label.tr()).shortcut_text(row.text());
         let button = ui.add_enabled(why.is_none(), button);
         button.widget_info(|| {
-            egui::WidgetInfo::labeled(egui::Role::MenuItem, why.is_none(), &*row.label)
+            egui::WidgetInfo::labeled(egui::Role::MenuItem, why.is_none(), row.label)
         });
         if button.on_disabled_hover_text(why.unwrap_or_default()).clicked() {
             commands.push(row.command.clone());

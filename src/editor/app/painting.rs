@@ -344,7 +344,7 @@ impl App {
         let Some(work) = self.session.painting() else { return };
         let sheet =
             work.path().map_or_else(|| UNSAVED_HCBTF.to_owned(), |path| path.display().to_string());
-        let look = look::default_look(&sheet, &work.name(), work.grid().size);
+        let look = look::default_look(&sheet, &work.kept_name(), work.grid().size);
         self.view_before_painting.keep(&self.session);
         self.session.start_from(&look, "painting");
         self.session.view.orbit.look_at_a_sheet();

@@ -1,7 +1,7 @@
 //! Sheet of all shortcuts, and command palette: both list rows of the table of commands. The
 //! palette finds nodes of the open graph too, however many there are.
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, tr};
 use eframe::egui;
 use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
@@ -105,13 +105,13 @@ fn show_shortcuts(ui: &mut Ui, height: f32) {
     ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
         ui.columns(3, |columns| {
             let [left, middle, right] = columns else { return };
-            let graph: Vec<(String, &str)> = rows(KeyScope::Graph).collect();
+            let graph: Vec<(String, String)> = rows(KeyScope::Graph).collect();
             let (first, second) = graph.split_at(graph.len().div_ceil(2));
             list(left, KeyScope::Graph.label(), first);
             list(middle, " ", second);
             list(left, KeyScope::Painting.label(), &rows(KeyScope::Painting).collect::<Vec<_>>());
-            let told = |rows: &[(&str, &'static str)]| -> Vec<(String, &'static str)> {
-                rows.iter().map(|(key, what)| ((*key).to_owned(), *what)).collect()
+            let told = |rows: &[(Text, Text)]| -> Vec<(String, String)> {
+                rows.iter().map(|(key, what)| (key.to_string(), what.to_string())).collect()
             };
             list(middle, "With the pointer, on the tile", &told(PAINTING_POINTER));
             list(middle, "In the light table", &told(LIGHT_TABLE));
@@ -124,26 +124,28 @@ fn show_shortcuts(ui: &mut Ui, height: f32) {
 }
 
 /// Rows of a place; the nine bookmarks are listed as one.
-fn rows(place: KeyScope) -> impl Iterator<Item = (String, &'static str)> {
+fn rows(place: KeyScope) -> impl Iterator<Item = (String, String)> {
     let rows = table::rows().filter(move |row| row.place == place && !row.keys.is_empty());
     rows.filter_map(|row| match row.command {
-        Command::Graph(GraphCommand::GoTo(1)) => Some(("1 … 9".to_owned(), "Go to a bookmark")),
+        Command::Graph(GraphCommand::GoTo(1)) => {
+            Some(("1 … 9".to_owned(), tr!("Go to a bookmark").to_owned()))
+        }
         Command::Graph(GraphCommand::Remember(1)) => {
-            Some(("Ctrl+1 … 9".to_owned(), "Bookmark this view"))
+            Some((tr!("Ctrl+1 … 9").to_owned(), tr!("Bookmark this view").to_owned()))
         }
         Command::Graph(GraphCommand::GoTo(_) | GraphCommand::Remember(_)) => None,
-        _ => Some((row.text(), &*row.label)),
+        _ => Some((row.text(), row.label.to_string())),
     })
 }
 
-fn list(ui: &mut Ui, title: &str, rows: &[(String, &str)]) {
+fn list(ui: &mut Ui, title: &str, rows: &[(String, String)]) {
     ui.add_space(6.0);
     if !title.is_empty() {
         ui.label(RichText::new(title).strong().color(theme::of(ui).accent));
     }
     for (key, what) in rows {
         ui.horizontal(|ui| {
-            ui.label(*what);
+            ui.label(what);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 ui.add_space(10.0);
                 ui.label(RichText::new(key).color(theme::of(ui).dim));
@@ -257,19 +259,14 @@ fn entries(session: &Session, query: &str) -> Vec<Entry> {
         .collect()
 }
 
-/// Commands whose label has all words of the query, those that begin with the first word first.
+/// Commands whose label has all words of the query, as it is shown or in English; those that begin
+/// with the first word come first.
 fn found(query: &str) -> Vec<&'static CommandRow> {
     let query = query.to_lowercase();
     let words: Vec<&str> = query.split_whitespace().collect();
-    let fits = |row: &&CommandRow| {
-        let label = row.label.to_lowercase();
-        words.iter().all(|word| label.contains(word))
-    };
-    let mut found: Vec<&CommandRow> =
-        table::rows().filter(|row| row.command != Command::OpenPalette).filter(fits).collect();
-    found.sort_by_key(|row| {
-        !words.first().is_some_and(|word| row.label.to_lowercase().starts_with(word))
-    });
+    let rows = table::rows().filter(|row| row.command != Command::OpenPalette);
+    let mut found: Vec<&CommandRow> = rows.filter(|row| row.label.has(&words)).collect();
+    found.sort_by_key(|row| !words.first().is_some_and(|word| row.label.begins_with(word)));
     found
 }
 

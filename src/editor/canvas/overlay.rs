@@ -353,9 +353,9 @@ fn rows(ui: &mut Ui, blocks: &[&[GraphCommand]]) -> Option<GraphCommand> {
             .iter()
             .filter_map(|command| Some((*command, table::row_of(&Command::Graph(*command))?)));
         for (command, row) in found {
-            let button = egui::Button::new(&*row.label).shortcut_text(row.text());
+            let button = egui::Button::new(row.label.tr()).shortcut_text(row.text());
             let response = ui.add(button);
-            response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &*row.label));
+            response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, row.label));
             if response.clicked() {
                 chosen = Some(command);
                 ui.close();

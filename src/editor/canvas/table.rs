@@ -219,7 +219,8 @@ impl Table {
             let corner = pos2(x, (bounds.center().y - size.y / 2.0).round());
             self.nodes.push(NodeRow {
                 id: kind.id.as_str().into(),
-                title: [tr!("node" => "Group inputs"), tr!("node" => "Group outputs")][index].to_owned(),
+                title: [tr!("node" => "Group inputs"), tr!("node" => "Group outputs")][index]
+                    .to_owned(),
                 rect: Rect::from_min_size(corner, size),
                 is_wired: vec![false; kind.inputs.len()],
                 named: Vec::new(),

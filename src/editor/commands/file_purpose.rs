@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::tr;
+
 use super::{PictureExport, PictureImport};
 use crate::document::Storage;
 use crate::hcbtf::exchange::ExchangeFormat;
@@ -63,27 +65,29 @@ impl FilePurpose {
     pub(crate) fn files(self) -> (&'static str, &'static [&'static str]) {
         match self {
             Self::Open => (
-                "Look, scene, shot, painted surface, sheet of a wedge, or graph to import",
+                tr!("Look, scene, shot, painted surface, sheet of a wedge, or graph to import"),
                 &["json", PAINTING, "mtlx", "png"],
             ),
-            Self::Save | Self::ObjectLook => ("Chiaro look", &["json"]),
-            Self::SaveScene => ("Chiaro scene", &["json"]),
-            Self::SaveShot => ("Chiaro shot", &["json"]),
-            Self::SavePainting | Self::BakeLook => ("Painted surface", &[PAINTING]),
-            Self::Mesh | Self::AddMesh | Self::ObjectMesh => ("Mesh", &MESHES),
+            Self::Save | Self::ObjectLook => (tr!("Chiaro look"), &["json"]),
+            Self::SaveScene => (tr!("Chiaro scene"), &["json"]),
+            Self::SaveShot => (tr!("Chiaro shot"), &["json"]),
+            Self::SavePainting | Self::BakeLook => (tr!("Painted surface"), &[PAINTING]),
+            Self::Mesh | Self::AddMesh | Self::ObjectMesh => (tr!("Mesh"), &MESHES),
             Self::ImportPainting(PictureImport { form, .. }) | Self::ExportPainting(form, _) => {
                 match form {
-                    ExchangeFormat::Folder => ("Folder", &[]),
+                    ExchangeFormat::Folder => (tr!("Folder"), &[]),
                     ExchangeFormat::Contact | ExchangeFormat::Sheet => ("PNG", &["png"]),
                     ExchangeFormat::Ktx2 => ("KTX2", &["ktx2"]),
                 }
             }
-            Self::Shaders(_) | Self::FrameFolder => ("Folder", &[]),
+            Self::Shaders(_) | Self::FrameFolder => (tr!("Folder"), &[]),
             Self::Export(_) => ("PNG", &["png"]),
-            Self::Reference => ("Image", &IMAGES),
-            Self::Comparison => ("Look or image", &["json", "png", "jpg", "jpeg", "exr", "hdr"]),
-            Self::Colors => ("OpenColorIO configuration", &["ocio", "ocioz"]),
-            Self::Frames => ("Rendered frame, look, scene or shot", &["exr", "png", "json"]),
+            Self::Reference => (tr!("Image"), &IMAGES),
+            Self::Comparison => {
+                (tr!("Look or image"), &["json", "png", "jpg", "jpeg", "exr", "hdr"])
+            }
+            Self::Colors => (tr!("OpenColorIO configuration"), &["ocio", "ocioz"]),
+            Self::Frames => (tr!("Rendered frame, look, scene or shot"), &["exr", "png", "json"]),
         }
     }
 

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use super::Switch;
 use crate::document::{Look, Tile};
 use crate::state::sketch::Standpoint;
@@ -56,35 +58,35 @@ impl LightBrush {
     /// Display name of the brush.
     pub(crate) fn label(self) -> &'static str {
         match self {
-            Self::Light => "Light",
-            Self::Dark => "Dark",
-            Self::Color => "Color",
-            Self::Keep => "Keep",
-            Self::Erase => "Erase",
+            Self::Light => tr!("brush" => "Light"),
+            Self::Dark => tr!("brush" => "Dark"),
+            Self::Color => tr!("brush" => "Color"),
+            Self::Keep => tr!("brush" => "Keep"),
+            Self::Erase => tr!("brush" => "Erase"),
         }
     }
 
     /// Explanation of the brush, with its key.
     pub(crate) fn help(self) -> &'static str {
         match self {
-            Self::Light => "Here it should be lighter, as if more light fell on it (B)",
-            Self::Dark => "Here it should be darker (D)",
+            Self::Light => tr!("Here it should be lighter, as if more light fell on it (B)"),
+            Self::Dark => tr!("Here it should be darker (D)"),
             Self::Color => {
-                "Here it should have this color (C). Ctrl-click takes a color from the picture"
+                tr!("Here it should have this color (C). Ctrl-click takes a color from the picture")
             }
-            Self::Keep => "Here it should stay as it is (K)",
-            Self::Erase => "Takes strokes away (E)",
+            Self::Keep => tr!("Here it should stay as it is (K)"),
+            Self::Erase => tr!("Takes strokes away (E)"),
         }
     }
 
     /// Name of a stroke in undo.
     pub(crate) fn step(self) -> &'static str {
         match self {
-            Self::Light => "paint light",
-            Self::Dark => "paint dark",
-            Self::Color => "paint a color",
-            Self::Keep => "paint what stays",
-            Self::Erase => "erase strokes",
+            Self::Light => tr!("paint light"),
+            Self::Dark => tr!("paint dark"),
+            Self::Color => tr!("paint a color"),
+            Self::Keep => tr!("paint what stays"),
+            Self::Erase => tr!("erase strokes"),
         }
     }
 }

@@ -139,6 +139,8 @@ pub(crate) enum Command {
     LinkPointed(bool),
     /// Scales the window.
     Scale(ScaleCommand),
+    /// Speaks the language of this tag from now on, or the system's.
+    Speak(Option<&'static str>),
     /// Brings a panel to the front.
     ShowPanel(PanelId),
     /// Takes steps back, or repeats them, until so many are done.

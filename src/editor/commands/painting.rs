@@ -4,6 +4,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use chiaro_locale::{Text, text, tr};
 use eframe::egui;
 
 use super::Heading;
@@ -118,33 +119,38 @@ impl PaintTool {
         [Self::Paint, Self::Erase, Self::Smudge, Self::Line, Self::Fill, Self::Stamp, Self::Pick];
 
     /// Display name of the tool.
-    pub(crate) fn label(self) -> &'static str {
+    pub(crate) fn label(self) -> Text {
         match self {
-            Self::Paint => "Brush",
-            Self::Erase => "Eraser",
-            Self::Smudge => "Smudge",
-            Self::Line => "Line",
-            Self::Fill => "Fill",
-            Self::Stamp => "Stamp",
-            Self::Pick => "Pick a color",
+            Self::Paint => text!("Brush"),
+            Self::Erase => text!("Eraser"),
+            Self::Smudge => text!("Smudge"),
+            Self::Line => text!("Line"),
+            Self::Fill => text!("Fill"),
+            Self::Stamp => text!("Stamp"),
+            Self::Pick => text!("Pick a color"),
         }
     }
 
     /// Explanation of the tool, with its key.
     pub(crate) fn help(self) -> &'static str {
         match self {
-            Self::Paint => "Paints with the first color (B). Alt-click picks a color from the tile",
-            Self::Erase => "Takes paint away, down to what is transparent (E)",
-            Self::Smudge => "Pulls the paint along, as a finger does (S)",
-            Self::Line => "Draws a straight stroke from where you press to where you let go (L)",
+            Self::Paint => {
+                tr!("Paints with the first color (B). Alt-click picks a color from the tile")
+            }
+            Self::Erase => tr!("Takes paint away, down to what is transparent (E)"),
+            Self::Smudge => tr!("Pulls the paint along, as a finger does (S)"),
+            Self::Line => {
+                tr!("Draws a straight stroke from where you press to where you let go (L)")
+            }
             Self::Fill => {
-                "Fills what is of one color and hangs together, and goes on under soft edges (G)"
+                tr!("Fills what is of one color and hangs together, and goes on under soft edges \
+                     (G)")
             }
             Self::Stamp => {
-                "Lays a whole tile down, as wide as the brush (K). Shift-click takes the tile at \
-                 work as the stamp"
+                tr!("Lays a whole tile down, as wide as the brush (K). Shift-click takes the tile \
+                     at work as the stamp")
             }
-            Self::Pick => "Takes the color under the pointer (I)",
+            Self::Pick => tr!("Takes the color under the pointer (I)"),
         }
     }
 
@@ -181,19 +187,19 @@ impl GridPreset {
 
     pub(crate) fn label(self) -> &'static str {
         match self {
-            Self::Small => "Small",
-            Self::Thesis => "Thesis",
-            Self::Large => "Large",
-            Self::Fine => "Fine tile",
+            Self::Small => tr!("Small"),
+            Self::Thesis => tr!("Thesis"),
+            Self::Large => tr!("Large"),
+            Self::Fine => tr!("Fine tile"),
         }
     }
 
     pub(crate) fn help(self) -> &'static str {
         match self {
-            Self::Small => "Few texels, few directions: to try things out",
-            Self::Thesis => "The size of the thesis that painted surfaces (HCBTFs) come from",
-            Self::Large => "The thesis's directions with finer strokes",
-            Self::Fine => "Fine strokes that change little with light and eye",
+            Self::Small => tr!("Few texels, few directions: to try things out"),
+            Self::Thesis => tr!("The size of the thesis that painted surfaces (HCBTFs) come from"),
+            Self::Large => tr!("The thesis's directions with finer strokes"),
+            Self::Fine => tr!("Fine strokes that change little with light and eye"),
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Commands about placing a light by what it does.
 
+use chiaro_locale::{Text, text, tr};
+
 use super::Switch;
 
 /// Mark that a light leaves on a surface, and that it is placed by.
@@ -20,26 +22,32 @@ impl LightMark {
     /// Display name of the mark.
     pub(crate) fn label(self) -> &'static str {
         match self {
-            Self::Highlight => "Highlight",
-            Self::Shadow => "Shadow",
-            Self::Terminator => "Terminator",
+            Self::Highlight => tr!("Highlight"),
+            Self::Shadow => tr!("Shadow"),
+            Self::Terminator => tr!("Terminator"),
         }
     }
 
     /// Explanation of placing by the mark.
-    pub(crate) fn help(self) -> &'static str {
+    pub(crate) fn help(self) -> Text {
         match self {
             Self::Highlight => {
-                "Click on the model: the light goes where its highlight is there. Of a light \
-                 whose layers mirror nothing it is the bright middle"
+                text!(
+                    "Click on the model: the light goes where its highlight is there. Of a light \
+                     whose layers mirror nothing it is the bright middle"
+                )
             }
             Self::Shadow => {
-                "Click what casts the shadow, then the place where it falls: the light goes on the \
-                 line through both"
+                text!(
+                    "Click what casts the shadow, then the place where it falls: the light goes on \
+                     the line through both"
+                )
             }
             Self::Terminator => {
-                "Click on the model: the light goes where its layer's tone has fallen to a half \
-                 there, or where its hard edge is"
+                text!(
+                    "Click on the model: the light goes where its layer's tone has fallen to a \
+                     half there, or where its hard edge is"
+                )
             }
         }
     }

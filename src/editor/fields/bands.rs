@@ -185,12 +185,12 @@ pub(crate) fn show(
     };
     let mut changed = None;
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), BAR), Sense::hover());
-    bar(ui, rect.shrink2(vec2(8.0, 0.0)), &mut bands, space, "the layer", &mut changed);
+    bar(ui, rect.shrink2(vec2(8.0, 0.0)), &mut bands, space, BandsOf::Layer, &mut changed);
     for index in 0..bands.colors.len() {
         ui.horizontal(|ui| band_row(ui, index, &mut bands, space, &mut changed));
     }
     ui.horizontal(|ui| {
-        let help = "How wide every edge is; 0 is hard";
+        let help = tr!("How wide every edge is; 0 is hard");
         let label = ui.label(tr!("Softness")).on_hover_text(help).id;
         let mut degrees = bands.softness.to_degrees();
         ui.spacing_mut().slider_width = (ui.available_width() - 66.0).max(40.0);
@@ -217,7 +217,7 @@ fn band_row(
 ) {
     let (count, number) = (bands.colors.len(), index + 1);
     let id = ui.scope_id().with(("band", index));
-    let name = format!("Color of band {number}");
+    let name = tr!("Color of band {number}");
     if let Some((widget, color)) = color::named_swatch(ui, &name, bands.rgba(index), space, true) {
         let is_opaque = color[3] == 1.0;
         bands.colors[index] = if is_opaque { color[..3].to_vec() } else { color.to_vec() };
@@ -236,7 +236,7 @@ fn band_row(
                 .suffix("°")
                 .update_while_editing(false);
             let response = ui.add(field).labelled_by(label);
-            let name = format!("Edge {number}");
+            let name = tr!("Edge {number}");
             ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
             if response.changed() && degrees.is_finite() {
                 bands.move_edge(index, degrees.to_radians());
@@ -249,26 +249,52 @@ fn band_row(
         None => drop(ui.label(RichText::new(tr!("the rest")).color(theme::of(ui).dim))),
     }
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-        let mut act = |ui: &mut Ui, text: &str, name: &str, help: &str, is_on: bool| {
+        let mut act = |ui: &mut Ui, text: &str, label: String, help: &str, is_on: bool| {
             let response = ui.add_enabled(is_on, Button::new(text).small());
-            let label = format!("{name} band {number}");
             response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, is_on, &label));
             let is_clicked = response.on_hover_text(help).clicked();
             if is_clicked {
-                *changed = Some(id.with(name));
+                *changed = Some(id.with(text));
             }
             is_clicked
         };
-        if act(ui, "×", "Remove", "Takes this band away", count > 1) {
+        let [removes, splits, moves_down, moves_up] = [
+            tr!("Remove band {number}"),
+            tr!("Split band {number}"),
+            tr!("Move down band {number}"),
+            tr!("Move up band {number}"),
+        ];
+        if act(ui, "×", removes, tr!("Takes this band away"), count > 1) {
             bands.remove(index);
-        } else if act(ui, "+", "Split", "Makes two bands of this one", count < Bands::MOST) {
+        } else if act(ui, "+", splits, tr!("Makes two bands of this one"), count < Bands::MOST) {
             bands.split(index);
-        } else if act(ui, "⏷", "Move down", "Its color to the next band", number < count) {
+        } else if act(ui, "⏷", moves_down, tr!("Its color to the next band"), number < count) {
             bands.swap(index, index + 1);
-        } else if act(ui, "⏶", "Move up", "Its color to the band before", index > 0) {
+        } else if act(ui, "⏶", moves_up, tr!("Its color to the band before"), index > 0) {
             bands.swap(index, index - 1);
         }
     });
+}
+
+/// Owner of bands that a bar shows, for the names of its edges.
+#[derive(Clone, Copy, Debug, Hash)]
+pub(crate) enum BandsOf<'a> {
+    /// The layer that is inspected.
+    Layer,
+    /// The layer of the strip over the picture.
+    Strip,
+    /// The layer of this name.
+    Named(&'a str),
+}
+
+impl BandsOf<'_> {
+    fn edge(self, number: usize) -> String {
+        match self {
+            Self::Layer => tr!("Edge {number} of the bands of the layer"),
+            Self::Strip => tr!("Edge {number} of the bands of the strip"),
+            Self::Named(name) => tr!("Edge {number} of the bands of {name}"),
+        }
+    }
 }
 
 /// Shows the bands over the angles from 0 to half a turn, with edges that are dragged.
@@ -277,7 +303,7 @@ pub(crate) fn bar(
     rect: Rect,
     bands: &mut Bands,
     space: ColorSpace,
-    of: &str,
+    of: BandsOf<'_>,
     changed: &mut Option<Id>,
 ) {
     let painter = ui.painter();
@@ -295,7 +321,7 @@ pub(crate) fn bar(
     for index in 0..bands.edges.len() {
         let edge = bands.edges[index];
         let at = pos2(x(edge), rect.center().y);
-        let label = format!("Edge {} of the bands of {of}", index + 1);
+        let label = of.edge(index + 1);
         let handled = handle::handle(ui, id.with(index), at, &label, edge.to_degrees(), true);
         paint_edge(ui, rect, at, handled.response.dragged() || handled.response.hovered());
         let to = match handled.to {

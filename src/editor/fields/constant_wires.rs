@@ -1,5 +1,6 @@
 //! Note in menus of wires about those that never change, which cannot usefully drive keys.
 
+use chiaro_locale::{tr, trn};
 use eframe::egui::{Label, RichText, Sense, Ui};
 
 use crate::document::Driver;
@@ -14,20 +15,17 @@ pub(crate) fn note(ui: &mut Ui, session: &Session, constant: &[Driver]) {
     if constant.is_empty() {
         return;
     }
-    let text = match constant.len() {
-        1 => "1 wire never changes".to_owned(),
-        count => format!("{count} wires never change"),
-    };
+    let text =
+        trn!(count = constant.len(), "{count} wire never changes", "{count} wires never change");
     let mut names: Vec<String> =
         constant.iter().take(NAMED).map(|driver| session.keys().driver_name(driver)).collect();
     if constant.len() > NAMED {
-        names.push(format!("and {} more", constant.len() - NAMED));
+        names.push(tr!("and {count} more", count = constant.len() - NAMED));
     }
-    let help = format!(
-        "Left out, for keys by them would stand still:\n{}\nExpose what they come from, key it in \
-         time, or wire a light or \
-         the time to it, and they are offered here.",
-        names.join("\n")
+    let help = tr!(
+        "Left out, for keys by them would stand still:\n{names}\nExpose what they come from, key \
+         it in time, or wire a light or the time to it, and they are offered here.",
+        names = names.join("\n")
     );
     let text = RichText::new(text).small().color(theme::of(ui).dim);
     ui.add(Label::new(text).sense(Sense::hover())).on_hover_text(help);

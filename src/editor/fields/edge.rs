@@ -101,17 +101,19 @@ impl EdgePart {
 
     fn label(self) -> &'static str {
         match self {
-            Self::At => "Edge",
-            Self::Softness => "Softness",
+            Self::At => tr!("Edge"),
+            Self::Softness => tr!("Softness"),
         }
     }
 
     fn help(self) -> &'static str {
         match self {
             Self::At => {
-                "Angle from the light at which the tone ends; sets offset, fall-off and cut-off"
+                tr!(
+                    "Angle from the light at which the tone ends; sets offset, fall-off and cut-off"
+                )
             }
-            Self::Softness => "How wide the edge is; 0 is hard. Sets offset and cut-off",
+            Self::Softness => tr!("How wide the edge is; 0 is hard. Sets offset and cut-off"),
         }
     }
 
@@ -195,7 +197,7 @@ impl<'a> EdgeField<'a> {
         let keys = self.session.keys();
         let keyed = self.targets.iter().find(|it| keys.keyed_by(it) != KeyedBy::Nothing);
         keyed.map_or(String::new(), |target| {
-            format!("\n{} All three angles are keyed together.", mark::help(keys, target))
+            tr!("\n{moved} All three angles are keyed together.", moved = mark::help(keys, target))
         })
     }
 
@@ -235,8 +237,9 @@ impl<'a> EdgeField<'a> {
         if self.is_wired {
             return Vec::new();
         }
-        let help = "Makes the profile one edge, where its tone is half now: Edge and Softness in \
-                    place of three angles";
+        let help =
+            tr!("Makes the profile one edge, where its tone is half now: Edge and Softness in \
+                 place of three angles");
         let response = ui.add(Button::new(tr!("As one edge")).small()).on_hover_text(help);
         if response.clicked() {
             let edge = ProfileEdge::nearest(self.angles);
@@ -250,7 +253,7 @@ impl<'a> EdgeField<'a> {
     pub(crate) fn rows(&self, ui: &mut Ui, out: &mut Vec<Command>) {
         let Some(edge) = self.edge() else {
             let text = RichText::new(tr!("Profile")).color(theme::of(ui).dim);
-            let help = "Three angles of their own: not one edge";
+            let help = tr!("Three angles of their own: not one edge");
             let mut made = Vec::new();
             row::with_slot(ui, text, help, |_, _| {}, |ui, _| drop(self.made_edge(ui, &mut made)));
             out.extend(made);
@@ -288,11 +291,13 @@ impl<'a> EdgeField<'a> {
     fn diamond(&self, ui: &mut Ui, out: &mut Vec<Command>) {
         let keys = self.session.keys();
         let keyed = self.targets.iter().find(|it| keys.keyed_by(it) != KeyedBy::Nothing);
-        let response = mark::of(ui, keys, keyed.unwrap_or(&self.targets[1]), "Keys of Edge");
+        let response = mark::of(ui, keys, keyed.unwrap_or(&self.targets[1]), tr!("Keys of Edge"));
         egui::Popup::menu(&response).show(|ui| scrolling(ui, |ui| self.menu(ui, out)));
         response.on_hover_text(match keyed {
             Some(target) => mark::help(keys, target),
-            None => "Nothing moves the edge. Press to key it by a direction or in time.".to_owned(),
+            None => {
+                tr!("Nothing moves the edge. Press to key it by a direction or in time.").to_owned()
+            }
         });
     }
 
@@ -304,7 +309,7 @@ impl<'a> EdgeField<'a> {
             out.push(Command::ShowPanel(PanelId::TIMELINE));
         }
         for (index, set) in look.direction_keys.iter().enumerate() {
-            if ui.button(format!("Key in \"{}\"", set.name)).clicked() {
+            if ui.button(tr!("Key in \"{set}\"", set = set.name)).clicked() {
                 out.push(Command::Edit(keys.key_together_in_set(index, &self.targets)));
                 out.push(Command::ShowPanel(PanelId::KEYS));
             }
@@ -313,11 +318,11 @@ impl<'a> EdgeField<'a> {
         for by in lights.chain([KeyDirection::View]) {
             let text = match &by {
                 KeyDirection::Light(id) => {
-                    format!("New keys by the light \"{}\"", keys.base.light_name(id))
+                    tr!("New keys by the light \"{light}\"", light = keys.base.light_name(id))
                 }
-                _ => "New keys by the view".to_owned(),
+                _ => tr!("New keys by the view").to_owned(),
             };
-            let help = "Begins keys with one where that is now";
+            let help = tr!("Begins keys with one where that is now");
             if ui.button(text).on_hover_text(help).clicked() {
                 out.push(Command::Edit(keys.new_set_together(by, &self.targets)));
                 let set = look.direction_keys.len();
@@ -351,7 +356,7 @@ pub(crate) fn angles_toggle(ui: &mut Ui, node: &NodePath, is_edge: bool) -> Angl
     }
     let response = ui.add(Button::new(tr!("3 angles")).small().selected(is_open));
     response.widget_info(|| {
-        WidgetInfo::selected(egui::Role::Button, true, is_open, "Show three angles")
+        WidgetInfo::selected(egui::Role::Button, true, is_open, tr!("Show three angles"))
     });
     if response.clicked() {
         is_open = !is_open;

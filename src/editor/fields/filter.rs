@@ -9,6 +9,7 @@ use crate::document::Value;
 use crate::fields::layer::light_at_hand;
 use crate::ids::{LightId, NodeId};
 use crate::library::Type;
+use crate::state::reading::of_library;
 use crate::state::session::Session;
 use crate::values;
 
@@ -56,7 +57,8 @@ impl<'s> SelectedFilter<'s> {
         let (id, node) = session.graph().nodes.get_key_value(session.selection.nodes.last()?)?;
         let (_, kind) = *KINDS.iter().find(|(name, _)| node.kind == *name)?;
         let of = session.project.catalog.of(node)?;
-        let name = if node.name.is_empty() { of.label.to_string() } else { node.name.clone() };
+        let name =
+            if node.name.is_empty() { of_library(&of.label).to_owned() } else { node.name.clone() };
         let named = of.inputs.iter().find(|port| port.ty == Type::LightName);
         let named =
             named.and_then(|port| match values::current(port, node.values.get(&port.name)) {

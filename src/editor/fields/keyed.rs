@@ -53,7 +53,9 @@ fn by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, set: usize, out: &mut Vec
         if let Some(now) = keyed.value_now(&marked.target) {
             chip(ui, marked, &now);
             ui.label(
-                RichText::new(format!("Now {}", said_of(&now))).small().color(theme::of(ui).text),
+                RichText::new(tr!("Now {value}", value = said_of(&now)))
+                    .small()
+                    .color(theme::of(ui).text),
             );
         }
         let text = decided_by(keyed, set, keys);
@@ -61,9 +63,10 @@ fn by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, set: usize, out: &mut Vec
             .on_hover_text(tr!("What decides between the keys, and where that is now"));
     });
     line(ui, |ui| {
-        let help = "At which key a value is set that is typed here; what is seen now lies between \
-                    the keys";
-        ui.label(quiet(ui, "Sets")).on_hover_text(help);
+        let help = tr!(
+            "At which key a value is set that is typed here; what is seen now lies between the keys"
+        );
+        ui.label(quiet(ui, tr!("key" => "Sets"))).on_hover_text(help);
         for index in 0..keys.keys.len() {
             let value = keys.keys[index].values.get(&marked.target).map(said_of);
             one_key(ui, marked, (set, index), keys, value, out);
@@ -89,17 +92,17 @@ fn chip(ui: &mut Ui, marked: &FieldTarget<'_>, now: &Value) {
 /// Text on what decides between the keys of a set, with its present value where that is a number.
 fn decided_by(keyed: KeyedLook<'_>, set: usize, keys: &DirectionKeys) -> String {
     match &keys.by {
-        KeyDirection::View => "by the view".to_owned(),
+        KeyDirection::View => tr!("by the view").to_owned(),
         KeyDirection::Light(light) => {
-            format!("by the light \"{}\"", keyed.base.light_name(light))
+            tr!("by the light \"{light}\"", light = keyed.base.light_name(light))
         }
         KeyDirection::Drivers(drivers) => {
             let now = keyed.decided(set).map(|(now, _)| now.to_array()).unwrap_or_default();
             let each = drivers.iter().zip(now).map(|(driver, now)| {
                 let name = keyed.driver_name(driver);
-                format!("{name} is {}", said(driver, now))
+                tr!("{name} is {value}", value = said(driver, now))
             });
-            format!("while {}", each.collect::<Vec<_>>().join(", "))
+            tr!("while {each}", each = each.collect::<Vec<_>>().join(", "))
         }
     }
 }
@@ -115,10 +118,10 @@ fn one_key(
     out: &mut Vec<Command>,
 ) {
     let OwnedKeys { session, owner, keys: keyed } = marked.owned;
-    let is_it = keyed.key_at(set) == index;
-    let text = RichText::new(format!("Key {}", index + 1)).small().color(theme::of(ui).hue(index));
+    let (is_it, number) = (keyed.key_at(set) == index, index + 1);
+    let text = RichText::new(tr!("Key {number}")).small().color(theme::of(ui).hue(index));
     let button = ui.add(Button::selectable(is_it, text).small());
-    let name = format!("Set {} at key {}", marked.label, index + 1);
+    let name = tr!("Set {value} at key {number}", value = marked.label);
     button.widget_info(|| WidgetInfo::selected(Role::Button, true, is_it, name.clone()));
     let place = KeyPlace { owner, set, key: index };
     let held = session.selection.key == Some(place);
@@ -137,19 +140,18 @@ fn one_key(
             KeyDirection::View | KeyDirection::Light(_) => String::new(),
         };
         let own = match owner {
-            Owner::Look => "the look's own value",
-            Owner::Scene => "the light's own value",
+            Owner::Look => tr!("the look's own value"),
+            Owner::Scene => tr!("the light's own value"),
         };
         let value = value.unwrap_or_else(|| own.to_owned());
         let weight = keyed.key_weights(set).get(index).copied().unwrap_or(0.0);
-        ui.label(format!(
-            "{value} at key {}{place}, which counts {:.0}% now.",
-            index + 1,
-            weight * 100.0
+        ui.label(tr!(
+            "{value} at key {number}{place}, which counts {weight:.0}% now.",
+            weight = weight * 100.0
         ));
         let help = match held {
-            true => "Press to follow the heaviest key again",
-            false => "Press to set this key",
+            true => tr!("Press to follow the heaviest key again"),
+            false => tr!("Press to set this key"),
         };
         ui.label(quiet(ui, help));
     });
@@ -164,25 +166,28 @@ fn in_time(ui: &mut Ui, marked: &FieldTarget<'_>, track: usize) {
         Some(shot) => {
             let frame = |time: f64| values::number_text(shot.rate().frame_within(time), 2);
             let count = track.keys.len();
-            let what = match here {
-                Some(key) => format!("sets key {} of {count}", key + 1),
-                None => format!("adds a {} key", ordinal(count + 1)),
-            };
             let step = marked.by_shot().map_or(1, |changed| changed.change.step);
             let held = shot.resolved().held_time(now, step);
-            let holds = match held == now {
-                true => String::new(),
-                false => format!("; the picture holds frame {}", frame(held)),
-            };
-            format!("Frame {}: {what}{holds}", frame(now))
+            let (is_held, now, held) = (held != now, frame(now), frame(held));
+            let ordinal = ordinal(count + 1);
+            match (here.map(|key| key + 1), is_held) {
+                (Some(key), false) => tr!("Frame {now}: sets key {key} of {count}"),
+                (Some(key), true) => {
+                    tr!("Frame {now}: sets key {key} of {count}; the picture holds frame {held}")
+                }
+                (None, false) => tr!("Frame {now}: adds a {ordinal} key"),
+                (None, true) => {
+                    tr!("Frame {now}: adds a {ordinal} key; the picture holds frame {held}")
+                }
+            }
         }
         None => {
             let count = track.keys.len();
-            let what = match here {
-                Some(key) => format!("sets key {} of {count}", key + 1),
-                None => format!("setting it adds a key to {count}"),
-            };
-            format!("At {} s: {what}", values::number_text(now, 2))
+            let now = values::number_text(now, 2);
+            match here.map(|key| key + 1) {
+                Some(key) => tr!("At {now} s: sets key {key} of {count}"),
+                None => tr!("At {now} s: setting it adds a key to {count}"),
+            }
         }
     };
     line(ui, |ui| {
@@ -192,14 +197,13 @@ fn in_time(ui: &mut Ui, marked: &FieldTarget<'_>, track: usize) {
 
 /// A place in words, as in "a 2nd key".
 fn ordinal(number: usize) -> String {
-    let end = match (number % 10, number % 100) {
-        (_, 11..=13) => "th",
-        (1, _) => "st",
-        (2, _) => "nd",
-        (3, _) => "rd",
-        _ => "th",
-    };
-    format!("{number}{end}")
+    match (number % 10, number % 100) {
+        (_, 11..=13) => tr!("{number}th"),
+        (1, _) => tr!("{number}st"),
+        (2, _) => tr!("{number}nd"),
+        (3, _) => tr!("{number}rd"),
+        _ => tr!("{number}th"),
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Lights of the look and of the scene around it: listed alike, changed alike, and moved by keys
 //! alike. They differ only in the document that an edit goes to.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use indexmap::IndexMap;
 
@@ -168,7 +169,7 @@ impl<'s> OwnedLight<'s> {
     pub(crate) fn full_name(&self) -> String {
         match self.owner {
             Owner::Look => self.name().to_owned(),
-            Owner::Scene => format!("{} of the scene", self.name()),
+            Owner::Scene => tr!("{light} of the scene", light = self.name()),
         }
     }
 

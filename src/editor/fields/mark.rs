@@ -1,6 +1,7 @@
 //! Mark of a keyed value: a diamond, hollow where nothing moves the value, in the key's color where
 //! a direction does, in the accent where time does.
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Color32, Pos2, Response, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2,
 };
@@ -44,16 +45,16 @@ pub(crate) fn of(ui: &mut Ui, keys: KeyedLook<'_>, target: &Target, name: &str) 
 pub(crate) fn help(keys: KeyedLook<'_>, target: &Target) -> String {
     match keys.keyed_by(target) {
         KeyedBy::Nothing => {
-            "Nothing moves this value. Press to key it by a direction or in time.".to_owned()
+            tr!("Nothing moves this value. Press to key it by a direction or in time.").to_owned()
         }
         KeyedBy::Direction(set) => {
             let of_set = keys.base.look.direction_keys.get(set);
             let name = of_set.map(|keys| keys.name.as_str()).unwrap_or_default();
             let key = keys.key_at(set) + 1;
-            format!("Moved by the direction keys \"{name}\": this is its value at key {key}.")
+            tr!("Moved by the direction keys \"{name}\": this is its value at key {key}.")
         }
         KeyedBy::Time(_) => {
-            "Changes with time: this is its value at the playhead; setting it keys it there."
+            tr!("Changes with time: this is its value at the playhead; setting it keys it there.")
                 .to_owned()
         }
     }

@@ -47,7 +47,7 @@ impl FieldTarget<'_> {
         }
         if let Some(exposed) = self.exposed().and_then(|index| self.owned.look().exposed.get(index))
         {
-            lines.push(format!("Exposed as \"{}\".", exposed.name));
+            lines.push(tr!("Exposed as \"{name}\".", name = exposed.name));
         }
         if let Some(changed) = self.by_shot() {
             lines.push(changed.help());
@@ -76,7 +76,7 @@ pub(crate) fn diamond(ui: &mut Ui, marked: Option<&FieldTarget<'_>>, out: &mut V
         }
         return;
     };
-    let name = format!("Keys of {}", marked.label);
+    let name = tr!("Keys of {value}", value = marked.label);
     let response = mark::of(ui, marked.owned.keys, &marked.target, &name);
     if marked.by_shot().is_some() {
         shot::bar(ui, response.rect);
@@ -93,7 +93,7 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
         ui.separator();
     }
     if let Some(variation) = variation_of(marked.owned, &marked.target) {
-        let help = "Tries several values of it, each as a picture on one sheet";
+        let help = tr!("Tries several values of it, each as a picture on one sheet");
         if ui.button(tr!("Wedge this value")).on_hover_text(help).clicked() {
             out.push(Command::Film(FilmCommand::Vary(variation)));
         }
@@ -104,7 +104,7 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
             keys_by_direction(ui, marked, out);
         }
         let is_keyed = marked.owned.keys.keyed_by(&marked.target) != KeyedBy::Nothing;
-        let help = "No keys move it any more; it keeps the value that it has now";
+        let help = tr!("No keys move it any more; it keeps the value that it has now");
         if is_keyed && ui.button(tr!("Remove its keys")).on_hover_text(help).clicked() {
             out.extend(marked.owned.once(marked.owned.keys.unkey(&marked.target)));
         }
@@ -117,7 +117,7 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
         && let Some(port) = marked.owned.keys.base.port_at(&marked.target)
         && VariationKind::of(&marked.target, &port).is_some()
     {
-        let help = "Small pictures of the value as it could be; a click takes one";
+        let help = tr!("Small pictures of the value as it could be; a click takes one");
         let subject = VariedSubject::Value(marked.target.clone());
         if ui.button(tr!("Variations...")).on_hover_text(help).clicked() {
             out.push(Command::View(ViewCommand::Vary(subject)));
@@ -130,7 +130,7 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
             );
         }
         None => {
-            let help = "Scenes, scripts and exported shaders can set it by a name then";
+            let help = tr!("Scenes, scripts and exported shaders can set it by a name then");
             if ui.button(tr!("Expose")).on_hover_text(help).clicked() {
                 out.push(Command::Edit(expose(marked)));
             }
@@ -153,9 +153,10 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
 
 fn keys_in_time(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
     let is_timed = marked.owned.look().time_keys.iter().any(|track| track.target == marked.target);
-    let text = if is_timed { "Key at the playhead" } else { "Key in time" };
-    let help =
-        "A key at the playhead with the value of now; setting it at another time adds another key";
+    let text = if is_timed { tr!("Key at the playhead") } else { tr!("Key in time") };
+    let help = tr!(
+        "A key at the playhead with the value of now; setting it at another time adds another key"
+    );
     if ui.button(text).on_hover_text(help).clicked() {
         let edit = marked.owned.keys.key_in_time(&marked.target);
         out.extend(edit.and_then(|edit| marked.owned.once(edit)));
@@ -170,14 +171,16 @@ fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Comman
     let is_of_look = owned.owner == Owner::Look;
     for (index, set) in sets.iter().enumerate() {
         let has_it = set.keys.iter().any(|key| key.values.contains_key(&marked.target));
-        let help = "Has its present value at every key of this set, until you change it at one";
-        let here = "Adds a key where that is now, with the present values";
+        let help =
+            tr!("Has its present value at every key of this set, until you change it at one");
+        let here = tr!("Adds a key where that is now, with the present values");
         let adds_here = has_it && !is_of_look;
-        let text = format!("New key in \"{}\"", set.name);
+        let text = tr!("New key in \"{set}\"", set = set.name);
         if adds_here && ui.button(text).on_hover_text(here).clicked() {
             out.extend(owned.once(keys.key_here(index)));
         }
-        if !has_it && ui.button(format!("Key in \"{}\"", set.name)).on_hover_text(help).clicked() {
+        let text = tr!("Key in \"{set}\"", set = set.name);
+        if !has_it && ui.button(text).on_hover_text(help).clicked() {
             let edit = keys.key_in_set(index, &marked.target);
             out.extend(edit.and_then(|edit| owned.once(edit)));
             out.push(Command::ShowPanel(PanelId::KEYS));
@@ -198,12 +201,12 @@ fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Comman
             KeyDirection::Drivers(drivers) => {
                 let names: Vec<String> =
                     drivers.iter().map(|driver| keys.driver_name(driver)).collect();
-                format!("New keys by: {}", names.join(", "))
+                tr!("New keys by: {names}", names = names.join(", "))
             }
             KeyDirection::Light(id) => {
-                format!("New keys by the light \"{}\"", keys.base.light_name(id))
+                tr!("New keys by the light \"{light}\"", light = keys.base.light_name(id))
             }
-            KeyDirection::View => "New keys by the view".to_owned(),
+            KeyDirection::View => tr!("New keys by the view").to_owned(),
         };
         begin(ui, text, by);
     }
@@ -214,9 +217,10 @@ fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Comman
     if wires.is_empty() && constant.is_empty() {
         return;
     }
-    let help = "What is the same all over the object may decide: an exposed or keyed value, the \
-                time, a light's \
-                direction, and what is computed from these";
+    let help = tr!(
+        "What is the same all over the object may decide: an exposed or keyed value, the time, a \
+         light's direction, and what is computed from these"
+    );
     let menu = ui.menu_button(tr!("New keys by a wire…"), |ui| {
         ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
             for driver in wires {
@@ -230,7 +234,7 @@ fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Comman
 
 fn expose(marked: &FieldTarget<'_>) -> Edit {
     let session = marked.owned.session;
-    let [owner, what] = session.look_with_library().names_of(&marked.target);
+    let [owner, what] = session.look_with_library().english_names_of(&marked.target);
     let is_taken =
         |slug: &str| session.look().exposed.iter().any(|exposed| exposed.name.as_str() == slug);
     let name = PortName::new(make_slug(&format!("{owner} {what}"), is_taken));
@@ -252,7 +256,7 @@ pub(crate) fn list(
         return;
     }
     ui.separator();
-    let help = "What scenes, scripts and exported shaders may set, by these names";
+    let help = tr!("What scenes, scripts and exported shaders may set, by these names");
     ui.label(RichText::new(tr!("Exposed parameters")).strong()).on_hover_text(help);
     for (index, exposed) in shown {
         ui.push_id(index, |ui| {
@@ -261,7 +265,7 @@ pub(crate) fn list(
             row::labelled(
                 ui,
                 &called,
-                "The name of this parameter: small letters, digits and _",
+                tr!("The name of this parameter: small letters, digits and _"),
                 |ui, label| {
                     let width = (ui.available_width() - 78.0).max(60.0);
                     rename(ui, session, index, exposed, (label, width), out);

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui::{Label, RichText, Ui};
 use indexmap::IndexMap;
 
@@ -74,10 +74,10 @@ impl MixedLights {
     /// Reason why a light is out, in words; `None` where it shines.
     pub(crate) fn told(&self, id: &LightId) -> Option<String> {
         Some(match self.out.get(id)? {
-            LightOut::NotSoloed => "Out in the scene: other lights are soloed".to_owned(),
-            LightOut::Muted => "Out in the scene: it is muted".to_owned(),
+            LightOut::NotSoloed => tr!("Out in the scene: other lights are soloed").to_owned(),
+            LightOut::Muted => tr!("Out in the scene: it is muted").to_owned(),
             LightOut::ByMaster(group) => {
-                format!("Out in the scene: the master of its group {group} is 0")
+                tr!("Out in the scene: the master of its group {group} is 0")
             }
         })
     }
@@ -153,7 +153,8 @@ impl<'s> SceneMix<'s> {
     /// Shows the button that mutes the lights of a term in the scene.
     pub(crate) fn mute(self, ui: &mut Ui, label: &str, term: &SetTerm, out: &mut Vec<Command>) {
         let is_muted = self.lights.has(&self.scene.muted, term);
-        let help = "Puts its lights out in the scene, or lights them again.\nA solo beats a mute.";
+        let help =
+            tr!("Puts its lights out in the scene, or lights them again.\nA solo beats a mute.");
         if icon(ui, Icon::Bulb, !is_muted, label, help).clicked() {
             out.push(self.muting(term));
         }
@@ -162,8 +163,10 @@ impl<'s> SceneMix<'s> {
     /// Shows the button that solos the lights of a term in the scene.
     pub(crate) fn solo(self, ui: &mut Ui, label: &str, term: &SetTerm, out: &mut Vec<Command>) {
         let is_alone = self.lights.has(&self.scene.soloed, term);
-        let help = "Lets its lights shine alone in the scene, muted or not.\nThis is saved: \
-                    rendering tells of it.";
+        let help = tr!(
+            "Lets its lights shine alone in the scene, muted or not.\nThis is saved: rendering \
+             tells of it."
+        );
         if icon(ui, Icon::Solo, is_alone, label, help).clicked() {
             out.push(self.soloing(term));
         }
@@ -197,12 +200,16 @@ impl<'s> SceneMix<'s> {
         }
         let alone = self.lights.members(soloed);
         let text = match alone.len() {
-            0 => format!("Solo: {} names no light, so that all shine", soloed.text()),
-            1 => format!("Solo: {} shines alone in the scene", self.lights.names(&alone)),
-            _ => format!("Solo: {} shine alone in the scene", self.lights.names(&alone)),
+            0 => tr!("Solo: {set} names no light, so that all shine", set = soloed.text()),
+            count => trn!(
+                count,
+                "Solo: {lights} shines alone in the scene",
+                "Solo: {lights} shine alone in the scene",
+                lights = self.lights.names(&alone)
+            ),
         };
         ui.horizontal(|ui| {
-            let help = "Lets all lights shine again that are not muted";
+            let help = tr!("Lets all lights shine again that are not muted");
             if ui.button(tr!("End solo")).on_hover_text(help).clicked() {
                 let soloed = LightSet::none();
                 let edit = SceneEdit::SetSoloedLights { soloed };

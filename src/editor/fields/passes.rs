@@ -1,10 +1,13 @@
 //! Outputs of the open look that have a name as a pass (AOV): found by output, named, renamed and
 //! given up.
 
+use chiaro_locale::tr;
+
 use crate::compile::can_be_aov;
 use crate::document::{Edit, NamedAov, OutputPort};
 use crate::film::{Contributions, MatteKind};
 use crate::ids::{PortName, is_slug, make_slug};
+use crate::state::reading::of_library;
 use crate::state::session::Session;
 
 /// Words by which `--aov` asks for other layers than one named output.
@@ -39,7 +42,7 @@ impl<'s> OutputPass<'s> {
 
     /// A free name for the output, after its node and its label.
     pub(crate) fn suggested(self) -> String {
-        let [node, output] = words_of(self.session, self.output);
+        let [node, output] = words_of(self.session, self.output, |label| label);
         let is_free = |name: &str| self.problem_of(name).is_none();
         make_slug(&format!("{node} {output}"), |slug| !is_free(slug))
     }
@@ -71,9 +74,9 @@ impl<'s> OutputPass<'s> {
     /// Reason why a text cannot be the output's name.
     fn problem_of(self, name: &str) -> Option<String> {
         if !is_slug(name) || name.contains('-') {
-            return Some(format!(
-                "\"{name}\" is no name for a pass: letters, digits and _, no digit at first, 64 \
-                 at most"
+            return Some(tr!(
+                "\"{name}\" is no name for a pass: letters, digits and _, no digit at first, 64 at \
+                 most"
             ));
         }
         let mattes = MatteKind::all().map(|(word, kind)| (word, kind.name()));
@@ -81,13 +84,14 @@ impl<'s> OutputPass<'s> {
             || Contributions::all().any(|(word, _)| word == name)
             || mattes.into_iter().any(|(word, layer)| word == name || layer == name);
         if is_taken {
-            return Some(format!("\"{name}\" is the name of other layers of a file"));
+            return Some(tr!("\"{name}\" is the name of other layers of a file"));
         }
         let own = self.index();
         let mut others = self.session.look().aovs.iter().enumerate();
         let (_, other) =
             others.find(|(index, aov)| Some(*index) != own && aov.name.as_str() == name)?;
-        Some(format!("\"{name}\" is another pass already: {}", title_of(self.session, &other.from)))
+        let other = title_of(self.session, &other.from);
+        Some(tr!("\"{name}\" is another pass already: {other}"))
     }
 }
 
@@ -97,19 +101,22 @@ fn place_of(session: &Session, output: &OutputPort) -> Option<usize> {
     look.catalog.of(look.node_at(&output.node)?)?.output(output.port.as_str())
 }
 
-/// Labels of an output: of its node and of the output itself, which is empty for an only output.
-fn words_of(session: &Session, output: &OutputPort) -> [String; 2] {
+/// Labels of an output: of its node and of the output itself, which is empty for an only output;
+/// `told` gives a label of the library in the language that is wanted.
+fn words_of(session: &Session, output: &OutputPort, told: fn(&str) -> &str) -> [String; 2] {
     let look = session.look_with_library();
     let kind = look.node_at(&output.node).and_then(|node| look.catalog.of(node));
     let port = kind.filter(|kind| kind.outputs.len() > 1).and_then(|kind| {
-        kind.outputs.get(kind.output(output.port.as_str())?).map(|port| port.label.to_string())
+        kind.outputs
+            .get(kind.output(output.port.as_str())?)
+            .map(|port| told(&port.label).to_owned())
     });
-    [look.title_of_path(&output.node), port.unwrap_or_default()]
+    [look.title_of_path_in(&output.node, told), port.unwrap_or_default()]
 }
 
 /// Title of an output, as the canvas labels its node.
 pub(crate) fn title_of(session: &Session, output: &OutputPort) -> String {
-    let [node, port] = words_of(session, output);
+    let [node, port] = words_of(session, output, of_library);
     if port.is_empty() { node } else { format!("{node}: {port}") }
 }
 

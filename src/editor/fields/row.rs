@@ -1,6 +1,6 @@
 //! Row of one input: its label, and the editor of its value.
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr};
 use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Slider, TextEdit, Ui, vec2};
 
@@ -18,13 +18,14 @@ use crate::frame::UNSAVED_HCBTF;
 use crate::ids::NodeId;
 use crate::library::{CUSTOM_CODE, Fallback, Type};
 use crate::state::keying::KeyedBy;
+use crate::state::reading::{of_choice, of_library};
 use crate::values;
 use crate::widgets::menu::scrolling;
 use crate::widgets::text::formed;
 use crate::widgets::theme;
 use crate::widgets::{color, curve, ramp};
 
-const MIXED: &str = "The selected nodes have different values; setting it sets all of them.";
+const MIXED: Text = text!("The selected nodes have different values; setting it sets all of them.");
 
 /// Width of the labels, in points, and the part of a narrow row that they take at most.
 const LABEL: f32 = 92.0;
@@ -117,7 +118,7 @@ pub(crate) fn show(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port, out: &
             Type::Text if port.name.as_str() == CUSTOM_CODE => code(ui, subject, port, shown, out),
             Type::Curve => wide(ui, subject, port, shown, out, curve::show),
             Type::Ramp if port.name.as_str() == bands::PORT => {
-                let label = ui.label(&*port.label).on_hover_text(help_of(port)).id;
+                let label = ui.label(of_library(&port.label)).on_hover_text(help_of(port)).id;
                 let space = subject.session.look().color_space;
                 let value = values::current(port, shown);
                 if let Some((id, value)) = bands::show(ui, label, value, space) {
@@ -131,12 +132,12 @@ pub(crate) fn show(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port, out: &
                     owned: OwnedKeys::of_look(subject.session),
                     target,
                     ty: &port.ty,
-                    label: &port.label,
+                    label: of_library(&port.label),
                     reset: reset_edit,
                 };
                 let is_mixed = is_mixed(subject, port);
                 let tone = if shown.is_some() { theme::of(ui).text } else { theme::of(ui).dim };
-                let mut text = RichText::new(&*port.label).color(tone);
+                let mut text = RichText::new(of_library(&port.label)).color(tone);
                 if with_marks.exposed().is_some() {
                     text = text.underline();
                 }
@@ -144,7 +145,7 @@ pub(crate) fn show(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port, out: &
                     text = text.italics().color(theme::of(ui).accent);
                 }
                 let mut help = help_of(port);
-                for line in [with_marks.help().as_str(), if is_mixed { MIXED } else { "" }] {
+                for line in [with_marks.help().as_str(), if is_mixed { MIXED.tr() } else { "" }] {
                     help += if line.is_empty() { "" } else { "\n" };
                     help += line;
                 }
@@ -168,22 +169,24 @@ pub(crate) fn show(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port, out: &
 }
 
 fn help_of(port: &Port) -> String {
-    let mut help = port.help.clone();
-    if !help.is_empty() {
-        help += "\n";
-    }
-    help += &format!("{} ({})", port.name, port.ty);
+    let input = format!("{} ({})", port.name, port.ty);
     let short = |number: f64| values::short(port, &Value::Number(number));
-    match (port.min, port.max) {
-        (Some(min), Some(max)) => help += &format!(", {} to {}", short(min), short(max)),
-        (Some(min), None) => help += &format!(", {} or more", short(min)),
-        (None, Some(max)) => help += &format!(", {} or less", short(max)),
-        (None, None) => {}
+    let told = match (port.min.map(short), port.max.map(short)) {
+        (Some(min), Some(max)) => tr!("{input}, {min} to {max}"),
+        (Some(min), None) => tr!("{input}, {min} or more"),
+        (None, Some(max)) => tr!("{input}, {max} or less"),
+        (None, None) => input,
+    };
+    let told = match &port.fallback {
+        Fallback::Value(value) if port.ty != Type::Text => {
+            tr!("{told}; default {value}", value = values::short(port, value))
+        }
+        _ => told,
+    };
+    match of_library(&port.help) {
+        "" => told,
+        help => format!("{help}\n{told}"),
     }
-    if let (Fallback::Value(value), false) = (&port.fallback, matches!(port.ty, Type::Text)) {
-        help += &format!("; default {}", values::short(port, value));
-    }
-    help
 }
 
 /// Nodes that are selected with this one and have the same input free: a value that is set here is
@@ -252,18 +255,18 @@ fn wired(
     wire: &Wire,
     out: &mut Vec<Command>,
 ) {
-    labelled(ui, &port.label, &help_of(port), |ui, _| {
+    labelled(ui, of_library(&port.label), &help_of(port), |ui, _| {
         let Endpoint { node, .. } = &wire.from;
         let from = subject.session.graph().nodes.get(node);
         let kind = from.and_then(|from| subject.session.project.catalog.of(from));
         let name = match (from, kind) {
             (Some(from), _) if !from.name.is_empty() => from.name.clone(),
-            (_, Some(kind)) => kind.label.to_string(),
+            (_, Some(kind)) => of_library(&kind.label).to_owned(),
             _ => node.to_string(),
         };
         // A narrow row has room for the source alone; the canvas removes the wire too.
         if ui
-            .link(format!("from {name}"))
+            .link(tr!("from {name}"))
             .on_hover_text(tr!("Shows the node that feeds this"))
             .clicked()
         {
@@ -282,7 +285,7 @@ fn wired(
 
 fn default_button(ui: &mut Ui) -> bool {
     let response = ui.add(egui::Button::new("×").small().frame(false));
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Default"));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, tr!("Default")));
     response.on_hover_text(tr!("Takes this value away, so that it has its default again")).clicked()
 }
 
@@ -315,10 +318,10 @@ fn paint_button(
         _ => "",
     };
     let help = match name {
-        "" => "Begins a new painted surface (HCBTF) here, and opens it to be painted",
+        "" => tr!("Begins a new painted surface (HCBTF) here, and opens it to be painted"),
         _ => {
-            "Opens this painted surface (HCBTF) to be painted; the picture shows every stroke at \
-             once"
+            tr!("Opens this painted surface (HCBTF) to be painted; the picture shows every stroke \
+                 at once")
         }
     };
     let response = ui.small_button(tr!("Paint")).on_hover_text(help);
@@ -419,7 +422,8 @@ fn unset(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port) -> Option<(Id, V
     };
     let (text, first) = match &port.fallback {
         Fallback::Context(context) => {
-            (format!("the surface's {}", values::context_words(*context)), of_all(0.0))
+            let what = values::context_words(*context);
+            (tr!("the surface's {what}", what = of_library(&what)), of_all(0.0))
         }
         Fallback::Same(other) => {
             let kind = subject.session.project.catalog.of(subject.node);
@@ -427,7 +431,7 @@ fn unset(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port) -> Option<(Id, V
             let value = of_other
                 .and_then(|other| values::current(other, subject.node.values.get(&other.name)));
             (
-                format!("as {}", values::words(other.as_str())),
+                tr!("as {input}", input = of_library(&values::words(other.as_str()))),
                 value.cloned().or_else(|| of_all(1.0)),
             )
         }
@@ -525,8 +529,11 @@ fn choice(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<
         Some(Value::Text(word)) => word.as_str(),
         _ => "",
     };
-    let shown =
-        port.options.iter().find(|(known, _)| known == word).map_or(word, |(_, label)| label);
+    let shown = port
+        .options
+        .iter()
+        .find(|(known, _)| known == word)
+        .map_or(word, |(_, label)| of_choice(label));
     let width = room(ui);
     let mut chosen = None;
     let combo = ComboBox::from_id_salt("choice")
@@ -535,7 +542,7 @@ fn choice(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<
         .selected_text(shown)
         .show_ui(ui, |ui| {
             for (known, label) in &port.options {
-                if ui.selectable_label(known == word, label).clicked() && known != word {
+                if ui.selectable_label(known == word, of_choice(label)).clicked() && known != word {
                     chosen = Some(known.clone());
                 }
             }
@@ -560,7 +567,7 @@ fn light_name(
         light.map_or_else(|| id.to_owned(), |light| light.name.clone())
     };
     let mut chosen = None;
-    let shown = if id.is_empty() { "choose a light".to_owned() } else { name(id) };
+    let shown = if id.is_empty() { tr!("choose a light").to_owned() } else { name(id) };
     let combo = ComboBox::from_id_salt("light")
         .width(room(ui))
         .truncate()
@@ -588,7 +595,7 @@ fn code(
         Some(Value::Text(text)) => text.clone(),
         _ => String::new(),
     };
-    let label = ui.label(&*port.label).on_hover_text(help_of(port)).id;
+    let label = ui.label(of_library(&port.label)).on_hover_text(help_of(port)).id;
     let edit =
         TextEdit::multiline(&mut text).code_editor().desired_rows(10).desired_width(f32::INFINITY);
     let response = ui.add(edit).labelled_by(label);
@@ -608,7 +615,7 @@ fn wide(
     out: &mut Vec<Command>,
     show: Editor,
 ) {
-    let label = ui.label(&*port.label).on_hover_text(help_of(port)).id;
+    let label = ui.label(of_library(&port.label)).on_hover_text(help_of(port)).id;
     if let Some((id, value)) = show(ui, label, values::current(port, own)) {
         out.push(held(subject, port, id, value));
     }

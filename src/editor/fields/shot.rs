@@ -12,7 +12,7 @@ use crate::document::Target;
 use crate::frame::{ResolvedShot, ValueChange};
 use crate::ids::{LightId, NodePath, ObjectId};
 use crate::state::keying::Owner;
-use crate::state::reading::spoken;
+use crate::state::reading::{of_library, spoken};
 use crate::state::session::Session;
 use crate::state::session::shot::change_text;
 use crate::state::shot::ShotAddress;
@@ -76,17 +76,20 @@ impl<'s> ChangedValue<'s> {
     /// Words for the reset of the value: the value that it brings back.
     pub(crate) fn reset_label(self) -> &'static str {
         match (self.is_over_another(), &self.change.look) {
-            (true, _) => "Reset to the sequence's",
-            (false, Some(_)) => "Reset to the look's",
-            (false, None) => "Reset to the scene's",
+            (true, _) => tr!("Reset to the sequence's"),
+            (false, Some(_)) => tr!("Reset to the look's"),
+            (false, None) => tr!("Reset to the scene's"),
         }
     }
 
     /// Sentence on the change.
     pub(crate) fn help(self) -> String {
         let (from, to) = change_text(self.change);
-        let word = if self.change.is_keyed { "keyed" } else { "changed" };
-        format!("{word} by {}: {from} before, {to} now", self.by())
+        let by = self.by();
+        match self.change.is_keyed {
+            true => tr!("keyed by {by}: {from} before, {to} now"),
+            false => tr!("changed by {by}: {from} before, {to} now"),
+        }
     }
 
     /// Shows the entries of a menu: the way back, and a key.
@@ -94,13 +97,13 @@ impl<'s> ChangedValue<'s> {
         let mut push = |command| out.push(Command::Scene(SceneCommand::Shot(command)));
         let at = ShotAddress::of(self.change);
         let reset = ui.add_enabled(self.is_own(), Button::new(self.reset_label()));
-        let by = format!("{} changes it: open that to take it back", self.by());
+        let by = tr!("{shot} changes it: open that to take it back", shot = self.by());
         let reset = reset.on_hover_text(self.help()).on_disabled_hover_text(by);
         if reset.clicked() {
             push(ShotCommand::Reset(at.clone()));
             ui.close();
         }
-        let help = "Keeps the present value at this frame; at others it may be another";
+        let help = tr!("Keeps the present value at this frame; at others it may be another");
         if ui.button(tr!("Key at this frame of the shot")).on_hover_text(help).clicked() {
             push(ShotCommand::Key(at));
             ui.close();
@@ -137,7 +140,10 @@ impl<'s> ChangedRow<'s> {
             let field = changed.change.target.strip_prefix(&prefix)?;
             let port = Target::parse(&changed.change.target)
                 .and_then(|target| session.look_with_library().port_at(&target));
-            Some((port.map_or_else(|| spoken(field), |port| port.label.to_string()), changed))
+            Some((
+                port.map_or_else(|| spoken(field), |port| of_library(&port.label).to_owned()),
+                changed,
+            ))
         };
         Self(ChangedValue::all(session, owner).filter_map(named).collect())
     }
@@ -148,9 +154,9 @@ impl<'s> ChangedRow<'s> {
         let named = |changed: ChangedValue<'s>| {
             let field = changed.change.target.strip_prefix(&prefix)?;
             let label = match field {
-                "transform.translate" => "Place".to_owned(),
-                "transform.rotate" => "Turn".to_owned(),
-                "transform.scale" => "Scale".to_owned(),
+                "transform.translate" => tr!("value" => "Place").to_owned(),
+                "transform.rotate" => tr!("value" => "Turn").to_owned(),
+                "transform.scale" => tr!("value" => "Scale").to_owned(),
                 field => spoken(field),
             };
             Some((label, changed))
@@ -165,7 +171,7 @@ impl<'s> ChangedRow<'s> {
 
     /// Addition to the row's name for screen readers.
     pub(crate) fn word(&self) -> &'static str {
-        if self.is_empty() { "" } else { ", changed by the shot" }
+        if self.is_empty() { "" } else { tr!(", changed by the shot") }
     }
 
     /// Lines on all changes.
@@ -186,7 +192,7 @@ impl<'s> ChangedRow<'s> {
     pub(crate) fn menu(&self, ui: &mut Ui, out: &mut Vec<Command>) {
         for (index, (label, changed)) in self.0.iter().enumerate() {
             ui.push_id(("changed by the shot", index), |ui| {
-                let text = format!("{label}, changed by the shot");
+                let text = tr!("{label}, changed by the shot");
                 let entry = ui.menu_button(text, |ui| changed.menu(ui, out));
                 entry.response.on_hover_text(changed.help());
             });
@@ -214,7 +220,7 @@ fn of_looks<'s>(
     changes.unwrap_or_default().iter().filter_map(move |change| {
         let look = change.look.as_ref().filter(|look| change.stands && worn.contains(look))?;
         let look = Path::new(look).file_stem().unwrap_or_default().to_string_lossy();
-        let label = format!("{} of the look {look}", change.target);
+        let label = tr!("{value} of the look {look}", value = change.target);
         Some((label, ChangedValue { session, change }))
     })
 }
@@ -243,7 +249,7 @@ pub(crate) fn mark(
         return unchanged(ui, size, targets, label, out);
     };
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    let name = format!("Changed by the shot: {label}");
+    let name = tr!("Changed by the shot: {label}");
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
     bar(ui, rect);
     let all: Vec<ChangedValue<'_>> = targets
@@ -264,13 +270,16 @@ pub(crate) fn mark(
 /// Room for the mark of values that the shot does not change, with a menu to key them.
 fn unchanged(ui: &mut Ui, size: Vec2, targets: &[String], label: &str, out: &mut Vec<Command>) {
     let (_, response) = ui.allocate_exact_size(size, Sense::click());
-    let name = format!("Keys of the shot: {label}");
+    let name = tr!("Keys of the shot: {label}");
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
     Popup::menu(&response).show(|ui| {
         for target in targets {
             let text = match targets.len() {
-                1 => "Key at this frame of the shot".to_owned(),
-                _ => format!("Key {} at this frame", target.rsplit('.').next().unwrap_or(target)),
+                1 => tr!("Key at this frame of the shot").to_owned(),
+                _ => {
+                    let field = target.rsplit('.').next().unwrap_or(target);
+                    tr!("Key {field} at this frame")
+                }
             };
             if ui.button(text).clicked() {
                 let at = ShotAddress { look: None, target: target.clone() };

@@ -8,7 +8,7 @@ use eframe::egui::{CollapsingHeader, Grid as Table, RichText, Ui};
 use crate::document::{Grid, Storage};
 use crate::figures::bytes;
 use crate::hcbtf::{
-    Device, Limits, FilledSamples, Need, filled_at_most, layers_bytes, needs, needs_at_most,
+    Device, FilledSamples, Limits, Need, filled_at_most, layers_bytes, needs, needs_at_most,
 };
 use crate::state::painting::work::OpenPainting;
 use crate::state::worker::Worker;

@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::tr;
+
 use crate::document::Tier;
 use crate::state::shelf::{SnapshotId, SnapshotShelf};
 
@@ -34,15 +36,16 @@ impl ComparedPicture {
             name.to_string_lossy().into_owned()
         };
         match self {
-            Self::Present => "As set".to_owned(),
-            Self::Truth => "Truth (f64)".to_owned(),
-            Self::Tier(Tier::Exact) => "Exact".to_owned(),
-            Self::Tier(Tier::Balanced) => "Balanced".to_owned(),
-            Self::Tier(Tier::Fast) => "Fast".to_owned(),
-            Self::Snapshot(id) => {
-                shelf.of(*id).map_or("A deleted snapshot", |snapshot| &snapshot.name).to_owned()
-            }
-            Self::Saved => "As saved".to_owned(),
+            Self::Present => tr!("As set").to_owned(),
+            Self::Truth => tr!("Truth (f64)").to_owned(),
+            Self::Tier(Tier::Exact) => tr!("Exact").to_owned(),
+            Self::Tier(Tier::Balanced) => tr!("Balanced").to_owned(),
+            Self::Tier(Tier::Fast) => tr!("Fast").to_owned(),
+            Self::Snapshot(id) => shelf
+                .of(*id)
+                .map_or(tr!("A deleted snapshot"), |snapshot| &snapshot.name)
+                .to_owned(),
+            Self::Saved => tr!("As saved").to_owned(),
             Self::LookFile(path) | Self::Image(path) => file(path),
         }
     }

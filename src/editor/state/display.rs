@@ -3,6 +3,7 @@
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use serde::{Deserialize, Serialize};
 
 use crate::diag::Diagnostic;
@@ -32,7 +33,7 @@ impl DisplayChoice {
             Some(Self { config: config.to_owned(), display, view })
         });
         first.ok_or_else(|| {
-            Diagnostic::error("ocio", "the configuration has no views").in_file(config)
+            Diagnostic::error("ocio", tr!("the configuration has no views")).in_file(config)
         })
     }
 }

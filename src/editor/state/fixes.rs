@@ -1,14 +1,16 @@
 //! Remedies of problems: what one click can do where one edit is enough, offered on the node and in
 //! the list of problems.
 
+use chiaro_locale::tr;
+
 use crate::catalog::{CODE_VALUE, CUSTOM_CODE, NodeKind, Port};
 use crate::diag::{Diagnostic, Severity, nearest};
 use crate::document::{Edit, Endpoint, Graph, GraphId, Light, Node, Value, Wire};
 use crate::ids::{LightId, NodeId, PortName, is_slug, make_slug};
 use crate::library::{Fallback, Type};
+use crate::state::reading::{of_choice, of_library};
 use crate::state::session::Session;
 use crate::values;
-use chiaro_locale::tr;
 
 /// Largest number of lights offered in place of an unknown one.
 const MOST_LIGHTS: usize = 4;
@@ -58,11 +60,11 @@ pub(crate) fn of(session: &Session, problem: &Diagnostic) -> Vec<Fix> {
         "missing-code" => Some(spot.set(
             CODE_VALUE,
             Value::Text(CUSTOM_CODE.to_owned()),
-            "Give it code",
-            "Writes a small function to begin with",
+            tr!("Give it code"),
+            tr!("Writes a small function to begin with"),
         )),
-        "many-outputs" => Some(spot.remove("Removes this Output and keeps the first")),
-        "recursive-group" => Some(spot.remove("Removes the group from within itself")),
+        "many-outputs" => Some(spot.remove(tr!("Removes this Output and keeps the first"))),
+        "recursive-group" => Some(spot.remove(tr!("Removes the group from within itself"))),
         "level-tangents" | "no-uvs" => spot.axes_around().or_else(|| spot.use_default()),
         _ if problem.severity == Severity::Error => spot.unwire().or_else(|| spot.use_default()),
         _ => spot.use_default(),
@@ -119,7 +121,8 @@ impl<'a> ProblemSpot<'a> {
     fn known_kinds(&self) -> Vec<Fix> {
         let known = self.session.project.catalog.all().map(|kind| kind.id.as_str());
         let fix = |near: &str| {
-            let label = self.session.project.catalog.get(near).map_or(near, |kind| &kind.label);
+            let label =
+                self.session.project.catalog.get(near).map_or(near, |kind| of_library(&kind.label));
             let edit = Edit::SetKind {
                 graph: self.id.clone(),
                 id: self.node_id.clone(),
@@ -127,7 +130,7 @@ impl<'a> ProblemSpot<'a> {
             };
             Fix::new(
                 tr!("Make it {label}"),
-                format!("Changes the kind to `{near}`; values and wires stay"),
+                tr!("Changes the kind to `{near}`; values and wires stay"),
                 edit,
             )
         };
@@ -149,18 +152,18 @@ impl<'a> ProblemSpot<'a> {
             let free = near(&kind.inputs).filter(|near| !self.node.values.contains_key(near));
             return Some(match free {
                 Some(near) => {
-                    let label = format!("Use {near}");
+                    let label = tr!("Use {near}");
                     let set =
                         Edit::SetValue { graph, id, port: near, value: value.clone(), index: None };
                     Fix::new(
                         label,
-                        "Gives the value to the input of the nearest name",
+                        tr!("Gives the value to the input of the nearest name"),
                         Edit::Group { edits: vec![clear, set] },
                     )
                 }
                 None => Fix::new(
                     tr!("Remove the value"),
-                    "The node has nothing of a name like this",
+                    tr!("The node has nothing of a name like this"),
                     clear,
                 ),
             });
@@ -186,13 +189,15 @@ impl<'a> ProblemSpot<'a> {
                 let add = Edit::AddWire { graph, wire, index: None };
                 Fix::new(
                     tr!("Wire {near}"),
-                    "Moves the wire to the port of the nearest name",
+                    tr!("Moves the wire to the port of the nearest name"),
                     Edit::Group { edits: vec![remove, add] },
                 )
             }
-            None => {
-                Fix::new(tr!("Remove the wire"), "The node has nothing of a name like this", remove)
-            }
+            None => Fix::new(
+                tr!("Remove the wire"),
+                tr!("The node has nothing of a name like this"),
+                remove,
+            ),
         })
     }
 
@@ -214,12 +219,7 @@ impl<'a> ProblemSpot<'a> {
         let (mut edits, from, label, help) = match loose {
             Some(id) => {
                 let title = self.session.look_with_library().title(&id);
-                (
-                    Vec::new(),
-                    id,
-                    format!("Wire {title}"),
-                    format!("Wires {title}, which feeds nothing yet"),
-                )
+                (Vec::new(), id, tr!("Wire {title}"), tr!("Wires {title}, which feeds nothing yet"))
             }
             None => {
                 let label = self
@@ -227,14 +227,9 @@ impl<'a> ProblemSpot<'a> {
                     .project
                     .catalog
                     .get(kind)
-                    .map_or(kind.to_owned(), |kind| kind.label.to_string());
+                    .map_or(kind.to_owned(), |kind| of_library(&kind.label).to_owned());
                 let (id, edits) = self.new_node(kind);
-                (
-                    edits,
-                    id,
-                    format!("Add {label}"),
-                    format!("Adds a {label} node and wires it here"),
-                )
+                (edits, id, tr!("Add {label}"), tr!("Adds a {label} node and wires it here"))
             }
         };
         let to = Endpoint { node: self.node_id.clone(), port: port.clone() };
@@ -321,7 +316,7 @@ impl<'a> ProblemSpot<'a> {
         }));
         Some(Fix::new(
             tr!("Use Axes around a direction"),
-            "Puts the node in, so that highlights keep their shape on a mesh without UVs",
+            tr!("Puts the node in, so that highlights keep their shape on a mesh without UVs"),
             Edit::Group { edits: made },
         ))
     }
@@ -334,9 +329,9 @@ impl<'a> ProblemSpot<'a> {
             Value::Vector(v) => Value::Vector(v.iter().map(|x| x.clamp(min, max)).collect()),
             _ => return None,
         };
-        let label = format!("Set {}", values::short(port, &value));
+        let label = tr!("Set {value}", value = values::short(port, &value));
         let name = port.name.to_string();
-        Some(self.set(&name, value, label, "Takes the nearest value in range"))
+        Some(self.set(&name, value, label, tr!("Takes the nearest value in range")))
     }
 
     fn known_choice(&self) -> Option<Fix> {
@@ -350,14 +345,14 @@ impl<'a> ProblemSpot<'a> {
             .options
             .iter()
             .find(|(known, _)| *known == near)
-            .map_or(&near, |(_, label)| label)
-            .clone();
+            .map_or(&*near, |(_, label)| of_choice(label))
+            .to_owned();
         let name = port.name.to_string();
         Some(self.set(
             &name,
             Value::Text(near),
-            format!("Use {label}"),
-            "Takes the nearest word that it knows",
+            tr!("Use {label}"),
+            tr!("Takes the nearest word that it knows"),
         ))
     }
 
@@ -384,8 +379,8 @@ impl<'a> ProblemSpot<'a> {
                 self.set(
                     port.name.as_str(),
                     value,
-                    format!("Use {name}"),
-                    "Names a light that the look has",
+                    tr!("Use {name}"),
+                    tr!("Names a light that the look has"),
                 )
             })
             .collect();
@@ -394,8 +389,8 @@ impl<'a> ProblemSpot<'a> {
         }
         let id = LightId::new(if is_slug(wrong) { wrong } else { "key" });
         let light = Light { direction: [-0.5, 0.7, 0.6], ..Light::default() };
-        let label = format!("Add light {id}");
-        let help = "Adds a light of this name, from the upper left";
+        let label = tr!("Add light {id}");
+        let help = tr!("Adds a light of this name, from the upper left");
         vec![Fix::new(label, help, Edit::AddLight { id, light, index: None })]
     }
 
@@ -403,7 +398,7 @@ impl<'a> ProblemSpot<'a> {
         let edit = Edit::RemoveWire { graph: self.id.clone(), wire: self.wire_into()?.clone() };
         Some(Fix::new(
             tr!("Remove the wire"),
-            "Takes the wire away, so that the input has its own value",
+            tr!("Takes the wire away, so that the input has its own value"),
             edit,
         ))
     }
@@ -415,7 +410,7 @@ impl<'a> ProblemSpot<'a> {
         let edit = Edit::ClearValue { graph: self.id.clone(), id: self.node_id.clone(), port };
         Some(Fix::new(
             tr!("Use the default"),
-            "Takes the value away, so that the input has its default",
+            tr!("Takes the value away, so that the input has its default"),
             edit,
         ))
     }
@@ -458,7 +453,7 @@ fn add_output(session: &Session) -> Fix {
     }));
     Fix::new(
         tr!("Add an Output"),
-        "Adds an Output node, wired to what feeds nothing yet",
+        tr!("Adds an Output node, wired to what feeds nothing yet"),
         Edit::Group { edits },
     )
 }

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use chiaro_locale::{tr, trn};
+
 use crate::frame::{Effect, EffectKind, EffectState, FramePlan};
 use crate::ids::{NodeId, NodePath};
 use crate::library::PassId;
@@ -23,8 +25,8 @@ impl DrawnPass {
 
     /// Reason and state, as the end of a sentence.
     pub(crate) fn words(&self) -> String {
-        let kept = if self.is_kept { " (kept from before: no time)" } else { "" };
-        format!("{}{kept}", self.reason.replace('`', "\""))
+        let reason = self.reason.replace('`', "\"");
+        if self.is_kept { tr!("{reason} (kept from before: no time)") } else { reason }
     }
 }
 
@@ -70,10 +72,7 @@ impl PictureCost {
 
     /// The cost in few words.
     pub(crate) fn short(&self) -> String {
-        let passes = match self.passes.len() {
-            1 => "1 pass".to_owned(),
-            count => format!("{count} passes"),
-        };
+        let passes = trn!(count = self.passes.len(), "{count} pass", "{count} passes");
         match self.milliseconds {
             Some(milliseconds) => format!("{} · {passes}", time_text(milliseconds)),
             None => passes,

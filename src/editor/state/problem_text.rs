@@ -3,7 +3,7 @@
 use crate::diag::Diagnostic;
 use crate::document::Target;
 use crate::ids::NodePath;
-use crate::state::reading::LookWithLibrary;
+use crate::state::reading::{LookWithLibrary, of_library};
 
 /// A problem with its hints, one a line, for people.
 pub(crate) fn sentence(problem: &Diagnostic) -> String {
@@ -52,7 +52,7 @@ fn label_of(look: LookWithLibrary<'_>, word: &str) -> Option<String> {
     let input = look.port_at(&Target::Input { node: node.clone(), port: port.into() });
     let output = || kind.outputs.get(kind.output(port)?).cloned();
     let port = input.or_else(output)?;
-    Some(format!("{}: {}", look.title_of_path(&node), port.label))
+    Some(format!("{}: {}", look.title_of_path(&node), of_library(&port.label)))
 }
 
 #[cfg(test)]

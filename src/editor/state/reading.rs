@@ -1,6 +1,8 @@
 //! A look in people's terms: names of its nodes, their inputs and its lights, their values, and the
 //! exposed parameters.
 
+use chiaro_locale::{tr, tr_in};
+
 use crate::catalog::{Catalog, Port};
 use crate::document::{ColorSpace, Definition, Light, LightField, Look, Node, Target, Value};
 use crate::frame::light_field;
@@ -59,34 +61,51 @@ impl<'a> LookWithLibrary<'a> {
 
     /// Display names of a target: of the node or light, and of the input or field.
     pub(crate) fn names_of(self, target: &Target) -> [String; 2] {
+        self.names_of_in(target, of_library)
+    }
+
+    /// Names of a target in English, for names that are kept.
+    pub(crate) fn english_names_of(self, target: &Target) -> [String; 2] {
+        self.names_of_in(target, |label| label)
+    }
+
+    fn names_of_in(self, target: &Target, told: fn(&str) -> &str) -> [String; 2] {
         let port = self.port_at(target);
         match target {
             Target::Input { node, port: name } => {
                 let owner = self.node_at(node).map(|found| {
-                    let kind = self.catalog.of(found).map(|kind| kind.label.to_string());
+                    let kind = self.catalog.of(found).map(|kind| told(&kind.label).to_owned());
                     if found.name.is_empty() {
                         kind.unwrap_or_default()
                     } else {
                         found.name.clone()
                     }
                 });
-                let name = port.map_or_else(|| name.to_string(), |port| port.label.to_string());
+                let name =
+                    port.map_or_else(|| name.to_string(), |port| told(&port.label).to_owned());
                 [owner.unwrap_or_else(|| node.to_string()), name]
             }
             Target::Light { light, field } => [
                 self.light_name(light),
-                port.map_or_else(|| field.clone(), |port| port.label.to_string()),
+                port.map_or_else(|| field.clone(), |port| told(&port.label).to_owned()),
             ],
         }
     }
 
     /// Display names along a path, *Back-light / Blend*; ids where there are no such nodes.
     pub(crate) fn title_of_path(self, path: &NodePath) -> String {
+        self.title_of_path_in(path, of_library)
+    }
+
+    /// Names along a path; `told` gives a label of the library in the language that is wanted.
+    pub(crate) fn title_of_path_in(self, path: &NodePath, told: fn(&str) -> &str) -> String {
         let mut graph = Some(&self.look.graph);
         let mut titles: Vec<String> = Vec::with_capacity(path.ids().len());
         for id in path.ids() {
             let node = graph.and_then(|graph| graph.nodes.get(id));
-            titles.push(node.map_or_else(|| id.to_string(), |node| self.title_of_node(id, node)));
+            titles.push(
+                node.map_or_else(|| id.to_string(), |node| self.title_of_node_in(id, node, told)),
+            );
             let group = node.and_then(|node| self.definition_of(&node.kind));
             graph = group.map(|definition| &definition.graph);
         }
@@ -95,7 +114,11 @@ impl<'a> LookWithLibrary<'a> {
 
     /// Display name of a node: its own, or that of its kind.
     pub(crate) fn title_of_node(self, id: &NodeId, node: &Node) -> String {
-        let kind = || self.catalog.of(node).map(|kind| kind.label.to_string());
+        self.title_of_node_in(id, node, of_library)
+    }
+
+    fn title_of_node_in(self, id: &NodeId, node: &Node, told: fn(&str) -> &str) -> String {
+        let kind = || self.catalog.of(node).map(|kind| told(&kind.label).to_owned());
         match node.name.is_empty() {
             false => node.name.clone(),
             true => kind().filter(|label| !label.is_empty()).unwrap_or_else(|| id.to_string()),
@@ -148,12 +171,12 @@ impl<'a> LookWithLibrary<'a> {
                     .collect();
             }
             let [owner, what] = self.names_of(&exposed.target);
-            let mut help = format!("{owner}: {what}, exposed as \"{}\"", exposed.name);
+            let mut help = tr!("{owner}: {what}, exposed as \"{name}\"", name = exposed.name);
             if !port.help.is_empty() {
-                help = format!("{}\n{help}", port.help);
+                help = format!("{}\n{help}", of_library(&port.help));
             }
             if self.look.time_keys.iter().any(|track| track.target == exposed.target) {
-                help += "\nThe look keys it in time, which goes over what is set here";
+                help += tr!("\nThe look keys it in time, which goes over what is set here");
             }
             let label = if exposed.label.is_empty() {
                 spoken(exposed.name.as_str())
@@ -171,6 +194,16 @@ impl<'a> LookWithLibrary<'a> {
 /// Display name of a light.
 pub(crate) fn light_name<'a>(id: &'a LightId, light: &'a Light) -> &'a str {
     light.display_name(id)
+}
+
+/// A label or a help of the library, in the language that is spoken.
+pub(crate) fn of_library(text: &str) -> &str {
+    tr_in("node", text)
+}
+
+/// A label of a choice, in the language that is spoken.
+pub(crate) fn of_choice(label: &str) -> &str {
+    tr_in("choice", label)
 }
 
 /// Label made from an identifier or a phrase: `rim_width` is "Rim width".

@@ -42,6 +42,8 @@ pub struct Settings {
     pub theme: Theme,
     /// Scale of the interface: 1 is the system's own.
     pub scale: f32,
+    /// Tag of the language that the window speaks; `None` for the system's.
+    pub language: Option<String>,
     /// Layout of the panels, as the panels themselves write it.
     pub layout: Option<Value>,
     /// Mesh that looks were last shown on: a path, or `shape:` and a name.
@@ -66,6 +68,7 @@ impl Default for Settings {
             recent: Vec::new(),
             theme: Theme::default(),
             scale: 1.0,
+            language: None,
             layout: None,
             mesh: None,
             z_is_up: false,
@@ -96,6 +99,7 @@ impl Settings {
         let theme = serde_json::from_value(take("theme")).unwrap_or_default();
         let scale = take("scale").as_f64().map_or(1.0, |scale| scale as f32);
         let scale = if SCALE.contains(&scale) { scale } else { 1.0 };
+        let language = take("language").as_str().map(str::to_owned);
         let layout = Some(take("layout")).filter(|layout| !layout.is_null());
         let mesh = take("mesh").as_str().map(str::to_owned);
         let z_is_up = take("z_is_up").as_bool().unwrap_or_default();
@@ -110,6 +114,7 @@ impl Settings {
             recent,
             theme,
             scale,
+            language,
             layout,
             mesh,
             z_is_up,
@@ -127,6 +132,7 @@ impl Settings {
         members.insert("recent".into(), Value::Array(recent));
         members.insert("theme".into(), serde_json::to_value(self.theme).unwrap_or_default());
         members.insert("scale".into(), self.scale.into());
+        members.extend(self.language.clone().map(|tag| ("language".into(), tag.into())));
         members.extend(self.layout.clone().map(|layout| ("layout".into(), layout)));
         members.extend(self.mesh.clone().map(|mesh| ("mesh".into(), mesh.into())));
         if self.z_is_up {
@@ -179,6 +185,13 @@ impl Settings {
         settings
     }
 
+    /// Speaks the language of the settings from now on, in the whole process. Only the user's own
+    /// window asks for it: what reads English, as tests do, would fail by the system's language.
+    pub fn speak(&self) {
+        let tag = self.language.as_deref();
+        chiaro_locale::speak(tag.unwrap_or_else(|| chiaro_locale::of_system().tag));
+    }
+
     /// Puts a file first in the list of recent files. An example is no file.
     pub fn opened(&mut self, path: &Path) {
         if crate::examples::file(path).is_some() {
@@ -208,6 +221,7 @@ mod tests {
         let mut settings = Settings { theme: Theme::Light, scale: 1.5, ..Settings::default() };
         settings.layout = Some(serde_json::json!({"left": 0.3}));
         settings.mesh = Some("shape:torus".to_owned());
+        settings.language = Some("de".to_owned());
         settings.light_columns.insert("range".to_owned(), false);
         let [config, display, view] = ["a.ocio", "sRGB", "Film"].map(str::to_owned);
         settings.display = Some(DisplayChoice { config, display, view });
@@ -251,7 +265,7 @@ mod tests {
             "[]",
             "{",
             "null",
-            "{\"recent\": 5, \"theme\": 7, \"scale\": \"x\", \"mesh\": [], \"display\": {}}",
+            r#"{"recent": 5, "theme": 7, "scale": "x", "language": 3, "mesh": [], "display": {}}"#,
         ] {
             assert_eq!(Settings::read(text), Settings::default(), "{text}");
         }

@@ -5,6 +5,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
+use chiaro_locale::{Text, text};
 use indexmap::IndexSet;
 
 use super::stack::tree::LayerTree;
@@ -14,8 +15,10 @@ use crate::ids::{LightId, NodeId};
 use crate::state::scene::SceneSnapshot;
 
 /// Explanation for people who use solo or mute.
-pub(crate) const OF_THE_WINDOW: &str = "Only this window shows it so, in the picture and in the \
-                                        code: what is saved and exported has every layer and light";
+pub(crate) const OF_THE_WINDOW: Text = text!(
+    "Only this window shows it so, in the picture and in the code: what is saved and exported has \
+     every layer and light"
+);
 
 /// Soloed layers and lights, and muted lights.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,5 +1,7 @@
 //! View of the picture: the camera, the moment, and what of the look is shown.
 
+use chiaro_locale::tr;
+
 use crate::document::{Camera, SceneEdit};
 use crate::ids::ObjectId;
 use crate::state::display::PictureDisplay;
@@ -23,9 +25,9 @@ impl TransformPart {
     /// Label of the switch of its handles.
     pub(crate) fn label(self) -> &'static str {
         match self {
-            Self::Place => "Move",
-            Self::Turn => "Turn",
-            Self::Scale => "Scale",
+            Self::Place => tr!("Move"),
+            Self::Turn => tr!("Turn"),
+            Self::Scale => tr!("Scale"),
         }
     }
 }

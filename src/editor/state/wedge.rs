@@ -3,6 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::tr;
 use serde_json::Value as Json;
 
 use crate::document::Value;
@@ -47,7 +48,7 @@ impl WedgeCell {
     /// The values in words.
     pub(crate) fn label(&self) -> String {
         let values = self.lines().map(|(name, value)| format!("{name} = {value}"));
-        let frame = self.frame.map(|frame| format!("frame {frame}"));
+        let frame = self.frame.map(|frame| tr!("frame {frame}"));
         values.chain(frame).collect::<Vec<_>>().join(", ")
     }
 }

@@ -4,6 +4,8 @@
 //! The look itself is not touched. The compiler is asked for another output than the look's own;
 //! heat and lines are a node of the window's own behind that output, in a copy of the look.
 
+use chiaro_locale::tr;
+
 use crate::catalog::Catalog;
 use crate::document::{Definition, Endpoint, InterfacePort, Look, Node, Value, Wire};
 use crate::ids::{GROUP_OUTPUTS, NodeId, NodePath, PortName};
@@ -27,23 +29,25 @@ impl Style {
 
     pub(crate) fn label(self) -> &'static str {
         match self {
-            Self::Color => "Color",
-            Self::Heat => "Heat",
-            Self::Isolines => "Isolines",
+            Self::Color => tr!("Color"),
+            Self::Heat => tr!("Heat"),
+            Self::Isolines => tr!("Isolines"),
         }
     }
 
     pub(crate) fn help(self) -> &'static str {
         match self {
             Self::Color => {
-                "The numbers as red, green and blue; a single one as gray, an angle from 0 to 180°"
+                tr!("The numbers as red, green and blue; a single one as gray, an angle from 0 to \
+                     180°")
             }
             Self::Heat => {
-                "Blue below 0, then black to yellow from 0 to 1, red above; not a number is magenta"
+                tr!("Blue below 0, then black to yellow from 0 to 1, red above; not a number is \
+                     magenta")
             }
             Self::Isolines => {
-                "Gray, with a line where it crosses a tenth, a white one where it crosses a whole \
-                 number; none where it is level"
+                tr!("Gray, with a line where it crosses a tenth, a white one where it crosses a \
+                     whole number; none where it is level")
             }
         }
     }

@@ -16,7 +16,7 @@ use crate::widgets::theme;
 pub(crate) fn show(ui: &mut Ui, session: &Session) -> Option<Command> {
     let text = sentence(session)?;
     let button = (tr!("Show all"), tr!("Ends every solo, and lets muted lights shine"));
-    bar(ui, &text, OF_THE_WINDOW, &[button])?;
+    bar(ui, &text, OF_THE_WINDOW.tr(), &[button])?;
     Some(Command::Solo(Solo::default()))
 }
 

@@ -10,7 +10,7 @@ use eframe::egui::{
 
 use crate::commands::Command;
 use crate::document::Value;
-use crate::fields::bands::{self, Bands};
+use crate::fields::bands::{self, Bands, BandsOf};
 use crate::fields::edge::{self, EdgeField};
 use crate::fields::layer::{Curve, SelectedLayer, Setting};
 use crate::state::session::Session;
@@ -212,7 +212,7 @@ fn bands_bar(
     let (rect, _) = ui.allocate_exact_size(size, egui::Sense::hover());
     let (mut bands, mut changed) = (setting.at_key.clone(), None);
     let space = session.look().color_space;
-    bands::bar(ui, rect, &mut bands, space, tr!("the strip"), &mut changed);
+    bands::bar(ui, rect, &mut bands, space, BandsOf::Strip, &mut changed);
     if let Some(widget) = changed.filter(|_| !setting.is_wired) {
         let edit = session.keys().set_at(&setting.target, Value::Ramp(bands.ramp()));
         out.push(Command::EditHeld(widget, edit));
@@ -233,8 +233,7 @@ fn surface(
     out: &mut Vec<Command>,
 ) {
     for (label, setting) in &layer.colors {
-        let short = label.trim_end_matches(" color");
-        let label = ui.label(RichText::new(short).color(theme::of(ui).dim));
+        let label = ui.label(RichText::new(*label).color(theme::of(ui).dim));
         let changed = ui
             .add_enabled_ui(!setting.is_wired, |ui| {
                 color::swatch(ui, label.id, setting.at_key, session.look().color_space, true)

@@ -1,6 +1,7 @@
 //! Editor of a free curve: drag its points, double-click to add one, double-click a point to remove
 //! it.
 
+use chiaro_locale::tr;
 use eframe::egui::epaint::PathShape;
 use eframe::egui::{ComboBox, Id, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
@@ -16,7 +17,7 @@ pub(crate) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
     let mut curve = curve.clone();
     let size = vec2(ui.available_width(), HEIGHT);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Curve"));
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, tr!("Curve")));
     let area = rect.shrink(6.0);
     let bounds = bounds(&curve);
     let to_screen = |p: [f64; 2]| {
@@ -166,9 +167,9 @@ fn hermite(pair: &[[f64; 2]], m0: f64, m1: f64, t: f64) -> [f64; 2] {
 /// Shows the choice of the interpolation between neighbors. Returns true if it changed.
 pub(crate) fn interpolation(ui: &mut Ui, label: Id, current: &mut Interpolation) -> bool {
     let name = |interpolation| match interpolation {
-        Interpolation::Linear => "Straight",
-        Interpolation::Smooth => "Smooth",
-        Interpolation::Stepped => "Stepped",
+        Interpolation::Linear => tr!("Straight"),
+        Interpolation::Smooth => tr!("Smooth"),
+        Interpolation::Stepped => tr!("Stepped"),
     };
     let before = *current;
     let combo =

@@ -84,7 +84,7 @@ pub(crate) fn swatch(
     let (rect, response) = ui.allocate_exact_size(ui.spacing().interact_size, Sense::click());
     let [r, g, b, a] = color.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
     response.widget_info(|| {
-        let mut info = WidgetInfo::labeled(Role::ColorWell, ui.is_enabled(), "Color");
+        let mut info = WidgetInfo::labeled(Role::ColorWell, ui.is_enabled(), tr!("Color"));
         info.current_text_value = Some(format!("#{r:02x}{g:02x}{b:02x}{a:02x}"));
         info
     });
@@ -144,7 +144,7 @@ pub(crate) fn pick(ui: &mut Ui, id: Id, color: [f32; 4], with_alpha: bool) -> Op
     let mut is_changed = hsv != before;
     ui.horizontal(|ui| {
         for (value, (letter, name)) in
-            rgb.iter_mut().zip([("R", "Red"), ("G", "Green"), ("B", "Blue")])
+            rgb.iter_mut().zip([("R", tr!("Red")), ("G", tr!("Green")), ("B", tr!("Blue"))])
         {
             let mut byte = f64::from(value.clamp(0.0, 1.0)) * 255.0;
             let drag = DragValue::new(&mut byte)
@@ -191,7 +191,7 @@ fn square(ui: &mut Ui, hsv: &mut Hsv) {
         WidgetInfo::slider(
             true,
             f64::from(v) * 100.0,
-            "Saturation and brightness: arrow keys, or drag",
+            tr!("Saturation and brightness: arrow keys, or drag"),
         )
     });
     if let Some(at) = grabbed(&response, rect) {
@@ -212,8 +212,9 @@ fn square(ui: &mut Ui, hsv: &mut Hsv) {
 fn hues(ui: &mut Ui, hsv: &mut Hsv) {
     let (rect, response) = ui.allocate_exact_size(vec2(SQUARE.x, STRIP), Sense::click_and_drag());
     let h = hsv.h;
-    response
-        .widget_info(|| WidgetInfo::slider(true, f64::from(h) * 360.0, "Hue: arrow keys, or drag"));
+    response.widget_info(|| {
+        WidgetInfo::slider(true, f64::from(h) * 360.0, tr!("Hue: arrow keys, or drag"))
+    });
     if let Some(at) = grabbed(&response, rect) {
         // The end of the strip is red again, but a hand that stays there does not jump to the
         // beginning.

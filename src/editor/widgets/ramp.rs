@@ -1,6 +1,7 @@
 //! Editor of a color ramp: drag its stops, double-click to add one, set the color of the selected
 //! one.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::epaint::{Mesh, Vertex};
 use eframe::egui::{
@@ -25,7 +26,7 @@ pub(crate) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
     }
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), BAR + HANDLES), Sense::click_and_drag());
-    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Ramp"));
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, tr!("Ramp")));
     let bar = Rect::from_min_size(rect.min, vec2(rect.width(), BAR)).shrink2(vec2(8.0, 0.0));
     let low = ramp.stops.iter().map(|stop| stop.at).fold(0.0, f64::min);
     let high = ramp.stops.iter().map(|stop| stop.at).fold(1.0, f64::max);

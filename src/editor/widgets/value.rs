@@ -6,6 +6,7 @@ use super::color;
 use crate::catalog::Port;
 use crate::document::{ColorSpace, Value};
 use crate::library::Type;
+use crate::state::reading::of_choice;
 use crate::values;
 use crate::widgets::theme;
 
@@ -87,8 +88,11 @@ fn vector(ui: &mut Ui, name: &str, value: &Value, width: usize) -> Option<(Id, V
 
 fn choice(ui: &mut Ui, name: &str, port: &Port, value: &Value) -> Option<(Id, Value)> {
     let Value::Text(word) = value else { return None };
-    let shown =
-        port.options.iter().find(|(known, _)| known == word).map_or(word, |(_, label)| label);
+    let shown = port
+        .options
+        .iter()
+        .find(|(known, _)| known == word)
+        .map_or(word.as_str(), |(_, label)| of_choice(label));
     let mut chosen = None;
     let combo = ComboBox::from_id_salt(name)
         .width(80.0)
@@ -96,7 +100,7 @@ fn choice(ui: &mut Ui, name: &str, port: &Port, value: &Value) -> Option<(Id, Va
         .selected_text(shown)
         .show_ui(ui, |ui| {
             for (known, label) in &port.options {
-                if ui.selectable_label(known == word, label).clicked() && known != word {
+                if ui.selectable_label(known == word, of_choice(label)).clicked() && known != word {
                     chosen = Some(known.clone());
                 }
             }

@@ -2,18 +2,20 @@
 //! keys work. Keys, menus, the sheet of shortcuts and the command palette list this table.
 
 mod graph;
+mod label;
 mod languages;
 mod painting;
 mod picture;
 mod window;
 
-use std::borrow::Cow;
 use std::sync::LazyLock;
 
+use chiaro_locale::{Text, text, tr};
 use eframe::egui;
 use eframe::egui::{Key, Modifiers};
 
 use super::{Command, GraphCommand as G, keyboard};
+pub(crate) use label::RowLabel;
 
 /// Place where a key works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,11 +35,11 @@ pub(crate) enum KeyScope {
 impl KeyScope {
     pub(crate) fn label(self) -> &'static str {
         match self {
-            Self::Window => "Everywhere",
-            Self::Graph => "In the graph",
-            Self::Picture => "In the picture",
-            Self::Light => "In the picture, painting light",
-            Self::Painting => "On the tile that is painted",
+            Self::Window => tr!("Everywhere"),
+            Self::Graph => tr!("In the graph"),
+            Self::Picture => tr!("In the picture"),
+            Self::Light => tr!("In the picture, painting light"),
+            Self::Painting => tr!("On the tile that is painted"),
         }
     }
 }
@@ -55,9 +57,9 @@ pub(crate) enum Menu {
 #[derive(Clone, Debug)]
 pub(crate) struct CommandRow {
     pub(crate) command: Command,
-    pub(crate) label: Cow<'static, str>,
+    pub(crate) label: RowLabel,
     /// Explanation of the command, where the label does not give one.
-    help: &'static str,
+    help: Option<Text>,
     /// Keys of the command, any of which will do; the first is shown.
     pub(crate) keys: &'static [(Modifiers, Key)],
     pub(crate) place: KeyScope,
@@ -79,6 +81,7 @@ static ROWS: LazyLock<Vec<CommandRow>> = LazyLock::new(|| {
     let mut rows = window::files();
     rows.extend(languages::rows());
     rows.extend(window::rows());
+    rows.extend(window::languages());
     rows.extend(picture::rows());
     rows.extend(painting::rows());
     rows.extend(graph::rows());
@@ -102,17 +105,17 @@ pub(crate) fn help_of(command: &Command) -> String {
 
 fn row(
     command: Command,
-    label: impl Into<Cow<'static, str>>,
+    label: impl Into<RowLabel>,
     keys: &'static [(Modifiers, Key)],
     place: KeyScope,
 ) -> CommandRow {
     let label = label.into();
-    CommandRow { command, label, help: "", keys, place, menu: None, needs_painting: false }
+    CommandRow { command, label, help: None, keys, place, menu: None, needs_painting: false }
 }
 
 impl CommandRow {
-    fn help(self, help: &'static str) -> Self {
-        Self { help, ..self }
+    fn help(self, help: Text) -> Self {
+        Self { help: Some(help), ..self }
     }
 
     fn in_menu(self, menu: Menu) -> Self {
@@ -130,9 +133,9 @@ impl CommandRow {
 
     /// Explanation of the command, with its key.
     pub(crate) fn help_with_key(&self) -> String {
-        let help = if self.help.is_empty() { &*self.label } else { self.help };
+        let help = self.help.map_or_else(|| self.label.tr(), |help| help.tr().into());
         match self.text() {
-            key if key.is_empty() => help.to_owned(),
+            key if key.is_empty() => help.into_owned(),
             key => format!("{help} ({key})"),
         }
     }
@@ -140,18 +143,21 @@ impl CommandRow {
 
 fn key_text(modifiers: Modifiers, key: Key) -> String {
     let names = [
-        (modifiers.command || modifiers.ctrl, "Ctrl+"),
-        (modifiers.shift, "Shift+"),
-        (modifiers.alt, "Alt+"),
+        (modifiers.command || modifiers.ctrl, tr!("Ctrl+")),
+        (modifiers.shift, tr!("Shift+")),
+        (modifiers.alt, tr!("Alt+")),
     ];
     let mut text: String =
         names.into_iter().filter(|(is_on, _)| *is_on).map(|(_, name)| name).collect();
     text += match key {
-        Key::ArrowLeft => "Left",
-        Key::ArrowRight => "Right",
-        Key::ArrowUp => "Up",
-        Key::ArrowDown => "Down",
-        Key::Delete => "Del",
+        Key::ArrowLeft => tr!("key" => "Left"),
+        Key::ArrowRight => tr!("key" => "Right"),
+        Key::ArrowUp => tr!("key" => "Up"),
+        Key::ArrowDown => tr!("key" => "Down"),
+        Key::Delete => tr!("key" => "Del"),
+        Key::Enter => tr!("key" => "Enter"),
+        Key::Backspace => tr!("key" => "Backspace"),
+        Key::Home => tr!("key" => "Home"),
         Key::OpenBracket => "[",
         Key::CloseBracket => "]",
         Key::Questionmark => "?",
@@ -182,46 +188,46 @@ pub(crate) fn pressed(ui: &egui::Ui, place: KeyScope) -> Vec<Command> {
 }
 
 /// Actions of the pointer on the graph, for the sheet of shortcuts.
-pub(crate) const POINTER: &[(&str, &str)] = &[
-    ("Double-click on nothing", "Add a node"),
-    ("Double-click on a title", "Open the group, or rename"),
-    ("Double-click on a wire", "Add a reroute"),
-    ("Drag from a socket", "Draw a wire; on nothing: add what fits"),
-    ("Drag a node onto a wire", "Insert it there"),
-    ("Alt-drag a node", "Wire it to what it comes near"),
-    ("Alt-drag on nothing", "Select by a lasso"),
-    ("Drag on nothing", "Select by a box"),
-    ("Ctrl+right-drag", "Cut wires"),
-    ("Alt-click on a wire", "Remove it"),
-    ("Wheel", "Zoom"),
-    ("Middle or right drag, Space+drag", "Move the view"),
-    ("Right-click", "Menu"),
+pub(crate) const POINTER: &[(Text, Text)] = &[
+    (text!("Double-click on nothing"), text!("Add a node")),
+    (text!("Double-click on a title"), text!("Open the group, or rename")),
+    (text!("Double-click on a wire"), text!("Add a reroute")),
+    (text!("Drag from a socket"), text!("Draw a wire; on nothing: add what fits")),
+    (text!("Drag a node onto a wire"), text!("Insert it there")),
+    (text!("Alt-drag a node"), text!("Wire it to what it comes near")),
+    (text!("Alt-drag on nothing"), text!("Select by a lasso")),
+    (text!("Drag on nothing"), text!("Select by a box")),
+    (text!("Ctrl+right-drag"), text!("Cut wires")),
+    (text!("Alt-click on a wire"), text!("Remove it")),
+    (text!("Wheel"), text!("Zoom")),
+    (text!("Middle or right drag, Space+drag"), text!("Move the view")),
+    (text!("Right-click"), text!("Menu")),
 ];
 
 /// Keys of the light table, as the sheet of shortcuts lists them; the table takes them where one of
 /// its cells has the focus.
-pub(crate) const LIGHT_TABLE: &[(&str, &str)] = &[
-    ("Enter, F2 or typing", "Change all selected cells"),
-    ("0.5  *1.2  +0.1  50%", "Typed: a value or a change"),
-    ("Alt+Up, Alt+Down", "Nudge"),
-    ("K", "Key, or take the key away"),
-    ("Space", "Turn a switch"),
-    ("Delete", "Reset"),
-    ("Ctrl+C, Ctrl+V", "Copy and paste cells"),
-    ("Ctrl+A", "Select more"),
+pub(crate) const LIGHT_TABLE: &[(Text, Text)] = &[
+    (text!("Enter, F2 or typing"), text!("Change all selected cells")),
+    (text!("0.5  *1.2  +0.1  50%"), text!("Typed: a value or a change")),
+    (text!("Alt+Up, Alt+Down"), text!("Nudge")),
+    (text!("K"), text!("Key, or take the key away")),
+    (text!("Space"), text!("Turn a switch")),
+    (text!("Del"), text!("Reset")),
+    (text!("Ctrl+C, Ctrl+V"), text!("Copy and paste cells")),
+    (text!("Ctrl+A"), text!("Select more")),
 ];
 
 /// Actions of the pointer on the tile that is painted, for the sheet of shortcuts.
-pub(crate) const PAINTING_POINTER: &[(&str, &str)] = &[
-    ("Drag", "Paint, with the tool at hand"),
-    ("Alt-click", "Pick a color"),
-    ("Shift-click with the stamp", "Take this tile as the stamp"),
-    ("Hold V", "Look at the sample from before"),
-    ("Alt over the map or the list", "Look at that sample"),
-    ("Shift-click on the map", "Copy that sample to the one at work"),
-    ("Wheel over the palette", "Brighter or darker"),
-    ("Wheel", "Zoom"),
-    ("Middle or right drag, Space+drag", "Move the tile"),
+pub(crate) const PAINTING_POINTER: &[(Text, Text)] = &[
+    (text!("Drag"), text!("Paint, with the tool at hand")),
+    (text!("Alt-click"), text!("Pick a color")),
+    (text!("Shift-click with the stamp"), text!("Take this tile as the stamp")),
+    (text!("Hold V"), text!("Look at the sample from before")),
+    (text!("Alt over the map or the list"), text!("Look at that sample")),
+    (text!("Shift-click on the map"), text!("Copy that sample to the one at work")),
+    (text!("Wheel over the palette"), text!("Brighter or darker")),
+    (text!("Wheel"), text!("Zoom")),
+    (text!("Middle or right drag, Space+drag"), text!("Move the tile")),
 ];
 
 #[cfg(test)]
@@ -249,12 +255,12 @@ mod tests {
         for language in export::LANGUAGES {
             let row = row_of(&Command::ExportLook(language.slug, None))
                 .unwrap_or_else(|| panic!("{}", language.slug));
+            let label = row.label.english();
             let name =
                 language.label.trim_end_matches(|c: char| c.is_ascii_digit() || ".- ".contains(c));
             assert!(
-                row.label.contains(name.split(',').next().unwrap()),
-                "{} for {}",
-                row.label,
+                label.contains(name.split(',').next().unwrap()),
+                "{label} for {}",
                 language.label
             );
             // The row of a language must not name an API that the language's own note denies.
@@ -262,7 +268,7 @@ mod tests {
                 .note
                 .split_once("not for ")
                 .map(|(_, rest)| rest.split([':', ',']).next().unwrap());
-            assert!(denied.is_none_or(|api| !row.label.contains(api)), "{}", row.label);
+            assert!(denied.is_none_or(|api| !label.contains(api)), "{label}");
             let copies = |row: &CommandRow| {
                 let Command::CopyShader(slug, _) = row.command else { return false };
                 slug == language.slug

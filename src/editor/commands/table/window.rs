@@ -1,9 +1,10 @@
 //! Rows of commands that work everywhere in the window.
 
+use chiaro_locale::{LANGUAGES, Text, text};
 use eframe::egui::Key;
 
 use super::KeyScope::{self, Window};
-use super::{ALT, CTRL, CTRL_SHIFT, CommandRow, Menu, NONE, SHIFT, row};
+use super::{ALT, CTRL, CTRL_SHIFT, CommandRow, Menu, NONE, RowLabel, SHIFT, row};
 use crate::commands::{
     Command as C, FilmCommand, FitCommand, GridPreset, LibraryCommand, PaintCommand as P, PanelId,
     ScaleCommand, SceneCommand, ShotCommand, SnapshotCommand, Switch, TourTopic, ViewCommand,
@@ -13,55 +14,73 @@ use crate::hcbtf::exchange::ExchangeFormat;
 use crate::state::parts::saving::PartChoice;
 use crate::state::variations::VariedSubject;
 
-/// Rows about files and steps, which stand before those of the languages.
+/// Rows about files and steps, which stand before those of the languages of exports.
 pub(super) fn files() -> Vec<CommandRow> {
     vec![
-        row(C::New, "New look", &[(CTRL, Key::N)], Window).help("A new look"),
-        row(C::Open(None), "Open a look", &[(CTRL, Key::O)], Window).help(
+        row(C::New, text!("New look"), &[(CTRL, Key::N)], Window).help(text!("A new look")),
+        row(C::Open(None), text!("Open a look"), &[(CTRL, Key::O)], Window).help(text!(
             "Opens a look, a scene, a shot, a painted surface or the sheet of a wedge, or makes a \
-                 look of a MaterialX document or of Blender's shader nodes",
-        ),
-        row(C::SaveAs, "Save under another name", &[(CTRL_SHIFT, Key::S)], Window)
-            .help("Saves the look under another name"),
-        row(C::Save, "Save", &[(CTRL, Key::S)], Window)
-            .help("Saves the look, its scene and what is painted"),
+             look of a MaterialX document or of Blender's shader nodes"
+        )),
+        row(C::SaveAs, text!("Save under another name"), &[(CTRL_SHIFT, Key::S)], Window)
+            .help(text!("Saves the look under another name")),
+        row(C::Save, text!("Save"), &[(CTRL, Key::S)], Window)
+            .help(text!("Saves the look, its scene and what is painted")),
         row(
             C::Library(LibraryCommand::Offer(PartChoice::Look)),
-            "Save this look to the library",
+            text!("Save this look to the library"),
             &[],
             Window,
         )
-        .help("With tags, in one's own folder, the project's or a shared one"),
-        row(C::Scene(SceneCommand::Shot(ShotCommand::New)), "New shot of this scene", &[], Window)
-            .help(
-                "A shot over the open scene, or over the open shot: frames, and values that are \
-                 changed over it, in a file of its own",
-            ),
-        row(C::Redo, "Redo", &[(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)], Window),
-        row(C::Undo, "Undo", &[(CTRL, Key::Z)], Window),
-        row(C::Snapshot(SnapshotCommand::Take), "Take a snapshot", &[(CTRL_SHIFT, Key::T)], Window)
-            .help("Keeps the look as it is, under a name: to come back to, and to compare with"),
-        row(C::ShowPanel(PanelId::SNAPSHOTS), "Snapshots of the look", &[], Window)
-            .help("States of the look that were kept: restored, renamed, compared"),
-        row(C::ShowPanel(PanelId::VARIATIONS), "Variations...", &[], Window).help(
-            "Small pictures of a value, a color or a light as it could be; a click takes one",
-        ),
-        row(C::View(ViewCommand::Vary(VariedSubject::Mesh)), "Variations of the mesh", &[], Window)
-            .help("The look on every built-in shape; a click shows it there"),
-        row(C::OpenPath, "Open a file by its path", &[(CTRL_SHIFT, Key::O)], Window),
-        row(C::ShowStart(true), "Start page", &[(ALT, Key::Home)], Window).in_menu(Menu::Help),
-        row(C::StartTour(TourTopic::Look), "Take the tour", &[], Window).in_menu(Menu::Help),
-        row(C::StartTour(TourTopic::Lights), "Light a scene (tour)", &[], Window)
-            .help("Key, rim and eye light, links, a shadow and the mixer, on three gray objects")
+        .help(text!("With tags, in one's own folder, the project's or a shared one")),
+        row(
+            C::Scene(SceneCommand::Shot(ShotCommand::New)),
+            text!("New shot of this scene"),
+            &[],
+            Window,
+        )
+        .help(text!(
+            "A shot over the open scene, or over the open shot: frames, and values that are \
+             changed over it, in a file of its own"
+        )),
+        row(C::Redo, text!("Redo"), &[(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)], Window),
+        row(C::Undo, text!("Undo"), &[(CTRL, Key::Z)], Window),
+        row(
+            C::Snapshot(SnapshotCommand::Take),
+            text!("Take a snapshot"),
+            &[(CTRL_SHIFT, Key::T)],
+            Window,
+        )
+        .help(text!("Keeps the look as it is, under a name: to come back to, and to compare with")),
+        row(C::ShowPanel(PanelId::SNAPSHOTS), text!("Snapshots of the look"), &[], Window)
+            .help(text!("States of the look that were kept: restored, renamed, compared")),
+        row(C::ShowPanel(PanelId::VARIATIONS), text!("Variations..."), &[], Window).help(text!(
+            "Small pictures of a value, a color or a light as it could be; a click takes one"
+        )),
+        row(
+            C::View(ViewCommand::Vary(VariedSubject::Mesh)),
+            text!("Variations of the mesh"),
+            &[],
+            Window,
+        )
+        .help(text!("The look on every built-in shape; a click shows it there")),
+        row(C::OpenPath, text!("Open a file by its path"), &[(CTRL_SHIFT, Key::O)], Window),
+        row(C::ShowStart(true), text!("Start page"), &[(ALT, Key::Home)], Window)
             .in_menu(Menu::Help),
-        row(C::CopyPicture, "Copy the picture as an image", &[(CTRL_SHIFT, Key::I)], Window)
+        row(C::StartTour(TourTopic::Look), text!("Take the tour"), &[], Window).in_menu(Menu::Help),
+        row(C::StartTour(TourTopic::Lights), text!("Light a scene (tour)"), &[], Window)
+            .help(text!(
+                "Key, rim and eye light, links, a shadow and the mixer, on three gray objects"
+            ))
+            .in_menu(Menu::Help),
+        row(C::CopyPicture, text!("Copy the picture as an image"), &[(CTRL_SHIFT, Key::I)], Window)
             .in_menu(Menu::CopyAs),
-        row(C::CopyWgsl, "Copy the shader as WGSL", &[(CTRL_SHIFT, Key::W)], Window)
+        row(C::CopyWgsl, text!("Copy the shader as WGSL"), &[(CTRL_SHIFT, Key::W)], Window)
             .in_menu(Menu::CopyAs),
     ]
 }
 
-fn painting(command: P, label: &'static str) -> CommandRow {
+fn painting(command: P, label: Text) -> CommandRow {
     row(C::Paint(command), label, &[], Window).in_menu(Menu::Paint)
 }
 
@@ -73,100 +92,124 @@ fn export_hcbtf(form: ExchangeFormat) -> P {
     P::Export { form, storage: Storage::default(), to: None }
 }
 
-/// Rows that follow those of the languages.
+/// Label of a scale, in percent.
+fn scaled(percent: &'static str) -> RowLabel {
+    RowLabel::from(text!("Scale {percent}%")).with("percent", percent)
+}
+
+/// Rows that choose the language of the window.
+pub(super) fn languages() -> impl Iterator<Item = CommandRow> {
+    let languages = LANGUAGES.iter().map(|language| {
+        let label = RowLabel::from(text!("Language: {name}")).with("name", language.name);
+        row(C::Speak(Some(language.tag)), label, &[], Window)
+    });
+    let of_system = row(C::Speak(None), text!("Language: as the system"), &[], Window);
+    languages.chain([of_system])
+}
+
+/// Rows that follow those of the languages of exports.
 pub(super) fn rows() -> Vec<CommandRow> {
     vec![
-        row(C::ExportPicture, "Export the picture as PNG...", &[], Window).in_menu(Menu::Export),
-        row(C::ShowPanel(PanelId::FRAMES), "Render frames...", &[], Window)
-            .help("Frames of the shot, the scene or the look as files, with layers and mattes")
+        row(C::ExportPicture, text!("Export the picture as PNG..."), &[], Window)
             .in_menu(Menu::Export),
-        row(C::Film(FilmCommand::ShowFarm), "Send to a farm...", &[], Window)
-            .help("The job by which Slurm, OpenCue, OpenJD or Flamenco render the frames")
+        row(C::ShowPanel(PanelId::FRAMES), text!("Render frames..."), &[], Window)
+            .help(text!(
+                "Frames of the shot, the scene or the look as files, with layers and mattes"
+            ))
             .in_menu(Menu::Export),
-        row(C::ShowPanel(PanelId::WEDGE), "Wedge: try values side by side...", &[], Window)
-            .help("Several values, each combination as a picture on one sheet")
+        row(C::Film(FilmCommand::ShowFarm), text!("Send to a farm..."), &[], Window)
+            .help(text!("The job by which Slurm, OpenCue, OpenJD or Flamenco render the frames"))
             .in_menu(Menu::Export),
-        row(C::OpenPalette, "Find a command or a node", &[(CTRL, Key::P), (CTRL, Key::F)], Window)
-            .in_menu(Menu::Help),
+        row(C::ShowPanel(PanelId::WEDGE), text!("Wedge: try values side by side..."), &[], Window)
+            .help(text!("Several values, each combination as a picture on one sheet"))
+            .in_menu(Menu::Export),
+        row(
+            C::OpenPalette,
+            text!("Find a command or a node"),
+            &[(CTRL, Key::P), (CTRL, Key::F)],
+            Window,
+        )
+        .in_menu(Menu::Help),
         row(
             C::OpenShortcuts,
-            "Show all shortcuts",
+            text!("Show all shortcuts"),
             &[(NONE, Key::Questionmark), (SHIFT, Key::Questionmark), (NONE, Key::F1)],
             Window,
         )
         .in_menu(Menu::Help),
         row(
             C::Scale(ScaleCommand::Larger),
-            "Scale up: everything larger",
+            text!("Scale up: everything larger"),
             &[(CTRL, Key::Plus), (CTRL, Key::Equals), (CTRL_SHIFT, Key::Plus)],
             Window,
         ),
         row(
             C::Scale(ScaleCommand::Smaller),
-            "Scale down: everything smaller",
+            text!("Scale down: everything smaller"),
             &[(CTRL, Key::Minus)],
             Window,
         ),
-        row(C::Scale(ScaleCommand::To(100)), "Scale 100%", &[(CTRL, Key::Num0)], Window),
-        row(C::Scale(ScaleCommand::To(125)), "Scale 125%", &[], Window),
-        row(C::Scale(ScaleCommand::To(150)), "Scale 150%", &[], Window),
-        row(C::Scale(ScaleCommand::To(200)), "Scale 200%", &[], Window),
+        row(C::Scale(ScaleCommand::To(100)), scaled("100"), &[(CTRL, Key::Num0)], Window),
+        row(C::Scale(ScaleCommand::To(125)), scaled("125"), &[], Window),
+        row(C::Scale(ScaleCommand::To(150)), scaled("150"), &[], Window),
+        row(C::Scale(ScaleCommand::To(200)), scaled("200"), &[], Window),
         row(
             C::Fit(FitCommand::Turn(Switch::Toggle)),
-            "Paint light on the picture",
+            text!("Paint light on the picture"),
             &[(NONE, Key::L)],
             KeyScope::Picture,
         )
         .in_menu(Menu::Paint),
-        row(C::ShowPanel(PanelId::PAINT), "Paint a surface", &[], Window),
-        row(C::ShowPanel(PanelId::LIGHT_TABLE), "Light table", &[], Window)
-            .help("All lights and groups, field by field: many are changed at once"),
-        row(C::ShowPanel(PanelId::MIXER), "Mixer of lights", &[], Window)
-            .help("The masters of groups of lights, as faders"),
-        row(C::ShowPanel(PanelId::LINKS), "Links of lights and objects", &[], Window)
-            .help("Which lights light which objects, and by which rule"),
-        row(C::Paint(P::PaintShown), "Paint what the look shows", &[], Window),
+        row(C::ShowPanel(PanelId::PAINT), text!("Paint a surface"), &[], Window),
+        row(C::ShowPanel(PanelId::LIGHT_TABLE), text!("Light table"), &[], Window)
+            .help(text!("All lights and groups, field by field: many are changed at once")),
+        row(C::ShowPanel(PanelId::MIXER), text!("Mixer of lights"), &[], Window)
+            .help(text!("The masters of groups of lights, as faders")),
+        row(C::ShowPanel(PanelId::LINKS), text!("Links of lights and objects"), &[], Window)
+            .help(text!("Which lights light which objects, and by which rule")),
+        row(C::Paint(P::PaintShown), text!("Paint what the look shows"), &[], Window),
         painting(
             new_hcbtf(GridPreset::Small),
-            "New painted surface, small (16 x 16, 3 x 6 directions)",
+            text!("New painted surface, small (16 x 16, 3 x 6 directions)"),
         ),
         painting(
             new_hcbtf(GridPreset::Thesis),
-            "New painted surface, as the thesis (32 x 32, 6 x 10 directions)",
+            text!("New painted surface, as the thesis (32 x 32, 6 x 10 directions)"),
         ),
         painting(
             new_hcbtf(GridPreset::Large),
-            "New painted surface, large (64 x 64, 6 x 10 directions)",
+            text!("New painted surface, large (64 x 64, 6 x 10 directions)"),
         ),
         painting(
             new_hcbtf(GridPreset::Fine),
-            "New painted surface, fine tile (128 x 128, 3 x 8 directions)",
+            text!("New painted surface, fine tile (128 x 128, 3 x 8 directions)"),
         ),
-        painting(P::AskGrid { changes: false }, "New painted surface of any grid..."),
-        painting(P::AskGrid { changes: true }, "Divide the painted surface otherwise...")
+        painting(P::AskGrid { changes: false }, text!("New painted surface of any grid...")),
+        painting(P::AskGrid { changes: true }, text!("Divide the painted surface otherwise..."))
             .needing_painting(),
-        painting(P::AskSynthesis, "New tile from this painting...").needing_painting(),
-        painting(P::AskBake, "Bake this look onto a tile..."),
-        painting(P::Save, "Save the painted surface").needing_painting(),
-        painting(P::SaveAs, "Save the painted surface under another name...").needing_painting(),
-        painting(P::Close, "Close the painted surface").needing_painting(),
-        painting(P::AskImport, "Import painted pictures as a painted surface..."),
+        painting(P::AskSynthesis, text!("New tile from this painting...")).needing_painting(),
+        painting(P::AskBake, text!("Bake this look onto a tile...")),
+        painting(P::Save, text!("Save the painted surface")).needing_painting(),
+        painting(P::SaveAs, text!("Save the painted surface under another name..."))
+            .needing_painting(),
+        painting(P::Close, text!("Close the painted surface")).needing_painting(),
+        painting(P::AskImport, text!("Import painted pictures as a painted surface...")),
         painting(
             export_hcbtf(ExchangeFormat::Folder),
-            "Export the painted surface as a folder of images...",
+            text!("Export the painted surface as a folder of images..."),
         )
         .needing_painting(),
         painting(
             export_hcbtf(ExchangeFormat::Contact),
-            "Export the painted surface as a contact sheet...",
+            text!("Export the painted surface as a contact sheet..."),
         )
         .needing_painting(),
         painting(
             export_hcbtf(ExchangeFormat::Sheet),
-            "Export the painted surface as a sheet of the thesis...",
+            text!("Export the painted surface as a sheet of the thesis..."),
         )
         .needing_painting(),
-        painting(P::AskTexture, "Export the painted surface as a KTX2 texture...")
+        painting(P::AskTexture, text!("Export the painted surface as a KTX2 texture..."))
             .needing_painting(),
     ]
 }

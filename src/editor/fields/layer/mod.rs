@@ -14,6 +14,7 @@ use crate::fields::lighting::light_in_view;
 use crate::ids::{LightId, NodeId, NodePath};
 use crate::placing::Parametrization;
 use crate::state::session::Session;
+use chiaro_locale::tr;
 use place::NodeInGraph;
 
 pub(crate) use highlight::{SelectedHighlight, selected_highlight};
@@ -21,7 +22,7 @@ pub(crate) use regions::RegionLayers;
 
 /// Name of the place where a parametrization's angle is 0.
 pub(crate) fn middle_name(parametrization: Parametrization) -> &'static str {
-    if parametrization.mirrors() { "highlight" } else { "bright middle" }
+    if parametrization.mirrors() { tr!("highlight") } else { tr!("bright middle") }
 }
 
 /// Input with its value.
@@ -72,10 +73,10 @@ impl Curve {
 
     pub(crate) fn label(self) -> String {
         match self {
-            Self::Offset => "Offset".to_owned(),
-            Self::Falloff => "Fall-off".to_owned(),
-            Self::Cutoff => "Cut-off".to_owned(),
-            Self::Edge(index) => format!("Edge {}", index + 1),
+            Self::Offset => tr!("Offset").to_owned(),
+            Self::Falloff => tr!("Fall-off").to_owned(),
+            Self::Cutoff => tr!("Cut-off").to_owned(),
+            Self::Edge(index) => tr!("Edge {number}", number = index + 1),
         }
     }
 }
@@ -278,13 +279,13 @@ fn group(place: &NodeInGraph<'_>) -> Option<SelectedLayer> {
     let is_kappa_plain = place.is_plain("kappa", "kappa");
     let warp = known(&slope).zip(known(&amount)).filter(|_| is_kappa_plain);
     let leaves_out = if !place.is_plain("normal", "normal") {
-        Some("the normals wired into the layer")
+        Some(tr!("the normals wired into the layer"))
     } else if warp.is_none() && amount.is_some() {
-        Some("the warp, which depends on what is wired into the layer")
+        Some(tr!("the warp, which depends on what is wired into the layer"))
     } else {
         None
     };
-    let colors = [("Convex color", "convex"), ("Concave color", "concave")];
+    let colors = [(tr!("Convex"), "convex"), (tr!("Concave"), "concave")];
     let colors =
         colors.into_iter().filter_map(|(label, port)| Some((label, place.color(port)?))).collect();
     Some(SelectedLayer {
@@ -322,9 +323,9 @@ fn profile(place: &NodeInGraph<'_>) -> Option<SelectedLayer> {
     };
     let warp = known(&slope).zip(known(&amount)).filter(|_| is_known);
     let leaves_out = if !angle.is_plain("normal", "normal") {
-        Some("the normals wired into the angle")
+        Some(tr!("the normals wired into the angle"))
     } else if is_warped && warp.is_none() {
-        Some("what is wired into the warp")
+        Some(tr!("what is wired into the warp"))
     } else {
         None
     };

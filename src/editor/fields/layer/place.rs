@@ -8,6 +8,7 @@ use crate::document::{Graph, Node, Target, Value, Wire};
 use crate::fields::bands::{self, Bands};
 use crate::ids::{GROUP_INPUTS, LightId, NodeId, NodePath, PortName};
 use crate::library::Type;
+use crate::state::reading::of_library;
 use crate::state::session::Session;
 use crate::values;
 
@@ -166,7 +167,10 @@ impl<'a> NodeInGraph<'a> {
     }
 
     pub(super) fn name(&self) -> String {
-        if self.node.name.is_empty() { self.kind.label.to_string() } else { self.node.name.clone() }
+        match self.node.name.is_empty() {
+            true => of_library(&self.kind.label).to_owned(),
+            false => self.node.name.clone(),
+        }
     }
 
     pub(super) fn shape(&self) -> Option<[Setting<f64>; 3]> {

@@ -3,6 +3,7 @@
 use std::collections::{BTreeSet, VecDeque};
 use std::rc::Rc;
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use super::place::NodeInGraph;
@@ -51,7 +52,7 @@ impl RegionLayers {
             let layer =
                 layer.and_then(|region| Some((region, group(&node).or_else(|| profile(&node))?)));
             if let Some((region, layer)) = layer.filter(|(_, layer)| layer.light == *light) {
-                let name = format!("{} in {region}", layer.name);
+                let name = tr!("{layer} in {region}", layer = layer.name);
                 found.layers.push(SelectedLayer { name, ..layer });
                 continue;
             }

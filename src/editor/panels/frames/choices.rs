@@ -185,7 +185,7 @@ fn layers(ui: &mut Ui, choices: &mut FrameChoices, context: PanelContext<'_>) {
         ui.spacing_mut().item_spacing = egui::vec2(3.0, 3.0);
         for (word, help) in CONTRIBUTIONS {
             let is_on = choices.aovs.contains(word);
-            if switch(ui, is_on, word, &format!("Layers of {word}"), help) {
+            if switch(ui, is_on, word, &format!("Layers of {word}"), help.tr()) {
                 toggle(choices, word);
             }
         }
@@ -216,7 +216,7 @@ fn layers(ui: &mut Ui, choices: &mut FrameChoices, context: PanelContext<'_>) {
         ui.spacing_mut().item_spacing = egui::vec2(3.0, 3.0);
         for (word, help) in MATTES {
             let is_on = choices.mattes.contains(word);
-            if switch(ui, is_on, word, &format!("Matte of {word}"), help)
+            if switch(ui, is_on, word, &format!("Matte of {word}"), help.tr())
                 && !choices.mattes.remove(word)
             {
                 choices.mattes.insert(word);

@@ -5,7 +5,7 @@ use eframe::egui::{Rect, Ui, vec2};
 use super::row::Row;
 use crate::commands::Command;
 use crate::document::Value;
-use crate::fields::bands::{self, Bands};
+use crate::fields::bands::{self, Bands, BandsOf};
 
 /// Width of the bar, and the least width that is left of the name, in points.
 const WIDTH: f32 = 76.0;
@@ -28,7 +28,7 @@ pub(super) fn show(ui: &Ui, room: Rect, row: &Row<'_>, out: &mut Vec<Command>) -
     bar.set_left(room.right() - WIDTH);
     let mut changed = None;
     let space = row.session.look().color_space;
-    bands::bar(ui, bar, &mut bands, space, &row.title(), &mut changed);
+    bands::bar(ui, bar, &mut bands, space, BandsOf::Named(&row.title()), &mut changed);
     if let Some(widget) = changed {
         let edit = row.session.keys().set_at(&target, Value::Ramp(bands.ramp()));
         out.push(Command::EditHeld(widget, edit));

@@ -85,7 +85,7 @@ pub(super) fn menu(
                 out.push(Command::Mask(MaskCommand::New(layer.clone())));
             }
             for source in &SOURCES {
-                if ui.button(source.name).on_hover_text(source.help).clicked() {
+                if ui.button(source.name.tr()).on_hover_text(source.help.tr()).clicked() {
                     add(session, stack.mask(look, layer, source), out);
                 }
             }

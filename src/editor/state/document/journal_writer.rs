@@ -11,6 +11,8 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use chiaro_locale::tr;
+
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::document::History;
@@ -164,7 +166,7 @@ where
     /// The reason why work is not kept, if it is not.
     pub(crate) fn problem(&self) -> Option<Diagnostic> {
         if self.thread.is_none() {
-            return Some(problem("the system gives no thread to write it"));
+            return Some(problem(tr!("the system gives no thread to write it")));
         }
         self.shared.problem.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
@@ -182,9 +184,9 @@ impl<D: JournalDocument> Drop for JournalWriter<D> {
 }
 
 fn problem(why: impl std::fmt::Display) -> Diagnostic {
-    let message = format!("a crash now would lose what is not saved: {why}");
+    let message = tr!("a crash now would lose what is not saved: {why}");
     Diagnostic::warning("not-kept", message)
-        .hint("editing goes on; save often, or make room on the disk")
+        .hint(tr!("editing goes on; save often, or make room on the disk"))
 }
 
 /// Operations that are about to be written.
@@ -418,11 +420,11 @@ impl<D: JournalDocument> Writer<D> {
 
 fn reason(error: &std::io::Error) -> String {
     match error.kind() {
-        std::io::ErrorKind::StorageFull => "the disk is full".to_owned(),
+        std::io::ErrorKind::StorageFull => tr!("the disk is full").to_owned(),
         std::io::ErrorKind::PermissionDenied | std::io::ErrorKind::ReadOnlyFilesystem => {
-            "the folder for unsaved work may not be written".to_owned()
+            tr!("the folder for unsaved work may not be written").to_owned()
         }
-        _ => format!("the folder for unsaved work cannot be written ({error})"),
+        _ => tr!("the folder for unsaved work cannot be written ({error})"),
     }
 }
 

@@ -14,6 +14,7 @@ use crate::document::{DocumentRevision, History};
 use crate::files::journal::{DocumentInfo, JournalDocument, JournalSlot, Op};
 use crate::state::document::journal_writer::JournalStart;
 use crate::state::revision::{GestureId, StepTime};
+use chiaro_locale::{Text, text, tr};
 use journal::DocumentJournal;
 pub(crate) use text::TextFile;
 use times::{Gestures, Times};
@@ -34,16 +35,51 @@ pub(crate) struct OpenDocument<D: FileDocument> {
     pub(crate) load_problems: Vec<Diagnostic>,
 }
 
+/// Texts on a file that is not written over.
+pub(crate) struct FileRefusals {
+    is_changed: Text,
+    choose: Text,
+    save_elsewhere: Text,
+}
+
+impl FileRefusals {
+    /// Of a file whose document needs no word.
+    pub(crate) const OF_FILE: Self = Self {
+        is_changed: text!(
+            "another program has changed this file since it was opened, and nothing was written \
+             over it"
+        ),
+        choose: text!("choose above whose version is kept, or save under another name"),
+        save_elsewhere: text!("save under another name"),
+    };
+    /// Of a scene.
+    const OF_SCENE: Self = Self {
+        is_changed: text!(
+            "another program has changed this scene since it was opened, and nothing was written \
+             over it"
+        ),
+        choose: text!("choose above whose version is kept, or save the scene under another name"),
+        save_elsewhere: text!("save the scene under another name"),
+    };
+    /// Of a shot.
+    const OF_SHOT: Self = Self {
+        is_changed: text!(
+            "another program has changed this shot since it was opened, and nothing was written \
+             over it"
+        ),
+        choose: text!("choose above whose version is kept, or save the shot under another name"),
+        save_elsewhere: text!("save the shot under another name"),
+    };
+}
+
 /// A document that files hold.
 pub(crate) trait FileDocument: JournalDocument {
     /// Remembered state of the file.
     type FileState;
     /// Content of a file that another program wrote.
     type Change;
-    /// Word for the file in messages that it changed.
-    const FILE: &'static str;
-    /// Words for the document in messages about saving, with a space at the end; empty for a look.
-    const SAVED: &'static str;
+    /// Texts on a file that is not written over.
+    const REFUSALS: FileRefusals;
 
     /// Compares the file of a document with its state when it was last read or written.
     fn on_disk(document: &OpenDocument<Self>, path: &Path) -> OnDisk<Self::Change>;
@@ -116,21 +152,15 @@ where
         if self.path.as_deref() != Some(path) {
             return Ok(false);
         }
-        let saved = D::SAVED;
         if self.is_partial {
-            let message =
-                "this file holds things that could not be read, and saving over it would lose them";
-            let hint = format!("save {saved}under another name");
+            let message = tr!(
+                "this file holds things that could not be read, and saving over it would lose them"
+            );
+            let hint = D::REFUSALS.save_elsewhere.tr();
             return Err(Box::new(Diagnostic::error("partly-read", message).hint(hint)));
         }
         if let OnDisk::Changed(_) = self.on_disk() {
-            let file = D::FILE;
-            let message = format!(
-                "another program has changed this {file} since it was opened, and nothing was \
-                 written over it"
-            );
-            let hint =
-                format!("choose above whose version is kept, or save {saved}under another name");
+            let (message, hint) = (D::REFUSALS.is_changed.tr(), D::REFUSALS.choose.tr());
             return Err(Box::new(Diagnostic::error("changed-on-disk", message).hint(hint)));
         }
         Ok(true)

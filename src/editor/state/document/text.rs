@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use super::{FileDocument, OnDisk, OpenDocument};
+use super::{FileDocument, FileRefusals, OnDisk, OpenDocument};
 use crate::document::{LoadedDocument, Look, Scene, Shot, SourceMap};
 
 /// A text file in its state when it was last read or written.
@@ -36,12 +36,11 @@ pub(crate) trait TextDocument: FileDocument<FileState = TextFile, Change = Strin
 }
 
 macro_rules! text_document {
-    ($document:ty, $file:literal, $saved:literal) => {
+    ($document:ty, $refusals:expr) => {
         impl FileDocument for $document {
             type FileState = TextFile;
             type Change = String;
-            const FILE: &'static str = $file;
-            const SAVED: &'static str = $saved;
+            const REFUSALS: FileRefusals = $refusals;
 
             fn on_disk(document: &OpenDocument<Self>, path: &Path) -> OnDisk {
                 match crate::files::read_text(path) {
@@ -66,9 +65,9 @@ macro_rules! text_document {
     };
 }
 
-text_document!(Look, "file", "");
-text_document!(Scene, "scene", "the scene ");
-text_document!(Shot, "shot", "the shot ");
+text_document!(Look, FileRefusals::OF_FILE);
+text_document!(Scene, FileRefusals::OF_SCENE);
+text_document!(Shot, FileRefusals::OF_SHOT);
 
 impl<D> OpenDocument<D>
 where

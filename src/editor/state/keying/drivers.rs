@@ -1,11 +1,14 @@
 //! Drivers of keys: numbers of the scene and wires of the look, with their present values and their
 //! names.
 
+use chiaro_locale::{Text, fill, text};
+
 use super::KeyedLook;
 use crate::compile::{CompileOptions, Live, compile};
 use crate::document::{DirectionKeys, Driver, KeyDirection, OutputPort, Target};
 use crate::frame::{Rig, Wires, driver_value};
 use crate::ids::{NodePath, PortName};
+use crate::state::reading::of_library;
 use crate::values::number_text;
 
 impl KeyedLook<'_> {
@@ -51,24 +54,48 @@ impl KeyedLook<'_> {
 
     /// Display name of a driver.
     pub(crate) fn driver_name(self, driver: &Driver) -> String {
-        match driver {
-            Driver::Distance => "Distance to the eye".to_owned(),
-            Driver::Facing => "Turned from the eye".to_owned(),
-            Driver::Height(light) => format!("Height of \"{}\"", self.base.light_name(light)),
-            Driver::Near(object) => format!("Distance to \"{object}\""),
-            Driver::Wire(wire) => self.wire_name(wire),
-        }
+        self.driver_name_in(driver, Text::tr, of_library)
     }
 
-    /// Display name of an output: by its own name, and its node's.
-    fn wire_name(self, wire: &OutputPort) -> String {
+    /// Name of a driver in English, for names that are kept.
+    pub(super) fn english_driver_name(self, driver: &Driver) -> String {
+        self.driver_name_in(driver, Text::english, |label| label)
+    }
+
+    fn driver_name_in(
+        self,
+        driver: &Driver,
+        told: fn(Text) -> &'static str,
+        label: fn(&str) -> &str,
+    ) -> String {
+        let (text, name) = match driver {
+            Driver::Distance => (text!("Distance to the eye"), String::new()),
+            Driver::Facing => (text!("Turned from the eye"), String::new()),
+            Driver::Height(light) => (text!("Height of \"{name}\""), self.base.light_name(light)),
+            Driver::Near(object) => (text!("Distance to \"{name}\""), object.to_string()),
+            Driver::Wire(wire) => match self.wire_names(wire, label) {
+                None => return wire.to_string(),
+                Some([port, node]) => {
+                    let values =
+                        [("port", format_args!("{port}")), ("node", format_args!("{node}"))];
+                    return fill(told(text!("{port} of \"{node}\"")), &values);
+                }
+            },
+        };
+        fill(told(text), &[("name", format_args!("{name}"))])
+    }
+
+    /// Names of an output and of its node; `label` gives a label of the library in the language
+    /// that is wanted. `None` where there is no such node.
+    fn wire_names(self, wire: &OutputPort, label: fn(&str) -> &str) -> Option<[String; 2]> {
         let path = wire.node.to_string();
-        let Some(node) = self.base.node_at(&wire.node) else { return wire.to_string() };
+        let node = self.base.node_at(&wire.node)?;
         let kind = self.base.catalog.of(node);
-        let label = kind.map_or(path.as_str(), |kind| &*kind.label);
-        let called = if node.name.is_empty() { label } else { &node.name };
+        let of_kind = kind.map_or(path.as_str(), |kind| label(&kind.label));
+        let called = if node.name.is_empty() { of_kind } else { &node.name };
         let port = kind.and_then(|kind| kind.outputs.iter().find(|port| port.name == wire.port));
-        format!("{} of \"{called}\"", port.map_or(wire.port.as_str(), |port| &*port.label))
+        let port = port.map_or(wire.port.as_str(), |port| label(&port.label));
+        Some([port.to_owned(), called.to_owned()])
     }
 
     /// Drivers that keys can have, without wires.

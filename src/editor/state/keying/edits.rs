@@ -169,9 +169,11 @@ impl KeyedLook<'_> {
         let name = match &by {
             KeyDirection::View => "By the view".to_owned(),
             KeyDirection::Light(light) => format!("By \"{}\"", self.base.light_name(light)),
-            KeyDirection::Drivers(drivers) => {
-                drivers.iter().map(|driver| self.driver_name(driver)).collect::<Vec<_>>().join(", ")
-            }
+            KeyDirection::Drivers(drivers) => drivers
+                .iter()
+                .map(|driver| self.english_driver_name(driver))
+                .collect::<Vec<_>>()
+                .join(", "),
         };
         let key =
             DirectionKey { direction: rounded(direction), values, unknown: UnknownFields::new() };

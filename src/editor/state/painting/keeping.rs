@@ -54,7 +54,7 @@ impl OpenPainting {
 
     fn begin_journal(&mut self, slot: Option<JournalSlot>) {
         let about = DocumentInfo {
-            name: self.name(),
+            name: self.kept_name(),
             path: self.path().and_then(Path::to_str).map(str::to_owned),
             is_partial: false,
             window: self

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, SystemTime};
 
+use chiaro_locale::{Text, text, tr};
 use serde_json::{Value as Json, json};
 
 use super::home::Home;
@@ -14,7 +15,7 @@ use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, History, Rule, Tile};
 use crate::files::{Files, write_atomic};
 use crate::frame::{Overlay, OverlayVersion};
 use crate::hcbtf::{self, FilledSamples, Provenance};
-use crate::state::document::{FileDocument, OnDisk, OpenDocument};
+use crate::state::document::{FileDocument, FileRefusals, OnDisk, OpenDocument};
 use crate::state::paths::absolute;
 use crate::state::revision::{GestureId, PaintingNumber, PaintingRevision, StepTime};
 
@@ -27,8 +28,8 @@ const FIRST_SHARPNESS: f64 = 4.0;
 const MOST_LIVE: u64 = 1 << 22;
 
 /// Display name of a new HCBTF.
-const NEW: &str = "New painted surface";
-/// Suffix to the name of an example, for a copy of it.
+const NEW: Text = text!("New painted surface");
+/// Suffix to the name of an example, for a copy of it, as names are kept.
 const COPY: &str = " (copy of the example)";
 
 /// Color that a sample is marked with, and its share in the marked sample.
@@ -89,8 +90,7 @@ impl FileStamp {
 impl FileDocument for Hcbtf {
     type FileState = Option<FileStamp>;
     type Change = ();
-    const FILE: &'static str = "file";
-    const SAVED: &'static str = "";
+    const REFUSALS: FileRefusals = FileRefusals::OF_FILE;
 
     fn on_disk(document: &OpenDocument<Self>, path: &Path) -> OnDisk<()> {
         match (document.file, FileStamp::of(path)) {
@@ -260,16 +260,25 @@ impl OpenPainting {
 
     /// Display name of the HCBTF.
     pub(crate) fn name(&self) -> String {
+        match (self.document.path.is_some(), self.title.strip_suffix(COPY)) {
+            (false, None) if self.title.is_empty() => NEW.tr().to_owned(),
+            (false, Some(example)) => tr!("{example} (copy of the example)"),
+            _ => self.kept_name(),
+        }
+    }
+
+    /// Name of the HCBTF for looks and journals, which keep it in English.
+    pub(crate) fn kept_name(&self) -> String {
         match self.document.path.as_ref().and_then(|path| path.file_name()) {
             Some(name) => name.to_string_lossy().into_owned(),
-            None if self.title.is_empty() => NEW.to_owned(),
+            None if self.title.is_empty() => NEW.english().to_owned(),
             None => self.title.clone(),
         }
     }
 
     /// Sets the display name for as long as there is no file.
     pub(crate) fn set_title(&mut self, title: &str) {
-        self.title = if title == NEW { String::new() } else { title.to_owned() };
+        self.title = if title == NEW.english() { String::new() } else { title.to_owned() };
     }
 
     /// Example that this HCBTF is a copy of, as long as it has no file.

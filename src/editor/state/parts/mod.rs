@@ -13,7 +13,9 @@ mod shipped;
 #[cfg(test)]
 mod tests;
 
-use std::path::PathBuf;
+use chiaro_locale::{Text, text, tr};
+
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::catalog::Catalog;
@@ -55,27 +57,46 @@ impl PartKind {
 
     /// Word for one part of the kind.
     pub(crate) fn word(self) -> &'static str {
+        self.text().tr()
+    }
+
+    /// Word for one part of the kind, as a text: search knows its English, too.
+    pub(crate) fn text(self) -> Text {
         match self {
-            Self::Look => "look",
-            Self::Layer => "layer",
-            Self::Nodes => "nodes",
-            Self::Group => "group",
-            Self::Lights => "lights",
-            Self::Profile => "profile",
-            Self::Ramp => "ramp",
+            Self::Look => text!("look"),
+            Self::Layer => text!("layer"),
+            Self::Nodes => text!("nodes"),
+            Self::Group => text!("group"),
+            Self::Lights => text!("lights"),
+            Self::Profile => text!("profile"),
+            Self::Ramp => text!("ramp"),
+        }
+    }
+
+    /// Sentence on a part of the kind that was saved.
+    fn saved(self, name: &str, path: &Path) -> String {
+        let path = path.display();
+        match self {
+            Self::Look => tr!("The look \"{name}\" is saved as {path}"),
+            Self::Layer => tr!("The layer \"{name}\" is saved as {path}"),
+            Self::Nodes => tr!("The nodes \"{name}\" are saved as {path}"),
+            Self::Group => tr!("The group \"{name}\" is saved as {path}"),
+            Self::Lights => tr!("The lights \"{name}\" are saved as {path}"),
+            Self::Profile => tr!("The profile \"{name}\" is saved as {path}"),
+            Self::Ramp => tr!("The ramp \"{name}\" is saved as {path}"),
         }
     }
 
     /// Title of all parts of the kind.
     pub(crate) fn title(self) -> &'static str {
         match self {
-            Self::Look => "Looks",
-            Self::Layer => "Layers",
-            Self::Nodes => "Nodes",
-            Self::Group => "Groups",
-            Self::Lights => "Lights",
-            Self::Profile => "Profiles",
-            Self::Ramp => "Ramps",
+            Self::Look => tr!("Looks"),
+            Self::Layer => tr!("Layers"),
+            Self::Nodes => tr!("Nodes"),
+            Self::Group => tr!("Groups"),
+            Self::Lights => tr!("Lights"),
+            Self::Profile => tr!("Profiles"),
+            Self::Ramp => tr!("Ramps"),
         }
     }
 
@@ -83,25 +104,31 @@ impl PartKind {
     pub(crate) fn help(self) -> &'static str {
         match self {
             Self::Look => {
-                "A double click opens it; drop it on an object, which then wears its file"
+                tr!("A double click opens it; drop it on an object, which then wears its file")
             }
             Self::Layer => {
-                "A double click lays it over the selected layer; drop it on a layer, on a \
-                            wire or on the canvas"
+                tr!(
+                    "A double click lays it over the selected layer; drop it on a layer, on a wire \
+                     or on the canvas"
+                )
             }
             Self::Nodes => {
-                "A double click adds it to the graph; drop it on the canvas or on a wire"
+                tr!("A double click adds it to the graph; drop it on the canvas or on a wire")
             }
-            Self::Group => "A double click adds a node of it; drop it on the canvas or on a wire",
+            Self::Group => {
+                tr!("A double click adds a node of it; drop it on the canvas or on a wire")
+            }
             Self::Lights => {
-                "A double click sets up the look's lights: those of the same id are set \
-                             anew, others are added"
+                tr!("A double click sets up the look's lights: those of the same id are set anew, \
+                     others are added")
             }
             Self::Profile => {
-                "A double click gives it to the selected node; drop it on a layer or on \
-                              the inspector"
+                tr!("A double click gives it to the selected node; drop it on a layer or on the \
+                     inspector")
             }
-            Self::Ramp => "A double click gives it to the selected node; drop it on a ramp's field",
+            Self::Ramp => {
+                tr!("A double click gives it to the selected node; drop it on a ramp's field")
+            }
         }
     }
 
@@ -204,7 +231,9 @@ impl Part {
                 let shown = placing::shown(&look, kind).map(Arc::new);
                 PartContent { kind, look: Arc::new(look), shown }
             })
-            .ok_or_else(|| "There is nothing in it: no node, no group and no light".to_owned());
+            .ok_or_else(|| {
+                tr!("There is nothing in it: no node, no group and no light").to_owned()
+            });
         Self { path, name, tags, about, content }
     }
 

@@ -3,6 +3,7 @@
 
 use std::path::Path;
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use super::{PROFILE, PartKind, ends};
@@ -11,6 +12,7 @@ use crate::document::{Edit, Endpoint, GraphId, Look, Node, Value, Wire, grouping
 use crate::ids::{DefinitionId, LightId, NodeId, PortName, make_slug};
 use crate::library::{Library, Type};
 use crate::state::problem_text::sentence;
+use crate::state::reading::of_library;
 use crate::state::stack::{BELOW, Stack};
 
 /// Distance from one layer to the next on the canvas, in points.
@@ -54,7 +56,7 @@ pub(crate) fn layer(
 ) -> Result<Placement, String> {
     let stack = Stack::of(to.look, to.catalog);
     if !stack.has_output() {
-        return Err("The look has no Output node, so that no layer can be laid on".to_owned());
+        return Err(tr!("The look has no Output node, so that no layer can be laid on").to_owned());
     }
     let found = over.and_then(|id| wire_over(to.look, &stack, id));
     let top = || {
@@ -64,11 +66,14 @@ pub(crate) fn layer(
     };
     let (from, into) = match found.or_else(top) {
         Some(wire) => (Some(wire.from.clone()), wire.to.clone()),
-        None => (None, stack.lowest_inlet().cloned().ok_or("There is no stack to lay it on")?),
+        None => (None, stack.lowest_inlet().cloned().ok_or(tr!("There is no stack to lay it on"))?),
     };
     let below = from.as_ref().map(|from| title(to, &from.node));
-    let where_to = below.map_or_else(String::new, |below| format!(", over {below}"));
-    between(to, (name, part), from, into, &where_to)
+    let told = match below {
+        Some(below) => tr!("\"{name}\" is copied into this look, over {below}"),
+        None => tr!("\"{name}\" is copied into this look"),
+    };
+    between(to, (name, part), from, into, told)
 }
 
 /// Puts a part into a wire of the look's own graph.
@@ -80,18 +85,18 @@ pub(crate) fn in_wire(
     (name, part): (&str, &Look),
     wire: &Wire,
 ) -> Result<Placement, String> {
-    let where_to =
-        format!(", between {} and {}", title(to, &wire.from.node), title(to, &wire.to.node));
-    between(to, (name, part), Some(wire.from.clone()), wire.to.clone(), &where_to)
+    let [below, above] = [&wire.from, &wire.to].map(|end| title(to, &end.node));
+    let told = tr!("\"{name}\" is copied into this look, between {below} and {above}");
+    between(to, (name, part), Some(wire.from.clone()), wire.to.clone(), told)
 }
 
-/// Puts a part between an output and an input, where there is room made for it.
+/// Puts a part between an output and an input, where there is room made for it; `told` says so.
 fn between(
     to: Recipient<'_>,
     (name, part): (&str, &Look),
     from: Option<Endpoint>,
     into: Endpoint,
-    where_to: &str,
+    told: String,
 ) -> Result<Placement, String> {
     let pasted = paste(to.look, &GraphId::Look, part, None)?;
     let mut trial = to.look.clone();
@@ -111,7 +116,7 @@ fn between(
         None => through(&trial, &catalog, &pasted.nodes, from.as_ref(), &into),
     };
     let (Some(inlet), Some(outlet)) = (inlet, outlet) else {
-        return Err(format!(
+        return Err(tr!(
             "\"{name}\" does not fit there: it has no free input and output of the wire's type"
         ));
     };
@@ -125,7 +130,7 @@ fn between(
         wire,
         index: None,
     }));
-    let told = format!("\"{name}\" is copied into this look{where_to}{}", along(to, part));
+    let told = told + &along(to, part);
     // The layer itself is selected, as that is what is set next.
     Ok(Placement { edit: Edit::Group { edits }, nodes: vec![outlet.node], told })
 }
@@ -142,7 +147,7 @@ pub(crate) fn nodes(
 ) -> Result<Placement, String> {
     let part = &with_node_of_group(part, name);
     let pasted = paste(to.look, graph, part, Some(at))?;
-    let told = format!("\"{name}\" is copied into this look{}", along(to, part));
+    let told = tr!("\"{name}\" is copied into this look") + &along(to, part);
     Ok(Placement { edit: pasted.edit, nodes: pasted.nodes, told })
 }
 
@@ -182,14 +187,14 @@ pub(crate) fn lights(look: &Look, (name, part): (&str, &Look)) -> Result<Placeme
         }
     }
     if edits.is_empty() {
-        return Err(format!("This look has the lights of \"{name}\" already"));
+        return Err(tr!("This look has the lights of \"{name}\" already"));
     }
-    let mut told = format!("\"{name}\" is copied into this look");
+    let mut told = vec![tr!("\"{name}\" is copied into this look")];
     if !set.is_empty() {
-        told += &format!(" · set anew: {}", set.join(", "));
+        told.push(tr!("set anew: {lights}", lights = set.join(", ")));
     }
     if !added.is_empty() {
-        told += &format!(" · added: {}", added.join(", "));
+        told.push(tr!("added: {lights}", lights = added.join(", ")));
     }
     let others: Vec<&str> = look
         .lights
@@ -198,8 +203,9 @@ pub(crate) fn lights(look: &Look, (name, part): (&str, &Look)) -> Result<Placeme
         .map(|(id, light)| light.display_name(id))
         .collect();
     if !others.is_empty() {
-        told += &format!(" · as they were: {}", others.join(", "));
+        told.push(tr!("as they were: {lights}", lights = others.join(", ")));
     }
+    let told = told.join(" · ");
     Ok(Placement { edit: Edit::Group { edits }, nodes: Vec::new(), told })
 }
 
@@ -360,16 +366,21 @@ fn rename(look: &Look, trial: &Look, id: &NodeId) -> Option<Edit> {
 /// Display name of a node of the look's own graph.
 fn title(to: Recipient<'_>, id: &NodeId) -> String {
     let Some(node) = to.look.graph.nodes.get(id) else { return id.to_string() };
-    let kind = || to.catalog.of(node).map_or_else(|| id.to_string(), |kind| kind.label.to_string());
-    if node.name.is_empty() { kind() } else { node.name.clone() }
+    let kind = to.catalog.of(node).filter(|_| node.name.is_empty());
+    match kind {
+        Some(kind) => of_library(&kind.label).to_owned(),
+        None if node.name.is_empty() => id.to_string(),
+        None => node.name.clone(),
+    }
 }
 
 /// Words on the lights, groups and nodes of a part: new ones, and those that the look has.
 fn along(to: Recipient<'_>, part: &Look) -> String {
     let mut told = String::new();
-    let mut tell = |what: &str, names: Vec<String>| {
+    let mut tell = |what: fn(String) -> String, names: Vec<String>| {
         if !names.is_empty() {
-            told += &format!(" · {what} {}", names.join(", "));
+            told += " · ";
+            told += &what(names.join(", "));
         }
     };
     let light = |id: &LightId| {
@@ -378,8 +389,8 @@ fn along(to: Recipient<'_>, part: &Look) -> String {
     };
     let (own, others): (Vec<_>, Vec<_>) =
         part.lights.keys().partition(|id| to.look.lights.contains_key(*id));
-    tell("lit by this look's", own.into_iter().map(light).collect());
-    tell("with its light", others.into_iter().map(light).collect());
+    tell(|names| tr!("lit by this look's {names}"), own.into_iter().map(light).collect());
+    tell(|names| tr!("with its light {names}"), others.into_iter().map(light).collect());
     let group = |id: &DefinitionId| {
         part.definitions.get(id).map_or_else(String::new, |definition| {
             if definition.label.is_empty() { id.to_string() } else { definition.label.clone() }
@@ -387,12 +398,12 @@ fn along(to: Recipient<'_>, part: &Look) -> String {
     };
     let (known, new): (Vec<_>, Vec<_>) =
         part.definitions.keys().partition(|id| to.look.definitions.contains_key(*id));
-    tell("with its group", new.into_iter().map(group).collect());
+    tell(|names| tr!("with its group {names}"), new.into_iter().map(group).collect());
     let (same, renamed): (Vec<_>, Vec<_>) =
         known.into_iter().partition(|id| to.look.definitions.get(*id) == part.definitions.get(*id));
-    tell("uses this look's group", same.into_iter().map(group).collect());
+    tell(|names| tr!("uses this look's group {names}"), same.into_iter().map(group).collect());
     tell(
-        "under another name, as this look has another one,",
+        |names| tr!("under another name, as this look has another one, {names}"),
         renamed.into_iter().map(group).collect(),
     );
     let lacks: Vec<String> = part
@@ -405,7 +416,7 @@ fn along(to: Recipient<'_>, part: &Look) -> String {
         })
         .map(|node| node.kind.clone())
         .collect();
-    tell("lacks here: the node", lacks);
+    tell(|names| tr!("lacks here: the node {names}"), lacks);
     told
 }
 

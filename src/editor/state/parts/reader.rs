@@ -5,6 +5,8 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use super::Part;
 use crate::catalog::Catalog;
 use crate::document::{Document, Look};
@@ -89,10 +91,13 @@ fn found_in(
     }
     let walked = files.walk(folder, BOUNDS, &|inner| inner == folder || !is_hidden(inner));
     if walked.is_cut {
-        found.lacking =
-            Some(format!("It has more than {} entries; others are left out", BOUNDS.entries));
+        found.lacking = Some(tr!(
+            "It has more than {count} entries; others are left out",
+            count = BOUNDS.entries
+        ));
     } else if let Some((inner, error)) = walked.unreadable.first() {
-        found.lacking = Some(format!("{} cannot be read: {}", inner.display(), error.kind()));
+        let (path, why) = (inner.display(), error.kind());
+        found.lacking = Some(tr!("{path} cannot be read: {why}"));
     }
     let library = Library::built_in();
     let mut catalog = Catalog::new(library);
@@ -105,9 +110,9 @@ fn found_in(
         let state = files.metadata(&path);
         bytes += state.map_or(0, |state| state.length.min(MOST_BYTES));
         if found.parts.len() == MOST_PARTS || bytes > MOST_OF_ALL {
-            found.lacking = Some(format!(
-                "It has more than {MOST_PARTS} files, or more than {} MiB; others are left out",
-                MOST_OF_ALL >> 20
+            found.lacking = Some(tr!(
+                "It has more than {MOST_PARTS} files, or more than {size} MiB; others are left out",
+                size = MOST_OF_ALL >> 20
             ));
             break;
         }
@@ -138,12 +143,12 @@ fn read(
     };
     match state {
         Some(state) if state.kind != FileKind::Plain => {
-            return broken("It is no plain file".to_owned());
+            return broken(tr!("It is no plain file").to_owned());
         }
         Some(state) if state.length > MOST_BYTES => {
-            return broken(format!(
-                "It is larger than {} MiB, which no part of a look is; Open reads it",
-                MOST_BYTES >> 20
+            return broken(tr!(
+                "It is larger than {size} MiB, which no part of a look is; Open reads it",
+                size = MOST_BYTES >> 20
             ));
         }
         _ => {}
@@ -153,11 +158,11 @@ fn read(
             Some(look) => of_look(path, look, catalog),
             None => {
                 let first = loaded.diagnostics.iter().find(|problem| problem.is_error());
-                broken(first.map_or_else(|| "It cannot be read".to_owned(), sentence))
+                broken(first.map_or_else(|| tr!("It cannot be read").to_owned(), sentence))
             }
         },
-        Document::Scene(_) => broken("It is a scene: Open shows it".to_owned()),
-        Document::Shot(_) => broken("It is a shot: Open shows it".to_owned()),
+        Document::Scene(_) => broken(tr!("It is a scene: Open shows it").to_owned()),
+        Document::Shot(_) => broken(tr!("It is a shot: Open shows it").to_owned()),
     }
 }
 

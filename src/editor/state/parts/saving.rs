@@ -3,6 +3,8 @@
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::{tr, trn};
+
 use super::placing::rebase;
 use super::{PROFILE, PartKind};
 use crate::catalog::{Catalog, values};
@@ -68,7 +70,7 @@ impl PartSource<'_> {
             PartChoice::Group(id) => self.group(id)?,
             PartChoice::Lights => {
                 if look.lights.is_empty() {
-                    return Err("The look has no lights to keep".to_owned());
+                    return Err(tr!("The look has no lights to keep").to_owned());
                 }
                 let lights = look.lights.clone();
                 let part = Look { lights, color_space: look.color_space, ..Look::default() };
@@ -105,20 +107,20 @@ impl PartSource<'_> {
             .cloned()
             .collect();
         if there.is_empty() {
-            return Err("Nothing that can be kept is selected".to_owned());
+            return Err(tr!("Nothing that can be kept is selected").to_owned());
         }
         let text = grouping::copy_text(self.look, graph, &there, &[]);
-        Look::read(&text, "part").value.ok_or_else(|| "The nodes cannot be written".to_owned())
+        Look::read(&text, "part").value.ok_or_else(|| tr!("The nodes cannot be written").to_owned())
     }
 
     fn group(self, id: &DefinitionId) -> Result<(PartKind, Look, String), String> {
-        let definition = self.look.definitions.get(id).ok_or("The look has no such group")?;
+        let definition = self.look.definitions.get(id).ok_or(tr!("The look has no such group"))?;
         let mut graph = Graph::default();
         let node = Node { kind: id.to_string(), ..Node::default() };
         graph.nodes.insert(NodeId::from(id.as_str()), node);
         // The groups that it uses go along; its own node does not.
         let text = grouping::copy_text(self.look, &graph, &[NodeId::from(id.as_str())], &[]);
-        let mut part = Look::read(&text, "part").value.ok_or("The group cannot be written")?;
+        let mut part = Look::read(&text, "part").value.ok_or(tr!("The group cannot be written"))?;
         part.graph.nodes.clear();
         if let Some(index) = part.definitions.get_index_of(id) {
             part.definitions.move_index(index, part.definitions.len() - 1);
@@ -134,7 +136,7 @@ impl PartSource<'_> {
         id: &NodeId,
         is_kept: impl Fn(&PortName) -> bool,
     ) -> Result<(Look, String), String> {
-        let none = || "The node has no such value to keep".to_owned();
+        let none = || tr!("The node has no such value to keep").to_owned();
         let node = self.graph.nodes.get(id).ok_or_else(none)?;
         let kind = self.catalog.of(node).ok_or_else(none)?;
         let kept: Vec<(PortName, Value)> = kind
@@ -206,7 +208,7 @@ impl PartSource<'_> {
                 .flat_map(|key| key.values.keys()),
         );
         if targets.any(is_of_part) {
-            notes.push("Keys stay with this look".to_owned());
+            notes.push(tr!("Keys stay with this look").to_owned());
         }
         let graph = match choice {
             PartChoice::Nodes(_) => self.graph,
@@ -220,8 +222,11 @@ impl PartSource<'_> {
         });
         match open.count() {
             0 => {}
-            1 => notes.push("A wire from outside of it is left out".to_owned()),
-            count => notes.push(format!("{count} wires from outside of it are left out")),
+            count => notes.push(trn!(
+                count,
+                "A wire from outside of it is left out",
+                "{count} wires from outside of it are left out"
+            )),
         }
         let built_in = Library::built_in();
         let mut lacks: Vec<&str> = part
@@ -237,7 +242,7 @@ impl PartSource<'_> {
             .collect();
         lacks.dedup();
         if !lacks.is_empty() {
-            notes.push(format!("Needs nodes of this project: {}", lacks.join(", ")));
+            notes.push(tr!("Needs nodes of this project: {nodes}", nodes = lacks.join(", ")));
         }
         notes
     }
@@ -264,7 +269,7 @@ pub(crate) fn save(
 ) -> Result<(PathBuf, String), String> {
     let name = draft.look.name.trim();
     if name.is_empty() {
-        return Err("Give it a name first".to_owned());
+        return Err(tr!("Give it a name first").to_owned());
     }
     make_folder(folder).map_err(|problem| format!("{}: {}", folder.display(), problem.message))?;
     let file_of = |slug: &str| folder.join(format!("{slug}.json"));
@@ -278,13 +283,13 @@ pub(crate) fn save(
         None => Vec::new(),
     };
     write_atomic(&path, look.to_text().as_bytes()).map_err(|problem| problem.message)?;
-    let mut told = format!("The {} \"{name}\" is saved as {}", draft.kind.word(), path.display());
+    let mut told = vec![draft.kind.saved(name, &path)];
     let first = make_slug(name, |_| false);
     if slug != first {
-        told += &format!(" · {first}.json was there already, and stays as it is");
+        told.push(tr!("{first}.json was there already, and stays as it is"));
     }
     if !files.is_empty() {
-        told += &format!(" · linked, not copied: {}", files.join(", "));
+        told.push(tr!("linked, not copied: {files}", files = files.join(", ")));
     }
-    Ok((path, told))
+    Ok((path, told.join(" · ")))
 }

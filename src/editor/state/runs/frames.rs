@@ -3,26 +3,28 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::{Text, text, tr};
+
 use super::{CommandLine, Variation};
 use crate::film::{Contributions, FrameList, FramePattern, FrameRate, MatteKind};
 use crate::state::display::DisplayChoice;
 
 /// Words of `--aov` for parts of the picture, with what they are.
-pub(crate) const CONTRIBUTIONS: [(&str, &str); 6] = [
-    ("layers", "What each layer of the looks adds to the picture"),
-    ("lights", "What each light adds: graded by itself in the compositor"),
-    ("groups", "What each group of lights adds"),
-    ("lights-by-layer", "What each light adds within each layer"),
-    ("shadows", "The shadows of each light"),
-    ("named", "All outputs that looks name as passes"),
+pub(crate) const CONTRIBUTIONS: [(&str, Text); 6] = [
+    ("layers", text!("What each layer of the looks adds to the picture")),
+    ("lights", text!("What each light adds: graded by itself in the compositor")),
+    ("groups", text!("What each group of lights adds")),
+    ("lights-by-layer", text!("What each light adds within each layer")),
+    ("shadows", text!("The shadows of each light")),
+    ("named", text!("All outputs that looks name as passes")),
 ];
 
 /// Words of `--matte`, with what they are.
-pub(crate) const MATTES: [(&str, &str); 4] = [
-    ("objects", "A Cryptomatte of the objects"),
-    ("looks", "A Cryptomatte of the looks"),
-    ("materials", "A Cryptomatte of the materials"),
-    ("lights", "A Cryptomatte of the light that is strongest"),
+pub(crate) const MATTES: [(&str, Text); 4] = [
+    ("objects", text!("A Cryptomatte of the objects")),
+    ("looks", text!("A Cryptomatte of the looks")),
+    ("materials", text!("A Cryptomatte of the materials")),
+    ("lights", text!("A Cryptomatte of the light that is strongest")),
 ];
 
 /// Document that is rendered: a file, as it is on the disk.
@@ -208,7 +210,8 @@ impl FrameChoices {
         document: &FilmDocument,
     ) -> Result<(FramePattern, FrameList), String> {
         let pattern = FramePattern::of(Path::new(&self.output()))?;
-        let pattern = pattern.ok_or("let #### stand for the number in the name of the files")?;
+        let pattern =
+            pattern.ok_or(tr!("let #### stand for the number in the name of the files"))?;
         Ok((pattern, self.list(document)?))
     }
 

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use chiaro_locale::tr;
 use serde_json::Value as Json;
 
 use super::RunLine;
@@ -23,9 +24,9 @@ impl FrameFate {
     /// The fate in words.
     pub(crate) fn text(&self) -> String {
         match self {
-            Self::Drawn(seconds) => format!("drawn in {seconds:.2} s"),
-            Self::Kept => "whole before, and kept".to_owned(),
-            Self::Equal(frame) => format!("the same picture as frame {frame}"),
+            Self::Drawn(seconds) => tr!("drawn in {seconds:.2} s"),
+            Self::Kept => tr!("whole before, and kept").to_owned(),
+            Self::Equal(frame) => tr!("the same picture as frame {frame}"),
             Self::Failed(reason) => reason.clone(),
         }
     }
@@ -132,7 +133,7 @@ fn reason_of(json: &Json) -> String {
     let problems = json["problems"].as_array().into_iter().flatten();
     let messages = problems.filter_map(|problem| problem.get("message")?.as_str());
     let messages: Vec<&str> = messages.collect();
-    if messages.is_empty() { "not drawn".to_owned() } else { messages.join("; ") }
+    if messages.is_empty() { tr!("not drawn").to_owned() } else { messages.join("; ") }
 }
 
 #[cfg(test)]

@@ -6,6 +6,8 @@ use std::process::{Child, Command, Stdio};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+use chiaro_locale::tr;
+
 use super::CommandLine;
 use crate::state::worker::start;
 
@@ -114,7 +116,8 @@ impl ProgramRun {
         command.args(&line.words).current_dir(&line.folder);
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let not_started = |error: std::io::Error| {
-            format!("{} does not start in {}: {error}", program.display(), line.folder.display())
+            let (program, folder) = (program.display(), line.folder.display());
+            tr!("{program} does not start in {folder}: {error}")
         };
         let mut child = command.spawn().map_err(not_started)?;
         let (results, messages) = (child.stdout.take(), child.stderr.take());
@@ -135,7 +138,7 @@ impl ProgramRun {
         });
         match reader {
             Some(_) => Ok(run),
-            None => Err("the system starts no thread".to_owned()),
+            None => Err(tr!("the system starts no thread").to_owned()),
         }
     }
 

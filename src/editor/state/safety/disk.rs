@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
+use chiaro_locale::tr;
+
 use super::watch::{Watch, WatchedPaths};
 use crate::compile::CompiledShader;
 use crate::files::FileMetadata;
@@ -117,7 +119,8 @@ impl DiskState {
     ) -> (Option<String>, Option<Duration>) {
         let (told, again) = self.look_at_files(session, now, came_back);
         let has_changed = std::mem::take(&mut session.project.has_changed);
-        let of_nodes = || has_changed.then(|| "The project's nodes were loaded again".to_owned());
+        let of_nodes =
+            || has_changed.then(|| tr!("The project's nodes were loaded again").to_owned());
         (told.or_else(of_nodes), again)
     }
 
@@ -231,7 +234,7 @@ impl DiskState {
         }
         if let Some(name) = changed {
             session.files_changed();
-            told = told.or_else(|| Some(format!("{name} was loaded again")));
+            told = told.or_else(|| Some(tr!("{name} was loaded again")));
         }
         told
     }
@@ -253,7 +256,7 @@ impl DiskState {
         // the file changes.
         session
             .reload_scene(&text)
-            .then(|| format!("{name} was changed by another program and loaded again"))
+            .then(|| tr!("{name} was changed by another program and loaded again"))
     }
 
     fn check_painting(&mut self, session: &mut Session) -> Option<String> {
@@ -267,7 +270,7 @@ impl DiskState {
             OnDisk::Changed(()) => match session.reload_painting() {
                 Ok(is_other) => {
                     told = is_other
-                        .then(|| format!("{name} was changed by another program and loaded again"));
+                        .then(|| tr!("{name} was changed by another program and loaded again"));
                     None
                 }
                 Err(_) => Some(PaintingConflict::Broken),
@@ -305,9 +308,9 @@ impl DiskState {
                     .as_ref()
                     .and_then(|path| path.file_name())
                     .map(|name| name.to_string_lossy());
-                Some(format!(
-                    "{} was changed by another program and loaded again",
-                    name.unwrap_or_default()
+                Some(tr!(
+                    "{name} was changed by another program and loaded again",
+                    name = name.unwrap_or_default()
                 ))
             }
         }

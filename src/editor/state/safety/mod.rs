@@ -24,6 +24,7 @@ use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown_in;
 use crate::state::settings::{Settings, Theme};
 use crate::state::shot::OpenShot;
+use chiaro_locale::tr;
 use disk::DiskState;
 use offers::Offers;
 use places::Places;
@@ -224,12 +225,12 @@ impl Safety {
             return self.take_back_painting(number, session);
         }
         if session.is_dirty() && !session.keeps_work() {
-            return "Save this look first: its changes cannot be put aside now".to_owned();
+            return tr!("Save this look first: its changes cannot be put aside now").to_owned();
         }
         self.open_scene_of(number, session);
         session.leave_journal(false);
         let told = match self.offers.take_back(number, session) {
-            Ok(name) => format!("{name} is as it was, with all its changes"),
+            Ok(name) => tr!("{name} is as it was, with all its changes"),
             Err(problem) => problem.message,
         };
         self.look();
@@ -239,10 +240,11 @@ impl Safety {
     /// Takes back a painting. The open look stays: the painting is seen beside it.
     fn take_back_painting(&mut self, number: usize, session: &mut Session) -> String {
         if session.is_painting_dirty() && !session.keeps_painting() {
-            return "Save what you paint first: its changes cannot be put aside now".to_owned();
+            return tr!("Save what you paint first: its changes cannot be put aside now")
+                .to_owned();
         }
         let told = match self.offers.take_back(number, session) {
-            Ok(name) => format!("{name} is as it was, with all its changes"),
+            Ok(name) => tr!("{name} is as it was, with all its changes"),
             Err(problem) => problem.message,
         };
         self.look();

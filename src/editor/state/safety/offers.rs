@@ -4,6 +4,8 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
+use chiaro_locale::{tr, trn};
+
 use crate::clock;
 use crate::diag::Diagnostic;
 use crate::document::{Look, Scene, Shot};
@@ -156,7 +158,7 @@ impl Offer {
                 })
             }
             Err(problem) => Some(Self {
-                name: "a damaged journal".to_owned(),
+                name: tr!("a damaged journal").to_owned(),
                 path: None,
                 steps: None,
                 written,
@@ -176,18 +178,16 @@ impl Offer {
 
     /// Summary of the offer for people.
     pub(crate) fn summary(&self) -> String {
-        let steps = match self.steps {
-            Some(1) => "1 change, ".to_owned(),
-            Some(count) => format!("{count} changes, "),
-            None => String::new(),
-        };
-        let ago = self.written.map_or_else(String::new, |written| ago(clock::age(written)));
+        let steps = self.steps.map(|count| trn!(count, "{count} change", "{count} changes"));
+        let ago = self.written.map(|written| ago(clock::age(written)));
+        let parts = [Some(self.name.clone()), steps, ago].into_iter().flatten();
         let damaged = match (self.damage.is_empty(), self.is_readable) {
-            (true, _) => "",
-            (false, true) => "; a part of it was damaged and is lost",
-            (false, false) => "; nothing in it can be read",
+            (true, _) => None,
+            (false, true) => Some(tr!("a part of it was damaged and is lost")),
+            (false, false) => Some(tr!("nothing in it can be read")),
         };
-        format!("{}, {steps}{ago}{damaged}", self.name)
+        let summary = parts.collect::<Vec<_>>().join(", ");
+        damaged.map_or(summary.clone(), |damaged| format!("{summary}; {damaged}"))
     }
 }
 
@@ -205,14 +205,15 @@ fn is_in_file<D: JournalDocument>(
 
 /// Age in words.
 fn ago(age: Duration) -> String {
-    let count = |number: u64, unit: &str| {
-        format!("{number} {unit}{} ago", if number == 1 { "" } else { "s" })
-    };
     match age.as_secs() {
-        0..60 => "just now".to_owned(),
-        seconds @ 60..3600 => count(seconds / 60, "minute"),
-        seconds @ 3600..86_400 => count(seconds / 3600, "hour"),
-        seconds => count(seconds / 86_400, "day"),
+        0..60 => tr!("just now").to_owned(),
+        seconds @ 60..3600 => {
+            trn!(count = seconds / 60, "{count} minute ago", "{count} minutes ago")
+        }
+        seconds @ 3600..86_400 => {
+            trn!(count = seconds / 3600, "{count} hour ago", "{count} hours ago")
+        }
+        seconds => trn!(count = seconds / 86_400, "{count} day ago", "{count} days ago"),
     }
 }
 

@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::tr;
+
 use crate::diag::{Diagnostic, LineColumn};
 use crate::state::paths::absolute;
 use crate::state::revision::{DocumentNumber, PaintingNumber};
@@ -26,14 +28,17 @@ impl UnopenedFile {
         let why = problem.map(|problem| problem.message.as_str()).unwrap_or_default();
         let why = why.strip_prefix("cannot read the file: ").unwrap_or(why);
         let at = problem.and_then(|problem| problem.place.at);
-        let at = at
-            .map(|LineColumn { line, column }| format!(" (line {line}, column {column})"))
-            .unwrap_or_default();
+        let text = match at {
+            Some(LineColumn { line, column }) => {
+                tr!("{name} could not be opened: {why} (line {line}, column {column})")
+            }
+            None => tr!("{name} could not be opened: {why}"),
+        };
         let whole = absolute(path);
         let hints = problem.map(|problem| problem.hints.join("; ")).unwrap_or_default();
         let help = if hints.is_empty() { String::new() } else { format!(": {hints}") };
         Self {
-            text: format!("{name} could not be opened: {why}{at}"),
+            text,
             help: format!("{}{help}", whole.display()),
             interrupted: None,
             open: Self::open(session),
@@ -44,8 +49,11 @@ impl UnopenedFile {
     pub(super) fn interrupted(path: &Path, session: &Session) -> Self {
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
         Self {
-            text: format!("{name} was not opened: Chiaro ended while reading it the last time"),
-            help: format!("{}: save your other work, then try again", absolute(path).display()),
+            text: tr!("{name} was not opened: Chiaro ended while reading it the last time"),
+            help: tr!(
+                "{path}: save your other work, then try again",
+                path = absolute(path).display()
+            ),
             interrupted: Some(path.to_owned()),
             open: Self::open(session),
         }

@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use crate::catalog::Catalog;
 use crate::compile::{TypedGraph, TypedSource, check};
 use crate::diag::{Diagnostic, WithWarnings, has_errors};
@@ -138,5 +140,5 @@ fn of_file(mut problem: Diagnostic, file: &Path, stays: bool) -> Diagnostic {
     problem.message = format!("{name}: {node}{}", problem.message);
     problem.place.port = None;
     problem.place.file.get_or_insert_with(|| file.display().to_string());
-    if stays { problem.hint("it is shown as it was before") } else { problem }
+    if stays { problem.hint(tr!("it is shown as it was before")) } else { problem }
 }

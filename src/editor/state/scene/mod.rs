@@ -11,6 +11,7 @@ use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use serde_json::json;
 
 use crate::diag::Diagnostic;
@@ -115,7 +116,7 @@ impl OpenScene {
     /// Display name of the scene.
     pub(crate) fn name(&self) -> String {
         let file = self.document.path.as_ref().and_then(|path| path.file_name());
-        file.map_or_else(|| "New scene".to_owned(), |name| name.to_string_lossy().into_owned())
+        file.map_or_else(|| tr!("New scene").to_owned(), |name| name.to_string_lossy().into_owned())
     }
 
     /// Name of the document whose changes a save would write: the shot's, where one is open.

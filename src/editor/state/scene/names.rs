@@ -2,6 +2,8 @@
 
 use std::path::{Component, Path, PathBuf};
 
+use chiaro_locale::tr;
+
 use super::{OPEN_LOOK, OpenScene};
 use crate::diag::Diagnostic;
 use crate::document::Scene;
@@ -82,10 +84,11 @@ impl OpenScene {
         let unsaved = scene.objects.values_mut().flat_map(|object| object.looks.values_mut());
         for name in unsaved.filter(|name| *name == OPEN_LOOK) {
             let Some(open) = &self.open_file else {
-                let message =
-                    "the open look has no file yet, and a scene names its looks by their files";
+                let message = tr!(
+                    "the open look has no file yet, and a scene names its looks by their files"
+                );
                 return Err(Box::new(
-                    Diagnostic::error("unsaved-look", message).hint("save the look first"),
+                    Diagnostic::error("unsaved-look", message).hint(tr!("save the look first")),
                 ));
             };
             *name = relative(folder, &absolute(open));

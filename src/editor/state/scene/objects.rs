@@ -1,5 +1,6 @@
 //! Edits of a scene's objects, and the objects' positions.
 
+use chiaro_locale::tr;
 use glam::{DQuat, DVec3, EulerRot};
 
 use super::{OPEN_LOOK, OpenScene};
@@ -204,7 +205,7 @@ impl OpenScene {
     /// Display name of the open look in lists of objects.
     pub(crate) fn open_label(&self) -> String {
         let file = self.open_file.as_deref().and_then(|file| file.file_name());
-        file.map_or_else(|| "New look".to_owned(), |name| name.to_string_lossy().into_owned())
+        file.map_or_else(|| tr!("New look").to_owned(), |name| name.to_string_lossy().into_owned())
     }
 
     /// Names of the scene's looks, the open one first, each once.

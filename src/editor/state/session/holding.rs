@@ -3,9 +3,11 @@
 
 use std::path::PathBuf;
 
+use chiaro_locale::tr;
+
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::state::crashes::{DocumentOrigin, Suspect};
+use crate::state::crashes::{CrashStep, DocumentOrigin, Suspect};
 use crate::state::revision::{DocumentNumber, SuspectsRevision};
 use crate::state::scene::OpenScene;
 
@@ -61,11 +63,18 @@ impl Session {
 
 fn problem(suspect: &Suspect) -> Diagnostic {
     let Suspect { document, step, .. } = suspect;
-    let message = format!(
-        "Chiaro ended while {} {} the last time, so it is open without being drawn",
-        step.doing(),
-        document.name
-    );
-    let hint = "press Try again above to draw it, or change it first and save it";
+    let name = &document.name;
+    let message = match step {
+        CrashStep::Read => tr!(
+            "Chiaro ended while reading {name} the last time, so it is open without being drawn"
+        ),
+        CrashStep::Compile => tr!(
+            "Chiaro ended while compiling {name} the last time, so it is open without being drawn"
+        ),
+        CrashStep::Draw => tr!(
+            "Chiaro ended while drawing {name} the last time, so it is open without being drawn"
+        ),
+    };
+    let hint = tr!("press Try again above to draw it, or change it first and save it");
     Diagnostic::error("not-drawn", message).hint(hint)
 }

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use chiaro_locale::trn;
+
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::{Edit, read_text};
@@ -44,11 +46,12 @@ impl Session {
         self.apply(edit, None).map_err(|problem| vec![*problem])?;
         self.look.load_problems = warnings;
         self.revisions.problems.advance();
-        let told = match notes {
-            0 => String::new(),
-            1 => "; 1 has no twin here and came as a note with its values".to_owned(),
-            _ => format!("; {notes} have no twin here and came as notes with their values"),
-        };
-        Ok(format!("Imported {name}: {nodes} nodes{told}"))
+        let told = trn!(nodes, "Imported {name}: {nodes} node", "Imported {name}: {nodes} nodes");
+        let noted = trn!(
+            notes,
+            "{notes} has no twin here and came as a note with its values",
+            "{notes} have no twin here and came as notes with their values"
+        );
+        Ok(if notes == 0 { told } else { format!("{told}; {noted}") })
     }
 }

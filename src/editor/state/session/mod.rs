@@ -47,6 +47,7 @@ use crate::state::shelf::SnapshotShelf;
 use crate::state::solo::Solo;
 use crate::state::view::ViewState;
 use crate::state::wire::ShownWire;
+use chiaro_locale::tr;
 pub(crate) use nodes::NodeFiles;
 use parts::{Compilation, Journals, Project, Revisions, Sketchbook};
 pub(crate) use shading::DrawableLook;
@@ -369,12 +370,17 @@ impl Session {
     /// Display name of the look: its file's name, or else its own. A look of the same name as the
     /// painting is told from it.
     pub(crate) fn name(&self) -> String {
+        self.name_or(tr!("New look"))
+    }
+
+    /// The name, or this one of a look that has none.
+    fn name_or(&self, unnamed: &str) -> String {
         let look = &self.look().name;
         match self.path().and_then(Path::file_name) {
             Some(name) => name.to_string_lossy().into_owned(),
-            None if look.is_empty() => "New look".to_owned(),
-            None if self.painting.as_ref().is_some_and(|work| work.name() == *look) => {
-                format!("Look of {look}")
+            None if look.is_empty() => unnamed.to_owned(),
+            None if self.painting.as_ref().is_some_and(|work| work.kept_name() == *look) => {
+                tr!("Look of {look}")
             }
             None => look.clone(),
         }

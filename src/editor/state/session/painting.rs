@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use glam::{DQuat, DVec3};
 
 use super::Session;
@@ -92,7 +93,7 @@ impl Session {
         let Some(work) = &mut self.painting else {
             return Err(Box::new(Diagnostic::error(
                 "impossible-edit",
-                "no painted surface is open",
+                tr!("no painted surface is open"),
             )));
         };
         self.revisions.step.advance();
@@ -115,9 +116,9 @@ impl Session {
     pub(crate) fn save_painting_as(&mut self, path: &Path) -> Result<(), Box<Diagnostic>> {
         let Some(work) = &mut self.painting else { return Ok(()) };
         let had_no_file = work.path().is_none();
-        let before = work.name();
+        let before = work.kept_name();
         work.save_as(path)?;
-        let now = work.name();
+        let now = work.kept_name();
         let file = work.path().map(Path::to_path_buf).filter(|_| had_no_file);
         if let Some(file) = file {
             let name = match &self.look.path {

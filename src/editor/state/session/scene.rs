@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use chiaro_locale::tr;
+
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::{LoadedDocument, Scene, SceneEdit};
@@ -187,7 +189,7 @@ impl Session {
             return self.apply_scene_to_shot(edit, gesture);
         }
         let Some(open_scene) = &mut self.open_scene else {
-            return Err(Box::new(Diagnostic::error("impossible-edit", "no scene is open")));
+            return Err(Box::new(Diagnostic::error("impossible-edit", tr!("no scene is open"))));
         };
         self.revisions.step.advance();
         if open_scene.apply(edit, gesture, self.revisions.step)? {

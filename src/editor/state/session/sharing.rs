@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use chiaro_locale::tr;
+
 use super::Session;
 use crate::document::{Edit, Graph, GraphId, Look};
 use crate::files::{Disk, Files as _, MemoryFiles, make_folder, write_atomic};
@@ -18,13 +20,12 @@ impl Session {
     fn try_share(&mut self, id: &DefinitionId) -> Result<String, String> {
         let Some(folder) = self.path().and_then(Path::parent).map(|folder| folder.join("nodes"))
         else {
-            return Err(
-                "Save the look first: a project is the folder that its looks lie in".to_owned()
-            );
+            return Err(tr!("Save the look first: a project is the folder that its looks lie in")
+                .to_owned());
         };
         let own = &self.look().definitions;
         let Some(definition) = own.get(id).cloned() else {
-            return Err("This group is of the library already".to_owned());
+            return Err(tr!("This group is of the library already").to_owned());
         };
         let name =
             if definition.label.is_empty() { id.to_string() } else { definition.label.clone() };
@@ -35,7 +36,7 @@ impl Session {
             .filter_map(|node| own.get_key_value(node.kind.as_str()));
         if let Some((inner, of)) = inner.next() {
             let inner = if of.label.is_empty() { inner.as_str() } else { &of.label };
-            return Err(format!(
+            return Err(tr!(
                 "\"{name}\" holds \"{inner}\", which only this look has: share that first"
             ));
         }
@@ -68,7 +69,8 @@ impl Session {
         self.project.sync(self.look.document());
         self.reload_library();
         self.apply(edit, None).map_err(|problem| problem.message)?;
-        Ok(format!("\"{name}\" is in {}: every look beside this one has it now", path.display()))
+        let path = path.display();
+        Ok(tr!("\"{name}\" is in {path}: every look beside this one has it now"))
     }
 }
 
@@ -108,11 +110,11 @@ fn handed_over(look: &Look, own: &DefinitionId, shared: &DefinitionId) -> Result
         || trial.direction_keys != look.direction_keys
         || trial.time_keys != look.time_keys;
     if loses {
-        return Err(
-            "Values inside of it are keyed or exposed in this look: make them inputs of the \
-             group, and key those"
-                .to_owned(),
-        );
+        return Err(tr!(
+            "Values inside of it are keyed or exposed in this look: make them inputs of the group, \
+             and key those"
+        )
+        .to_owned());
     }
     Ok(edit)
 }

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use chiaro_locale::tr;
+
 use super::Session;
 use crate::clock;
 use crate::diag::Diagnostic;
@@ -62,9 +64,9 @@ impl Session {
     /// A diagnostic where there is no such snapshot, or where a shot is open, which changes values
     /// alone.
     pub(crate) fn restore_snapshot(&mut self, id: SnapshotId) -> Result<(), Box<Diagnostic>> {
-        let gone = || Diagnostic::error("no-snapshot", "that snapshot is not there any more");
+        let gone = || Diagnostic::error("no-snapshot", tr!("that snapshot is not there any more"));
         let snapshot = self.shelf.of(id).ok_or_else(|| Box::new(gone()))?;
-        let label = format!("restore {}", snapshot.name);
+        let label = tr!("restore {snapshot}", snapshot = snapshot.name);
         let look = Box::new((*snapshot.look).clone());
         if *look == *self.look() {
             return Ok(());
@@ -87,7 +89,7 @@ impl Session {
         {
             anchor_images(&mut look, &folder);
         }
-        let of = if look.name.is_empty() { self.name() } else { look.name.clone() };
+        let of = if look.name.is_empty() { self.name_or("New look") } else { look.name.clone() };
         look.name = format!("{of}, {}", snapshot.name);
         Some((look.to_text(), look.name))
     }

@@ -3,6 +3,8 @@
 
 use std::path::Path;
 
+use chiaro_locale::{tr, trn};
+
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::{
@@ -51,7 +53,7 @@ impl Session {
         let of_shot = self.shot().filter(|shot| shot.has_file()).map(OpenShot::path);
         let beneath = of_shot.or_else(|| self.open_scene()?.path()).map(Path::to_path_buf);
         let Some(beneath) = beneath else {
-            let message = "a shot lies over the file of a scene, and there is none yet";
+            let message = tr!("a shot lies over the file of a scene, and there is none yet");
             return Err(vec![Diagnostic::error("impossible-edit", message)]);
         };
         let shot = OpenShot::begun(&**self.assets.source(), &beneath)?;
@@ -77,7 +79,9 @@ impl Session {
         let view = found.about.window.get(VIEW).cloned();
         let shot = OpenShot::taken_back(&**self.assets.source(), found).map_err(|problems| {
             let first = problems.into_iter().find(Diagnostic::is_error);
-            Box::new(first.unwrap_or_else(|| Diagnostic::error("cannot-read", "nothing is there")))
+            Box::new(
+                first.unwrap_or_else(|| Diagnostic::error("cannot-read", tr!("nothing is there"))),
+            )
         })?;
         self.set_scene(OpenScene::under(shot));
         self.show_first_frame();
@@ -184,7 +188,7 @@ impl Session {
         let differences = self.look().differences_in(&after, open).map_err(refused)?;
         let Some(shot) = self.shot() else { return Ok(()) };
         let Some(look) = shot.open_look() else {
-            let message = "the look has no file yet, by which a shot could name it";
+            let message = tr!("the look has no file yet, by which a shot could name it");
             return Err(Box::new(Diagnostic::error("not-of-a-shot", message)));
         };
         let present =
@@ -248,7 +252,7 @@ impl Session {
     ) -> Result<(), Box<Diagnostic>> {
         let now = self.revisions.step.next();
         let Some(shot) = self.shot_mut() else {
-            return Err(Box::new(Diagnostic::error("impossible-edit", "no shot is open")));
+            return Err(Box::new(Diagnostic::error("impossible-edit", tr!("no shot is open"))));
         };
         if shot.document.apply(edit, gesture, now)? {
             self.revisions.step.advance();
@@ -279,7 +283,8 @@ impl Session {
         let mut writer = ShotWriter::new(shot, at.look.clone(), self.view.time);
         writer.take_back(&at.target);
         let Some(edit) = writer.finish() else {
-            let message = format!("{} does not change `{}`", shot.name(), at.text());
+            let message =
+                tr!("{shot} does not change `{value}`", shot = shot.name(), value = at.text());
             return Err(Box::new(Diagnostic::error("impossible-edit", message)));
         };
         self.apply_to_shot(edit, None)
@@ -291,7 +296,7 @@ impl Session {
     /// The value has none that could be keyed.
     pub(crate) fn key_in_shot(&mut self, at: &ShotAddress) -> Result<(), Box<Diagnostic>> {
         let Some(value) = self.value_in_shot(at) else {
-            let message = format!("`{}` has no value to key", at.text());
+            let message = tr!("`{value}` has no value to key", value = at.text());
             return Err(Box::new(Diagnostic::error("impossible-edit", message)));
         };
         let Some(shot) = self.shot() else { return Ok(()) };
@@ -377,14 +382,14 @@ fn refusal(problem: Diagnostic, file: &Path) -> Diagnostic {
         return problem;
     }
     let name = file.file_name().unwrap_or_default().to_string_lossy();
-    let message = format!("{}: open {name} to change that", problem.message);
+    let message = tr!("{problem}: open {name} to change that", problem = problem.message);
     Diagnostic { message, ..problem }.in_file(file.display().to_string())
 }
 
 /// The value before a change and the one after it, in words.
 pub(crate) fn change_text(change: &ValueChange) -> (String, String) {
     let from = match &change.from {
-        serde_json::Value::Null => "default".to_owned(),
+        serde_json::Value::Null => tr!("default").to_owned(),
         from => json_text(from),
     };
     (from, json_text(&change.to))
@@ -399,13 +404,13 @@ pub(crate) fn json_text(json: &serde_json::Value) -> String {
             |number| format!("{}", (number * 1e4).round() / 1e4),
         ),
         Json::String(text) => text.clone(),
-        Json::Bool(true) => "on".to_owned(),
-        Json::Bool(false) => "off".to_owned(),
+        Json::Bool(true) => tr!("on").to_owned(),
+        Json::Bool(false) => tr!("off").to_owned(),
         Json::Array(items) if items.first().is_some_and(Json::is_object) => {
-            format!("{} keys", items.len())
+            trn!(count = items.len(), "{count} key", "{count} keys")
         }
         Json::Array(items) => items.iter().map(json_text).collect::<Vec<_>>().join(", "),
-        Json::Null => "nothing".to_owned(),
-        Json::Object(_) => "a curve".to_owned(),
+        Json::Null => tr!("nothing").to_owned(),
+        Json::Object(_) => tr!("a curve").to_owned(),
     }
 }

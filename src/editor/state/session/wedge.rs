@@ -1,5 +1,7 @@
 //! Values of a wedge's cell, taken into the open documents.
 
+use chiaro_locale::tr;
+
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::{ColorSpace, Edit, LightField, SceneEdit, Target, Value};
@@ -162,7 +164,7 @@ impl Session {
             }
         };
         let Some(target) = target else {
-            let message = format!("nothing open here has `{name}`: open what the wedge is of");
+            let message = tr!("nothing open here has `{name}`: open what the wedge is of");
             return Err(Box::new(Diagnostic::error("unknown-target", message)));
         };
         places.look.push((target, value.clone()));

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::{tr, trn};
 use serde_json::{Value as Json, json};
 
 use super::{LookSnapshot, MOST, SnapshotId, Snapshots};
@@ -58,12 +59,13 @@ impl ShelfFile {
             Ok(json) => {
                 let (list, damaged) = snapshots_of(&json, &name, last);
                 let problem = (!damaged.is_empty()).then(|| {
-                    let message = match damaged.len() {
-                        1 => "a snapshot in the file cannot be read".to_owned(),
-                        count => format!("{count} snapshots in the file cannot be read"),
-                    };
+                    let message = trn!(
+                        count = damaged.len(),
+                        "a snapshot in the file cannot be read",
+                        "{count} snapshots in the file cannot be read"
+                    );
                     let problem = Diagnostic::warning("damaged-snapshot", message);
-                    problem.hint("they stay in the file as they are").in_file(name)
+                    problem.hint(tr!("they stay in the file as they are")).in_file(name)
                 });
                 file.damaged = damaged;
                 ((list, file), problem)
@@ -96,8 +98,9 @@ impl ShelfFile {
         }
         let ((list, file), problem) = Self::read(path, last);
         if file.is_foreign {
-            let problem = problem.unwrap_or_else(|| Diagnostic::error("not-snapshots", "no file"));
-            let hint = "snapshots are not written over it: move it away, and take one more";
+            let problem =
+                problem.unwrap_or_else(|| Diagnostic::error("not-snapshots", tr!("no file")));
+            let hint = tr!("snapshots are not written over it: move it away, and take one more");
             return Err(Box::new(problem.hint(hint)));
         }
         *self = file;
@@ -132,13 +135,15 @@ fn parsed(text: &str, file: &str) -> Result<Json, Box<Diagnostic>> {
         Box::new(Diagnostic::error("not-snapshots", message).in_file(file.to_owned()))
     };
     let json: Json = serde_json::from_str(text)
-        .map_err(|error| wrong(format!("snapshots of the look cannot be read: {error}")))?;
+        .map_err(|error| wrong(tr!("snapshots of the look cannot be read: {error}")))?;
     if json.get("chiaro").and_then(Json::as_str) != Some(KIND) {
-        return Err(wrong("the file has the name of the look's snapshots, and is none".to_owned()));
+        return Err(wrong(
+            tr!("the file has the name of the look's snapshots, and is none").to_owned(),
+        ));
     }
     match json.get("version").and_then(Json::as_u64) {
         Some(VERSION) => Ok(json),
-        _ => Err(wrong("snapshots of the look are of a later version of Chiaro".to_owned())),
+        _ => Err(wrong(tr!("snapshots of the look are of a later version of Chiaro").to_owned())),
     }
 }
 

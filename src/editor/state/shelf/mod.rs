@@ -15,6 +15,7 @@ use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::state::document::times::Times;
 use crate::state::revision::StepTime;
+use chiaro_locale::tr;
 use file::ShelfFile;
 pub(crate) use file::{date_text, file_of};
 
@@ -120,15 +121,17 @@ impl SnapshotShelf {
         let total: usize = self.list.iter().map(|snapshot| snapshot.length).sum();
         if self.list.len() >= MOST || total + length > MOST_BYTES {
             let message = match self.list.len() >= MOST {
-                true => format!("a look has at most {MOST} snapshots"),
-                false => format!("snapshots of a look take at most {} MiB", MOST_BYTES >> 20),
+                true => tr!("a look has at most {MOST} snapshots"),
+                false => {
+                    tr!("snapshots of a look take at most {size} MiB", size = MOST_BYTES >> 20)
+                }
             };
             let problem = Diagnostic::error("too-many-snapshots", message);
-            return Err(Box::new(problem.hint("delete one first: undo brings it back")));
+            return Err(Box::new(problem.hint(tr!("delete one first: undo brings it back"))));
         }
         self.last.0 += 1;
         let (id, name) = (self.last, self.next_name());
-        let label = format!("take {name}");
+        let label = tr!("take {name}");
         let look = Arc::new(look.clone());
         let mut list = self.list.clone();
         list.push(Arc::new(LookSnapshot { id, name, taken, look, length }));
@@ -153,7 +156,7 @@ impl SnapshotShelf {
         if name.is_empty() || name == found.name {
             return Ok(());
         }
-        let label = format!("rename {} to {name}", found.name);
+        let label = tr!("rename {old} to {name}", old = found.name);
         Arc::make_mut(found).name = name;
         self.did(label, list, now);
         Ok(())
@@ -165,7 +168,7 @@ impl SnapshotShelf {
     /// A diagnostic where there is no such snapshot.
     pub(crate) fn delete(&mut self, id: SnapshotId, now: StepTime) -> Result<(), Box<Diagnostic>> {
         let found = self.of(id).ok_or_else(|| Box::new(gone()))?;
-        let label = format!("delete {}", found.name);
+        let label = tr!("delete {name}", name = found.name);
         let others = self.list.iter().filter(|snapshot| snapshot.id != id);
         let list = others.cloned().collect();
         self.did(label, list, now);
@@ -255,7 +258,7 @@ impl SnapshotShelf {
 }
 
 fn gone() -> Diagnostic {
-    Diagnostic::error("no-snapshot", "that snapshot is not there any more")
+    Diagnostic::error("no-snapshot", tr!("that snapshot is not there any more"))
 }
 
 #[cfg(test)]

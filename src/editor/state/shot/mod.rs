@@ -8,6 +8,7 @@ mod writing;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use serde_json::json;
 
 use crate::diag::Diagnostic;
@@ -193,10 +194,10 @@ impl OpenShot {
     /// Display name of the shot: its file's.
     pub(crate) fn name(&self) -> String {
         if !self.has_file() {
-            return "New shot".to_owned();
+            return tr!("New shot").to_owned();
         }
         let name = self.path().file_name();
-        name.map_or_else(|| "Shot".to_owned(), |name| name.to_string_lossy().into_owned())
+        name.map_or_else(|| tr!("Shot").to_owned(), |name| name.to_string_lossy().into_owned())
     }
 
     /// True if there are changes that no file holds.

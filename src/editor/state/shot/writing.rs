@@ -1,5 +1,6 @@
 //! Edits of a look or a scene, told as overrides of the shot over them.
 
+use chiaro_locale::tr;
 use serde_json::Value as Json;
 
 use super::{OpenShot, ShotAddress};
@@ -72,7 +73,7 @@ impl<'s> ShotWriter<'s> {
                         continue;
                     }
                     let Some(value) = value_of(&target) else {
-                        let message = format!("`{target}` without a value is nothing of a shot");
+                        let message = tr!("`{target}` without a value is nothing of a shot");
                         return Err(Diagnostic::error("not-of-a-shot", message));
                     };
                     if is_default {

@@ -1,5 +1,7 @@
 //! Masks of layers: a *Mask* node in a layer's opacity, and what says where the layer is shown.
 
+use chiaro_locale::{Text, text};
+
 use super::tree::LayerTree;
 use super::{STEP, Stack};
 use crate::catalog::Catalog;
@@ -18,8 +20,8 @@ const DROP: f64 = 240.0;
 
 /// Source of a mask that a menu offers.
 pub(crate) struct MaskSource {
-    pub(crate) name: &'static str,
-    pub(crate) help: &'static str,
+    pub(crate) name: Text,
+    pub(crate) help: Text,
     /// Nodes from the source to the mask, each with its values; every one but the first is fed by
     /// the one before.
     chain: &'static [SourceNode],
@@ -45,22 +47,26 @@ impl SourceNode {
 /// Sources, the ones that painters reach for first.
 pub(crate) static SOURCES: [MaskSource; 7] = [
     MaskSource {
-        name: "A picture",
-        help: "White shows the layer, black hides it; painted over the mesh's UVs in any paint \
-               program. Choose the file in the inspector",
+        name: text!("A picture"),
+        help: text!(
+            "White shows the layer, black hides it; painted over the mesh's UVs in any paint \
+             program. Choose the file in the inspector"
+        ),
         chain: &[SourceNode { words: &[("encoding", "data")], ..SourceNode::of("image", "") }],
         is_of_stack: false,
     },
     MaskSource {
-        name: "Vertex colors",
-        help: "The brightness of the colors that were painted on the mesh's points",
+        name: text!("Vertex colors"),
+        help: text!("The brightness of the colors that were painted on the mesh's points"),
         chain: &[SourceNode::of("vertex_color", ""), SourceNode::of("color_luminance", "color")],
         is_of_stack: false,
     },
     MaskSource {
-        name: "Brightness below",
-        help: "How bright the layers below are: from black, which hides, to white; Low and High \
-               say where it begins and ends",
+        name: text!("Brightness below"),
+        help: text!(
+            "How bright the layers below are: from black, which hides, to white; Low and High say \
+             where it begins and ends"
+        ),
         chain: &[
             SourceNode::of("color_luminance", "color"),
             SourceNode::of("smooth_step_value", "value"),
@@ -68,14 +74,14 @@ pub(crate) static SOURCES: [MaskSource; 7] = [
         is_of_stack: true,
     },
     MaskSource {
-        name: "What faces the eye",
-        help: "The middle of forms; inverted, their rims",
+        name: text!("What faces the eye"),
+        help: text!("The middle of forms; inverted, their rims"),
         chain: &[SourceNode::of("facing", ""), SourceNode::of("smooth_step_value", "value")],
         is_of_stack: false,
     },
     MaskSource {
-        name: "One object",
-        help: "The object of this number in the scene, counted from 0",
+        name: text!("One object"),
+        help: text!("The object of this number in the scene, counted from 0"),
         chain: &[
             SourceNode::of("object_id", ""),
             SourceNode {
@@ -87,8 +93,8 @@ pub(crate) static SOURCES: [MaskSource; 7] = [
         is_of_stack: false,
     },
     MaskSource {
-        name: "Noise",
-        help: "Clouds over the surface, which stay on it",
+        name: text!("Noise"),
+        help: text!("Clouds over the surface, which stay on it"),
         chain: &[
             SourceNode { numbers: &[("octaves", 4.0)], ..SourceNode::of("noise", "") },
             SourceNode {
@@ -99,8 +105,8 @@ pub(crate) static SOURCES: [MaskSource; 7] = [
         is_of_stack: false,
     },
     MaskSource {
-        name: "Nothing yet",
-        help: "A white mask, which hides nothing until a wire or a number says what",
+        name: text!("Nothing yet"),
+        help: text!("A white mask, which hides nothing until a wire or a number says what"),
         chain: &[],
         is_of_stack: false,
     },
