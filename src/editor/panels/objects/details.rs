@@ -1,6 +1,6 @@
 //! Fields of an object: mesh, looks by material, position, rotation and scale.
 
-use chiaro_locale::{tr, tr_in};
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Ui};
 
@@ -188,8 +188,8 @@ fn mesh(
     let combo = combo.show_ui(ui, |ui| {
         for shape in SHAPES {
             let is_it = object.mesh.strip_prefix(SHAPE_PREFIX) == Some(shape.name);
-            let shown = ui.selectable_label(is_it, tr_in("shape", shape.label));
-            if shown.on_hover_text(tr_in("shape", shape.help)).clicked() && !is_it {
+            let shown = ui.selectable_label(is_it, shape.label.tr());
+            if shown.on_hover_text(shape.help.tr()).clicked() && !is_it {
                 let mesh = format!("{SHAPE_PREFIX}{}", shape.name);
                 out.extend(
                     open_scene.change(id, |object| object.mesh = mesh).map(SceneCommand::Edit),
