@@ -87,10 +87,10 @@ impl PaintingSummary {
 /// Card of a look, a scene or a painting that can be opened.
 pub(crate) struct Card {
     origin: CardOrigin,
-    /// Name that crashes are recorded under.
+    /// Name that crashes are recorded under, in English.
     name: String,
-    /// Name as it is shown.
-    title: String,
+    /// Name of the document and number of the figure, for an example that is one.
+    figure: Option<(String, &'static str)>,
     /// Words that say more, to find the card by.
     tags: String,
     /// Paragraph on what is shown, in English; empty for none.
@@ -114,11 +114,6 @@ impl Card {
             let figure = stem
                 .strip_prefix("figure")
                 .map(|rest| rest.split_once('-').map_or(rest, |(number, _)| number));
-            let called = |name: &str| match figure {
-                _ if name.is_empty() => stem.to_owned(),
-                Some(figure) => tr!("{name} · Figure {figure}"),
-                None => name.to_owned(),
-            };
             let listed = path.to_str().and_then(|path| path.strip_prefix(PREFIX));
             let stage = listing.stage(listed.unwrap_or_default());
             let (name, about, content, key) = match content {
@@ -133,12 +128,16 @@ impl Card {
                     (scene.name, scene.about, CardContent::Scene, key)
                 }
             };
-            let title = called(tr_in("example", &name));
-            let name = called(&name);
+            let figure = figure.filter(|_| !name.is_empty()).map(|number| (name.clone(), number));
+            let name = match &figure {
+                Some((name, number)) => format!("{name} · Figure {number}"),
+                None if name.is_empty() => stem.to_owned(),
+                None => name,
+            };
             let tags = listing.tags(listed.unwrap_or_default());
             let origin = CardOrigin::Example(index, path);
             let stage = Some(stage);
-            Some(Self { origin, name, title, tags, about, content, key, stage, side })
+            Some(Self { origin, name, figure, tags, about, content, key, stage, side })
         };
         (0..count()).filter_map(card).collect()
     }
@@ -179,15 +178,26 @@ impl Card {
         side: f32,
     ) -> Self {
         let [tags, about] = [String::new(), String::new()];
-        let title = name.clone();
-        Self { origin, name, title, tags, about, content, key, stage: None, side }
+        let (figure, stage) = (None, None);
+        Self { origin, name, figure, tags, about, content, key, stage, side }
+    }
+
+    /// Name as it is shown.
+    fn title(&self) -> String {
+        match (&self.figure, &self.origin) {
+            (Some((name, figure)), _) => {
+                tr!("{name} · Figure {figure}", name = tr_in("example", name))
+            }
+            (None, CardOrigin::Example(..)) => tr_in("example", &self.name).to_owned(),
+            (None, CardOrigin::File(_)) => self.name.clone(),
+        }
     }
 
     /// Rank of the card in a search, 0 best; `None` where a word of the query begins no word of the
     /// card, nor of `more`.
     fn rank(&self, query: &str, more: &str) -> Option<usize> {
         let both = |text: &str| format!("{text} {}", tr_in("example", text));
-        let name = format!("{} {}", self.name, self.title);
+        let name = format!("{} {}", self.name, self.title());
         words::rank(query, &[&name, &both(&self.tags), &both(more), &both(&self.about)])
     }
 
@@ -223,7 +233,7 @@ impl Card {
     ) -> Response {
         let (rect, response) = ui.allocate_exact_size(vec2(side, side + NAME), Sense::click());
         let suspect = self.suspect(&session.journals.crashes);
-        let name = &self.title;
+        let name = self.title();
         let label = match self.content {
             CardContent::Scene => tr!("Open the scene {name}"),
             CardContent::Painting(_) => tr!("Open the painting {name}"),
@@ -284,7 +294,7 @@ impl Card {
                 eframe::egui::StrokeKind::Inside,
             );
         }
-        name_below(ui, rect, picture, &self.title, theme::of(ui).text);
+        name_below(ui, rect, picture, &name, theme::of(ui).text);
         if response.clicked() {
             out.push(match &self.origin {
                 CardOrigin::Example(index, _) => Command::OpenExample(*index),
@@ -306,7 +316,7 @@ impl Card {
                     _ => tr!("Opens it as a new look; the example itself stays as it is"),
                 };
                 let about = tr_in("example", &self.about);
-                return format!("{}\n{about}\n\n{opens}", self.title);
+                return format!("{}\n{about}\n\n{opens}", self.title());
             }
         };
         let mut lines = vec![tr!("Opens {file}", file = path.display())];
