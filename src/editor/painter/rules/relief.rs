@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use chiaro_locale::{Text, text, tr, tr_in};
+use chiaro_locale::{Text, text, tr};
 use eframe::egui::{Button, CollapsingHeader, Id, Role, Slider, Ui, WidgetInfo};
 
 use super::{LEAD, OpenPainting};
