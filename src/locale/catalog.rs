@@ -69,10 +69,10 @@ fn mark(known: &Mutex<HashMap<String, &'static str>>, text: &str) -> &'static st
     if let Some(marked) = known.get(text) {
         return marked;
     }
-    let marked = if text.trim().is_empty() || text.starts_with('⟦') {
+    let marked = if text.trim().is_empty() || text.starts_with('«') {
         text.to_owned()
     } else {
-        format!("⟦{text}⟧")
+        format!("«{text}»")
     };
     let marked: &'static str = Box::leak(marked.into_boxed_str());
     known.insert(text.to_owned(), marked);

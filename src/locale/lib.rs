@@ -51,7 +51,7 @@ impl Language {
     }
 }
 
-/// Tag of the language for tests: English with every text that was looked up within ⟦ and ⟧.
+/// Tag of the language for tests: English with every text that was looked up within « and ».
 pub const MARKED: &str = "qps";
 
 fn one_or_many(count: u64) -> usize {
@@ -64,7 +64,7 @@ pub static LANGUAGES: [Language; 2] = [
     Language::new("de", "Deutsch", include_str!("de.po"), one_or_many),
 ];
 
-static MARKED_LANGUAGE: Language = Language::new(MARKED, "⟦English⟧", "", one_or_many);
+static MARKED_LANGUAGE: Language = Language::new(MARKED, "«English»", "", one_or_many);
 
 /// Index of the language that is spoken; that of the marked one is beyond the list.
 static SPOKEN: AtomicUsize = AtomicUsize::new(0);
@@ -121,22 +121,30 @@ pub fn trn(one: &'static str, many: &'static str, count: u64) -> &'static str {
 
 /// Text of a table's row: English in the source, and looked up when it is shown.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub struct Text(&'static str);
+pub struct Text {
+    context: &'static str,
+    english: &'static str,
+}
 
 impl Text {
     /// Text of the table; written as `text!("...")`, so that it is listed for translators.
     pub const fn new(english: &'static str) -> Self {
-        Self(english)
+        Self::of("", english)
+    }
+
+    /// Text of a context; written as `text!("tool" => "Fill")`.
+    pub const fn of(context: &'static str, english: &'static str) -> Self {
+        Self { context, english }
     }
 
     /// Text in the language that is spoken.
     pub fn tr(self) -> &'static str {
-        tr(self.0)
+        tr_in(self.context, self.english)
     }
 
     /// Text as it stands in the source, for names that are kept and for search.
     pub const fn english(self) -> &'static str {
-        self.0
+        self.english
     }
 }
 
@@ -158,9 +166,9 @@ mod tests {
         assert_eq!(tr!("{name} has {n:.1}", n = 2.25), "Ada has 2.2");
         assert_eq!(trn!(n = 1, "{n} layer", "{n} layers"), "1 layer");
         speak(MARKED);
-        assert_eq!(tr!("Cancel"), "⟦Cancel⟧");
-        assert_eq!(tr!("{name} has {n:.1}", n = 2.25), "⟦Ada has 2.2⟧");
-        assert_eq!(trn!(n = 3, "{n} layer", "{n} layers"), "⟦3 layers⟧");
+        assert_eq!(tr!("Cancel"), "«Cancel»");
+        assert_eq!(tr!("{name} has {n:.1}", n = 2.25), "«Ada has 2.2»");
+        assert_eq!(trn!(n = 3, "{n} layer", "{n} layers"), "«3 layers»");
         speak("de");
         assert_eq!(spoken().name, "Deutsch");
         assert_eq!(tr("no catalog has this"), "no catalog has this");

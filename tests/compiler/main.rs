@@ -19,4 +19,5 @@ mod math;
 mod scan;
 mod techniques;
 mod texts;
+mod translations;
 mod words;

@@ -23,7 +23,7 @@ const SIZES: [([f32; 2], f32); 5] = [
 
 /// Panels that are looked at together, as the command palette lists them: those of one row lie in
 /// stacks of their own.
-const ROUNDS: [&[&str]; 9] = [
+pub(crate) const ROUNDS: [&[&str]; 9] = [
     &["Timeline"],
     &["Light table"],
     &["Objects", "Code", "Mixer"],
@@ -36,7 +36,7 @@ const ROUNDS: [&[&str]; 9] = [
 ];
 
 /// Menus of the bar.
-const MENUS: [&str; 5] = ["View", "Paint", "Export", "Copy as", "Help"];
+pub(crate) const MENUS: [&str; 5] = ["View", "Paint", "Export", "Copy as", "Help"];
 
 const LOOK: &str = r#"{"chiaro": "look", "name": "Nightfall on the old harbor",
  "lights": {"key": {"name": "Key light of the lantern", "direction": [0, 0, 1]},
@@ -71,7 +71,7 @@ fn pictures() -> Option<PathBuf> {
 }
 
 /// A window with a shot, on files of its own.
-fn opened(home: &Home) -> User {
+pub(crate) fn opened(home: &Home) -> User {
     for (name, text) in [("look.json", LOOK), ("scene.json", SCENE), ("shot.json", SHOT)] {
         std::fs::write(home.file(name), text).unwrap();
     }
@@ -238,7 +238,8 @@ fn is_code(text: &TextShape) -> bool {
     first.is_some_and(|first| first.format.font_id.family == FontFamily::Monospace)
 }
 
-fn collect(shape: &Shape, texts: &mut Vec<(Rect, String)>) {
+/// Texts of a shape, but for code, each with the room that it takes.
+pub(crate) fn collect(shape: &Shape, texts: &mut Vec<(Rect, String)>) {
     match shape {
         Shape::Vec(shapes) => shapes.iter().for_each(|shape| collect(shape, texts)),
         Shape::Text(text) if !text.galley.is_empty() && text.angle == 0.0 && !is_code(text) => {

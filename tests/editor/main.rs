@@ -14,6 +14,7 @@ mod imports;
 mod journeys;
 mod keys;
 mod kills;
+mod language;
 mod layer_links;
 mod layout;
 mod library;

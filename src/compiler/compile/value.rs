@@ -1,6 +1,6 @@
 //! Between a document's values and the interpreter's.
 
-use chiaro_locale::{text, tr, trn};
+use chiaro_locale::{Text, text, tr, trn};
 
 use crate::document::{Curve, Interpolation, Ramp, Value};
 use crate::interp;
@@ -114,7 +114,7 @@ fn interpolation_code(interpolation: Interpolation) -> interp::Value {
 
 fn curve_value(curve: &Curve) -> Result<interp::Value, String> {
     let points = &curve.points;
-    in_order("points", points.len(), Curve::MAX_POINTS, points.iter().map(|p| p[0]))?;
+    in_order(text!("points"), points.len(), Curve::MAX_POINTS, points.iter().map(|p| p[0]))?;
     for y in points.iter().map(|p| p[1]) {
         finite(y)?;
     }
@@ -134,7 +134,7 @@ fn curve_value(curve: &Curve) -> Result<interp::Value, String> {
 
 fn ramp_value(ramp: &Ramp) -> Result<interp::Value, String> {
     let stops = &ramp.stops;
-    in_order("stops", stops.len(), Ramp::MAX_STOPS, stops.iter().map(|stop| stop.at))?;
+    in_order(text!("stops"), stops.len(), Ramp::MAX_STOPS, stops.iter().map(|stop| stop.at))?;
     let mut colors = Vec::new();
     for stop in stops {
         colors.push(typed_value(&Value::Vector(stop.color.clone()), &Type::Color)?);
@@ -152,7 +152,7 @@ fn ramp_value(ramp: &Ramp) -> Result<interp::Value, String> {
 }
 
 fn in_order(
-    what: &str,
+    what: Text,
     count: usize,
     most: usize,
     places: impl Iterator<Item = f64>,

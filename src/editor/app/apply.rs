@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::tr;
 use eframe::egui::{self, Ui};
 
 use super::App;
@@ -335,9 +336,9 @@ impl App {
         let told = match shader {
             Some(wgsl) => {
                 ui.ctx().copy_text(wgsl);
-                "The shader is in the clipboard, as WGSL"
+                tr!("The shader is in the clipboard, as WGSL")
             }
-            None => "There is no shader to copy until the look compiles: Problems tells why",
+            None => tr!("There is no shader to copy until the look compiles: Problems tells why"),
         };
         self.message = Some(told.to_owned());
     }

@@ -1,6 +1,6 @@
 //! Bar at the top of the window, and line of status at the bottom.
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr};
 use eframe::egui::{self, RichText, Role, Ui, ViewportCommand, WidgetInfo};
 
 use super::App;
@@ -21,8 +21,8 @@ use crate::widgets::theme;
 /// them out, as the window's title has them too.
 const LEAST_NAME: f32 = 60.0;
 /// Reason why commands about a painting are disabled.
-const NOTHING_PAINTED: &str =
-    "Nothing is open to be painted: begin a new painted surface above, or open one";
+const NOTHING_PAINTED: Text =
+    text!("Nothing is open to be painted: begin a new painted surface above, or open one");
 
 impl App {
     pub(super) fn bar(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
@@ -39,46 +39,52 @@ impl App {
             let mut named = |ui: &mut Ui, label: &str, command: Command| {
                 button(ui, label, &table::help_of(&command), true, command)
             };
-            named(ui, "New", Command::New);
-            named(ui, "Open", Command::Open(None));
+            named(ui, tr!("New"), Command::New);
+            named(ui, tr!("Open"), Command::Open(None));
             let recent = self.safety.recent_menu(ui);
-            let save = named(ui, "Save", Command::Save);
+            let save = named(ui, tr!("Save"), Command::Save);
             spots::note(ui, Spot::Save, save);
-            named(ui, "Save as", Command::SaveAs);
+            named(ui, tr!("Save as"), Command::SaveAs);
             ui.separator();
-            let step = |label: Option<&str>, otherwise: &str| {
-                label.map_or(otherwise.to_owned(), str::to_owned)
-            };
             let (undo, redo) =
                 (self.session.steps().undo_label(), self.session.steps().redo_label());
-            let help = format!("Takes back: {} (Ctrl+Z)", step(undo, "nothing"));
-            button(ui, "Undo", &help, undo.is_some(), Command::Undo);
-            let help = format!("Repeats: {} (Ctrl+Shift+Z)", step(redo, "nothing"));
-            button(ui, "Redo", &help, redo.is_some(), Command::Redo);
+            let help = match undo {
+                Some(step) => tr!("Takes back: {step} (Ctrl+Z)"),
+                None => tr!("Takes back: nothing (Ctrl+Z)").to_owned(),
+            };
+            button(ui, tr!("Undo"), &help, undo.is_some(), Command::Undo);
+            let help = match redo {
+                Some(step) => tr!("Repeats: {step} (Ctrl+Shift+Z)"),
+                None => tr!("Repeats: nothing (Ctrl+Shift+Z)").to_owned(),
+            };
+            button(ui, tr!("Redo"), &help, redo.is_some(), Command::Redo);
             ui.separator();
             commands.extend(recent.map(|path| Command::Open(Some(path))));
-            ui.menu_button(tr!("View"), |ui| menu::scrolling(ui, |ui| self.view_menu(ui)))
-                .response
-                .on_hover_text(tr!("Panels, theme and scale"));
+            ui.menu_button(tr!("menu" => "View"), |ui| {
+                menu::scrolling(ui, |ui| self.view_menu(ui));
+            })
+            .response
+            .on_hover_text(tr!("Panels, theme and scale"));
             let is_open = self.session.painting().is_some();
             let why =
-                |row: &CommandRow| (!is_open && row.needs_painting).then_some(NOTHING_PAINTED);
-            let help = "Light on the picture; surfaces that change with the light and the eye, \
-                        painted by hand";
+                |row: &CommandRow| (!is_open && row.needs_painting).then(|| NOTHING_PAINTED.tr());
+            let help =
+                tr!("Light on the picture; surfaces that change with the light and the eye, \
+                     painted by hand");
             menu_with(
                 ui,
-                ("Paint", help),
+                (tr!("Paint"), help),
                 Menu::Paint,
                 why,
                 |ui, commands| paint_shown(ui, &self.session, commands),
                 commands,
             );
-            let help = "The look as shaders for other programs, or the picture, as files";
-            menu(ui, ("Export", help), Menu::Export, commands);
-            let help = "The picture, the selected nodes or the shader, to the clipboard";
-            menu(ui, ("Copy as", help), Menu::CopyAs, commands);
-            let help = "The start page, the tour, all commands and keys";
-            menu(ui, ("Help", help), Menu::Help, commands);
+            let help = tr!("The look as shaders for other programs, or the picture, as files");
+            menu(ui, (tr!("Export"), help), Menu::Export, commands);
+            let help = tr!("The picture, the selected nodes or the shader, to the clipboard");
+            menu(ui, (tr!("Copy as"), help), Menu::CopyAs, commands);
+            let help = tr!("The start page, the tour, all commands and keys");
+            menu(ui, (tr!("Help"), help), Menu::Help, commands);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 // A narrow window has room for the buttons alone.
                 if ui.available_width() > LEAST_NAME {
@@ -95,7 +101,11 @@ impl App {
             for row in 0..rows {
                 for panel in [PANELS.get(row), PANELS.get(row + rows)].into_iter().flatten() {
                     let mut is_there = self.dock.has(panel.id);
-                    if ui.checkbox(&mut is_there, panel.label).on_hover_text(panel.help).changed() {
+                    if ui
+                        .checkbox(&mut is_there, panel.label.tr())
+                        .on_hover_text(panel.help.tr())
+                        .changed()
+                    {
                         self.start = None;
                         if is_there { self.dock.open(panel.id) } else { self.dock.close(panel.id) }
                     }
@@ -122,7 +132,11 @@ impl App {
         let mut theme = ui.ctx().options(|options| options.theme_preference);
         ui.horizontal(|ui| {
             use egui::ThemePreference::{Dark, Light, System};
-            for (choice, label) in [(Dark, "Dark"), (Light, "Light"), (System, "As the system")] {
+            for (choice, label) in [
+                (Dark, tr!("theme" => "Dark")),
+                (Light, tr!("theme" => "Light")),
+                (System, tr!("As the system")),
+            ] {
                 if ui.selectable_value(&mut theme, choice, label).changed() {
                     ui.ctx().set_theme(theme);
                 }
@@ -136,7 +150,7 @@ impl App {
                     .selectable_label(is_it, format!("{percent}%"))
                     .on_hover_text(tr!("Scale of the window (Ctrl and +, -, 0)"));
                 let name =
-                    || WidgetInfo::selected(Role::Button, true, is_it, format!("Scale {percent}%"));
+                    || WidgetInfo::selected(Role::Button, true, is_it, tr!("Scale {percent}%"));
                 response.widget_info(name);
                 if response.clicked() {
                     ScaleCommand::To(percent).apply(ui.ctx());
@@ -161,7 +175,7 @@ impl App {
                 let text = RichText::new(message).color(theme::of(ui).accent);
                 if let Some(path) = &self.refused {
                     let name = path.file_name().unwrap_or_default().to_string_lossy();
-                    let help = "Opens the file that has it, in place of the shot";
+                    let help = tr!("Opens the file that has it, in place of the shot");
                     if ui.button(tr!("Open {name}")).on_hover_text(help).clicked() {
                         command = Some(Command::Open(Some(path.clone())));
                     }
@@ -203,7 +217,7 @@ impl App {
         }
         // A look and its scene may have files of the same name.
         let within = |open_scene: &OpenScene| {
-            if open_scene.name() == session.name() { " in the scene " } else { " in " }
+            if open_scene.name() == session.name() { tr!(" in the scene ") } else { tr!(" in ") }
         };
         let is_scene_dirty = |open_scene: &OpenScene| !open_scene_of_shot && open_scene.is_dirty();
         all.extend(
@@ -229,8 +243,8 @@ impl App {
             add(between, colors.dim);
             add(&name, ui.visuals().strong_text_color());
             if is_changed {
-                add(" changed", colors.accent);
-                help.push(format!("{name} has changes that no file holds yet"));
+                add(tr!(" changed"), colors.accent);
+                help.push(tr!("{name} has changes that no file holds yet"));
             }
         }
         let label = ui.add(egui::Label::new(job).truncate());
@@ -257,9 +271,11 @@ impl App {
             let names = those.map(|(_, (_, name, _))| format!("{name}{mark}"));
             names.collect::<Vec<String>>().join(", ")
         };
-        let others = names(false);
-        let others = if others.is_empty() { others } else { format!(" (with {others})") };
-        format!("{}{others} - Chiaro", names(true))
+        let (saved, others) = (names(true), names(false));
+        match others.is_empty() {
+            true => format!("{saved} - Chiaro"),
+            false => tr!("{saved} (with {others}) - Chiaro"),
+        }
     }
 
     /// Takes the mark of changes from documents that Save does not write now: a painting without a
@@ -342,17 +358,25 @@ fn paint_shown(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
     };
     if let Some(work) = session.painting() {
         let is_shown = is_painting_shown(session);
-        let label =
-            format!("{} {}", if is_shown { "Go on painting" } else { "Back to" }, work.name());
-        let command = if is_shown {
-            Command::ShowPanel(PanelId::PAINT)
-        } else {
-            Command::Paint(PaintCommand::GoBack)
+        let name = work.name();
+        let (label, command) = match is_shown {
+            true => (tr!("Go on painting {name}"), Command::ShowPanel(PanelId::PAINT)),
+            false => (tr!("Back to {name}"), Command::Paint(PaintCommand::GoBack)),
         };
-        entry(ui, &label, "Shows what is open to be painted, where it was painted", Some(command));
+        entry(
+            ui,
+            &label,
+            tr!("Shows what is open to be painted, where it was painted"),
+            Some(command),
+        );
     }
     if session.painting().is_none() && all.is_empty() {
-        entry(ui, "Paint what the look shows", "The open look shows nothing that is painted", None);
+        entry(
+            ui,
+            tr!("Paint what the look shows"),
+            tr!("The open look shows nothing that is painted"),
+            None,
+        );
     }
     for ShownPainting { label, help, path, .. } in all {
         entry(

@@ -163,7 +163,7 @@ impl App {
     pub(super) fn tell_saved(&mut self, path: &Path, saved: Result<(), Box<Diagnostic>>) -> bool {
         match saved {
             Ok(()) => {
-                self.message = Some(format!("Saved {}", path.display()));
+                self.message = Some(tr!("Saved {file}", file = path.display()));
                 self.safety.opened(path);
                 true
             }
@@ -384,32 +384,34 @@ impl App {
             (Some(_), _) | (None, None) => true,
             (None, Some(scene)) => scene.path().is_some() && !scene.wears_unsaved(),
         };
-        let modal = egui::Modal::new(egui::Id::unique("under shot")).show(ui.ctx(), |ui| {
-            ui.set_width(340.0);
-            let enters = confirm::enters(ui);
-            ui.label(RichText::new(tr!("A shot lies over files")).heading());
-            ui.label(match has_files {
-                true => format!(
+        let modal =
+            egui::Modal::new(egui::Id::unique("under shot")).show(ui.ctx(), |ui| {
+                ui.set_width(340.0);
+                let enters = confirm::enters(ui);
+                ui.label(RichText::new(tr!("A shot lies over files")).heading());
+                ui.label(match has_files {
+                true => tr!(
                     "Save {name} first: the shot shows it as its file has it, and changes values \
                      over it, frame by frame."
                 ),
-                false => "Save the scene first, and its look beside it: the shot shows them as \
-                          their files have them, and changes values over them, frame by frame."
+                false => tr!("Save the scene first, and its look beside it: the shot shows them as \
+                              their files have them, and changes values over them, frame by \
+                              frame.")
                     .to_owned(),
             });
-            ui.add_space(8.0);
-            ui.horizontal(|ui| {
-                if ui.button(tr!("Save")).clicked() || enters {
-                    commands.push(match has_files {
-                        true => Command::Save,
-                        false => Command::Scene(SceneCommand::Save),
-                    });
-                }
-                if ui.button(tr!("Cancel")).clicked() {
-                    self.pending = None;
-                }
+                ui.add_space(8.0);
+                ui.horizontal(|ui| {
+                    if ui.button(tr!("Save")).clicked() || enters {
+                        commands.push(match has_files {
+                            true => Command::Save,
+                            false => Command::Scene(SceneCommand::Save),
+                        });
+                    }
+                    if ui.button(tr!("Cancel")).clicked() {
+                        self.pending = None;
+                    }
+                });
             });
-        });
         if modal.should_close() {
             self.pending = None;
         }

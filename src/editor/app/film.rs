@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::{Text, text, tr};
 use eframe::egui::{OpenUrl, Ui};
 
 use super::App;
@@ -17,15 +18,15 @@ impl App {
         match command {
             FilmCommand::Render => match &self.program {
                 Some(program) => self.bench.frames.render(context, program),
-                None => self.message = Some(NO_PROGRAM.to_owned()),
+                None => self.message = Some(NO_PROGRAM.tr().to_owned()),
             },
             FilmCommand::WriteJob => match &self.program {
                 Some(program) => self.bench.frames.write_job(context, program),
-                None => self.message = Some(NO_PROGRAM.to_owned()),
+                None => self.message = Some(NO_PROGRAM.tr().to_owned()),
             },
             FilmCommand::DrawWedge => match &self.program {
                 Some(program) => self.bench.wedge.draw(&self.session, program),
-                None => self.message = Some(NO_PROGRAM.to_owned()),
+                None => self.message = Some(NO_PROGRAM.tr().to_owned()),
             },
             FilmCommand::StopFrames => self.bench.frames.stop(),
             FilmCommand::StopWedge => self.bench.wedge.stop(),
@@ -63,10 +64,10 @@ impl App {
     fn show_drawn_wedge(&mut self, sheet: &Path) {
         match WedgeSheet::read(sheet) {
             Some(sheet) => self.show_wedge(sheet),
-            None => self.message = Some(format!("{} cannot be read", sheet.display())),
+            None => self.message = Some(tr!("{file} cannot be read", file = sheet.display())),
         }
     }
 }
 
 /// Message where the program's own file is not known.
-const NO_PROGRAM: &str = "The program's own file is not known, so that it cannot render";
+const NO_PROGRAM: Text = text!("The program's own file is not known, so that it cannot render");

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use chiaro_locale::tr;
+
 use super::App;
 use super::files::PendingAction;
 use crate::commands::{LibraryCommand, PanelId, PartSpot};
@@ -59,7 +61,7 @@ impl App {
         let PartContent { kind, look, .. } = match &part.content {
             Ok(content) => content,
             Err(why) => {
-                self.message = Some(format!("\"{}\" cannot be read: {why}", part.name));
+                self.message = Some(tr!("\"{part}\" cannot be read: {why}", part = part.name));
                 return;
             }
         };
@@ -69,10 +71,10 @@ impl App {
                 return self.do_or_ask(PendingAction::Open(part.path.clone()));
             }
             (_, PartSpot::Object(object)) if !self.is_open_on(object) => {
-                let text = format!(
+                let text = tr!(
                     "{object} wears another look: click it, so that its look is open, and drop \
-                     \"{}\" once more",
-                    part.name
+                     \"{part}\" once more",
+                    part = part.name
                 );
                 self.message = Some(text);
                 return;
@@ -91,7 +93,7 @@ impl App {
         match placed {
             Ok(Placement { edit, nodes, mut told }) => {
                 if !linked.is_empty() {
-                    told += &format!(" · linked, not copied: {}", linked.join(", "));
+                    told += &tr!(" · linked, not copied: {files}", files = linked.join(", "));
                 }
                 self.message = None;
                 self.tell(|session| session.apply(edit, None));
@@ -156,7 +158,7 @@ impl App {
             _ => session.graph(),
         };
         let Some((id, node)) = id.and_then(|id| graph.nodes.get_key_value(&id)) else {
-            return Err(format!("Select the node that \"{}\" is for", part.name));
+            return Err(tr!("Select the node that \"{part}\" is for", part = part.name));
         };
         let to = self.recipient();
         let mut values = placing::values(to, node, look, port.as_ref());
@@ -165,9 +167,9 @@ impl App {
         }
         let title = session.look_with_library().title_of_node(id, node);
         if values.is_empty() {
-            return Err(format!(
-                "{title} has no such value, so \"{}\" is of no use to it",
-                part.name
+            return Err(tr!(
+                "{title} has no such value, so \"{part}\" is of no use to it",
+                part = part.name
             ));
         }
         let wired = values.iter().filter(|(port, _)| graph.wire_into(id, port).is_some()).count();
@@ -181,9 +183,9 @@ impl App {
         let edit = session
             .keys()
             .set_all_at(values.iter().map(|(port, value)| (target(port), value.clone())));
-        let mut told = format!("\"{}\" is copied into {title}", part.name);
+        let mut told = tr!("\"{part}\" is copied into {title}", part = part.name);
         if wired > 0 {
-            told += " · a wire decides in its place until it is taken off";
+            told += tr!(" · a wire decides in its place until it is taken off");
         }
         Ok(Placement { edit, nodes: Vec::new(), told })
     }
@@ -191,7 +193,7 @@ impl App {
     /// Lets an object wear the file of a look.
     fn dress(&mut self, object: &ObjectId, part: &Part) {
         if part.is_shipped() {
-            self.message = Some(format!("\"{}\" has no file to wear", part.name));
+            self.message = Some(tr!("\"{part}\" has no file to wear", part = part.name));
             return;
         }
         let path = part.path.clone();
@@ -201,9 +203,9 @@ impl App {
             object.looks.values_mut().for_each(|look| look.clone_from(&name));
         });
         if self.message.is_none() {
-            self.message = Some(format!(
-                "{object} is linked to {}: what is changed there changes here",
-                path.display()
+            self.message = Some(tr!(
+                "{object} is linked to {file}: what is changed there changes here",
+                file = path.display()
             ));
         }
     }

@@ -6,6 +6,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::{tr, trn};
+
 use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::export::package::{Package, PackageScene, draw_expected, export_package, package};
@@ -172,7 +174,9 @@ fn prepared(
     let told = match &job.options.apply(&mut look, &mut library, is_package)?[..] {
         [] => String::new(),
         [one] => format!(" · {}", one.message),
-        [first, rest @ ..] => format!(" · {}; and {} more", first.message, rest.len()),
+        [first, rest @ ..] => {
+            tr!(" · {first}; and {more} more", first = first.message, more = rest.len())
+        }
     };
     Ok((look, library, told))
 }
@@ -200,14 +204,14 @@ async fn write_package(
     executor: Option<&mut Box<dyn Executor + Send>>,
 ) -> Result<LookExportResult, Vec<Diagnostic>> {
     let Destination::Folder(folder) = &job.to else {
-        return Ok(LookExportResult::Told("a package is a folder".to_owned()));
+        return Ok(LookExportResult::Told(tr!("a package is a folder").to_owned()));
     };
     let (look, library, changed) = prepared(job, true)?;
     let mut assets = Assets::default();
     let mut setup = job.snapshot.setup(&mut assets)?.value;
     setup.looks[0].look = look;
     let scene = PackageScene::of(&setup).ok_or_else(|| {
-        vec![Diagnostic::error("empty-scene", "there is no mesh to show the look on")]
+        vec![Diagnostic::error("empty-scene", tr!("there is no mesh to show the look on"))]
     })?;
     let place = (job.snapshot.folder.as_path(), &mut assets);
     let look = &setup.looks[0].look;
@@ -237,11 +241,13 @@ fn write(
     let is_free = export::in_the_way(exported, folder, &outputs).is_none();
     let folder = if is_free { folder.to_owned() } else { folder.join(own_folder(&job.stem)) };
     let written = export::write(exported, &folder, &mut outputs)?;
-    let count = match written.len() {
-        1 => "1 file".to_owned(),
-        count => format!("{count} files"),
-    };
-    Ok((format!("Exported {count} to {}", folder.display()), folder))
+    let told = trn!(
+        count = written.len(),
+        "Exported {count} file to {folder}",
+        "Exported {count} files to {folder}",
+        folder = folder.display()
+    );
+    Ok((told, folder))
 }
 
 fn copy(
@@ -257,19 +263,20 @@ fn copy(
         file.and_then(|file| Some((String::from_utf8(file.bytes.clone()).ok()?, &file.name)));
     let Some((text, name)) = text else {
         return Err(vec![
-            Diagnostic::error("no-text", "this language is no text to copy")
-                .hint("Export writes it to a file"),
+            Diagnostic::error("no-text", tr!("this language is no text to copy"))
+                .hint(tr!("Export writes it to a file")),
         ]);
     };
     let is_of_pass = |file: &export::ExportFile| {
         file.name != own && file.name.ends_with(ending) && !file.name.contains(".prepare.")
     };
-    let more = if exported.iter().any(is_of_pass) {
-        ". It reads what other passes draw: Export writes those too"
-    } else {
-        ""
+    let told = match exported.iter().any(is_of_pass) {
+        true => tr!(
+            "{name} is in the clipboard. It reads what other passes draw: Export writes those too"
+        ),
+        false => tr!("{name} is in the clipboard"),
     };
-    Ok(LookExportResult::Copied(text, format!("{name} is in the clipboard{more}")))
+    Ok(LookExportResult::Copied(text, told))
 }
 
 /// Address of a file for a browser, every odd byte of its path as `%XX`.
@@ -294,19 +301,19 @@ pub(crate) fn address_of(file: &Path) -> String {
 fn told(problems: &[Diagnostic]) -> String {
     let Some(first) = problems.iter().find(|problem| problem.is_error()).or(problems.first())
     else {
-        return "Nothing was exported".to_owned();
+        return tr!("Nothing was exported").to_owned();
     };
     let place = match (&first.place.node, &first.place.port) {
-        (Some(node), Some(port)) => format!(" (node {node}, input {port})"),
-        (Some(node), None) => format!(" (node {node})"),
+        (Some(node), Some(port)) => tr!(" (node {node}, input {port})"),
+        (Some(node), None) => tr!(" (node {node})"),
         _ => first.place.file.as_ref().map(|file| format!(" ({file})")).unwrap_or_default(),
     };
     let hints: String = first.hints.iter().map(|hint| format!("; {hint}")).collect();
     let more = match problems.len() {
         0 | 1 => String::new(),
-        count => format!("; and {} more, which Problems lists", count - 1),
+        count => tr!("; and {more} more, which Problems lists", more = count - 1),
     };
-    format!("Not exported: {}{place}{hints}{more}", first.message)
+    tr!("Not exported: {what}{place}{hints}{more}", what = first.message)
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Commands about masks that are painted on the mesh.
 
+use chiaro_locale::tr;
 use eframe::egui::Ui;
 
 use super::App;
@@ -54,7 +55,7 @@ impl App {
 fn new_mask(session: &mut Session, layer: &NodeId) -> Result<(), Box<Diagnostic>> {
     let problem = |message: &str| Box::new(Diagnostic::error("no-mask", message));
     let Some(path) = session.path().map(std::path::Path::to_path_buf) else {
-        return Err(problem("save the look first: its mask is a picture beside its file"));
+        return Err(problem(tr!("save the look first: its mask is a picture beside its file")));
     };
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let folder = path.parent().unwrap_or(std::path::Path::new("."));
@@ -62,7 +63,7 @@ fn new_mask(session: &mut Session, layer: &NodeId) -> Result<(), Box<Diagnostic>
         .chain((2..1000).map(|number| format!("{stem}-mask-{number}.png")));
     let name = names
         .find(|name| !folder.join(name).exists())
-        .ok_or_else(|| problem("there are too many masks beside the look's file"))?;
+        .ok_or_else(|| problem(tr!("there are too many masks beside the look's file")))?;
     session.write_mask(&folder.join(&name), &MaskPicture::filled([SIDE, SIDE], 0))?;
     let (mask, edit) = Stack::mask_by_picture(session.look(), layer, &name);
     session.apply(edit, None)?;

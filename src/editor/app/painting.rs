@@ -3,6 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::{tr, trn};
 use eframe::egui::Ui;
 
 use super::App;
@@ -13,7 +14,7 @@ use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Edit, Grid, Hcbtf, HcbtfEdit, Storage};
 use crate::frame::UNSAVED_HCBTF;
 use crate::hcbtf::exchange::ExchangeFormat;
-use crate::painter::{MadePainting, counted, shown, stepped};
+use crate::painter::{MadePainting, shown, stepped};
 use crate::state::painting::home::Home;
 use crate::state::painting::look;
 use crate::state::painting::work::OpenPainting;
@@ -45,11 +46,11 @@ impl App {
             PaintCommand::Divide { grid, lost } => {
                 self.tell(|session| session.apply_to_painting(HcbtfEdit::SetGrid { grid }, None));
                 if lost > 0 && self.message.is_none() {
-                    let text = format!(
-                        "{} went with the old grid: Undo brings them back",
-                        counted(lost, "painted sample")
-                    );
-                    self.message = Some(text);
+                    self.message = Some(trn!(
+                        lost,
+                        "{lost} painted sample went with the old grid: Undo brings it back",
+                        "{lost} painted samples went with the old grid: Undo brings them back"
+                    ));
                 }
             }
             PaintCommand::GoBack => self.do_or_ask(PendingAction::ShowPainting),
@@ -61,8 +62,9 @@ impl App {
                 self.bench.painting.ask_synthesis(&self.session);
             }
             PaintCommand::AskSynthesis => {
-                self.message =
-                    Some("Nothing is open to be painted that a tile could be made of".to_owned());
+                self.message = Some(
+                    tr!("Nothing is open to be painted that a tile could be made of").to_owned(),
+                );
             }
             PaintCommand::AskBake => self.bench.painting.ask_bake(),
             PaintCommand::Bake { to } => self.bake(to),
@@ -118,7 +120,9 @@ impl App {
         };
         let is_painted = self.session.painting().and_then(OpenPainting::path) == Some(to.as_path());
         self.message = match is_painted {
-            true => Some(format!("{} is open to be painted: bake to another file", to.display())),
+            true => {
+                Some(tr!("{file} is open to be painted: bake to another file", file = to.display()))
+            }
             false => self.bench.painting.bake(&self.session, to).err(),
         };
     }
@@ -177,7 +181,7 @@ impl App {
         let Some(work) = self.session.painting().filter(|work| work.example().is_some()) else {
             return;
         };
-        let told = format!("{}: saving asks where it is to go", work.name());
+        let told = tr!("{name}: saving asks where it is to go", name = work.name());
         let name = path.to_string_lossy();
         let edits =
             look::rename(self.session.look(), &self.session.project.catalog, &name, UNSAVED_HCBTF);
@@ -207,7 +211,7 @@ impl App {
                 self.dock.open(PanelId::PAINT);
             }
             (None, _) => {
-                self.message = Some("The open look shows nothing that is painted".to_owned());
+                self.message = Some(tr!("The open look shows nothing that is painted").to_owned());
             }
         }
     }
@@ -251,7 +255,12 @@ impl App {
         match self.bench.painting.made() {
             Some(MadePainting::Imported { from, made }) => self.take_import(&from, made),
             Some(MadePainting::Baked { to, made: Ok(count) }) => {
-                let told = format!("Baked {}: {count} samples", to.display());
+                let told = trn!(
+                    count,
+                    "Baked {file}: {count} sample",
+                    "Baked {file}: {count} samples",
+                    file = to.display()
+                );
                 self.do_or_ask(PendingAction::OpenPainting { path: to, keeps_look: false });
                 self.message = Some(told);
             }
@@ -260,7 +269,7 @@ impl App {
                     .first()
                     .map(|problem| sentence(problem).replace('\n', ": "))
                     .unwrap_or_default();
-                self.message = Some(format!("{} was not baked: {why}", to.display()));
+                self.message = Some(tr!("{file} was not baked: {why}", file = to.display()));
             }
             Some(MadePainting::Tile { .. }) | None => {}
         }
@@ -271,17 +280,17 @@ impl App {
         let [width, height] = hcbtf.grid.size;
         if self.begin_painting(OpenPainting::imported(hcbtf.clone(), Vec::new()), false) {
             self.message =
-                Some(format!("A new painting of {width} x {height} texels; save it to keep it"));
+                Some(tr!("A new painting of {width} x {height} texels; save it to keep it"));
         }
     }
 
     fn take_import(&mut self, path: &Path, made: Result<WithWarnings<Hcbtf>, Vec<Diagnostic>>) {
         match made {
             Ok(WithWarnings { value: hcbtf, warnings: notes }) => {
-                let told = format!(
-                    "{} of {} samples are painted",
-                    hcbtf.painted.len(),
-                    hcbtf.grid.sample_count()
+                let told = tr!(
+                    "{painted} of {all} samples are painted",
+                    painted = hcbtf.painted.len(),
+                    all = hcbtf.grid.sample_count()
                 );
                 if self.begin_painting(OpenPainting::imported(hcbtf, notes), false) {
                     self.message = Some(
@@ -292,13 +301,14 @@ impl App {
             Err(problems) => {
                 let why =
                     problems.first().map(|problem| problem.message.as_str()).unwrap_or_default();
-                self.message = Some(format!("{} could not be imported: {why}", path.display()));
+                self.message =
+                    Some(tr!("{file} could not be imported: {why}", file = path.display()));
             }
         }
     }
 
     fn tell_nothing_to_export(&mut self) {
-        self.message = Some("Nothing is open to be painted that could be exported".to_owned());
+        self.message = Some(tr!("Nothing is open to be painted that could be exported").to_owned());
     }
 
     fn export_painting(&mut self, form: ExchangeFormat, storage: Storage, to: Option<PathBuf>) {
@@ -325,7 +335,7 @@ impl App {
     fn begin_painting(&mut self, work: OpenPainting, keeps_look: bool) -> bool {
         if let Err(problem) = self.bench.painting.check(work.grid()) {
             let why = sentence(&problem).replace('\n', ": ");
-            self.message = Some(format!("{} cannot be painted here: {why}", work.name()));
+            self.message = Some(tr!("{name} cannot be painted here: {why}", name = work.name()));
             return false;
         }
         let told = work.document.load_problems.first().map(|problem| problem.message.clone());
@@ -371,9 +381,9 @@ impl App {
             && self.session.open_scene().is_none();
         if is_new && self.safety.take_back_look_of_painting(&mut self.session) {
             let painting = self.session.painting().map(OpenPainting::name).unwrap_or_default();
-            let told = format!(
-                "{painting} and {} are as they were, with all their changes",
-                self.session.name()
+            let told = tr!(
+                "{painting} and {look} are as they were, with all their changes",
+                look = self.session.name()
             );
             self.message = Some(told);
         } else if is_new {

@@ -78,17 +78,17 @@ impl PathField {
             let verdict = verdict(self.purpose, &path);
             let reason = match verdict {
                 PathEffect::Bad(reason) => reason,
-                _ if self.purpose.is_folder() && !path.exists() => "The folder will be made",
-                PathEffect::Replaces => "There is such a file; it would be replaced",
+                _ if self.purpose.is_folder() && !path.exists() => tr!("The folder will be made"),
+                PathEffect::Replaces => tr!("There is such a file; it would be replaced"),
                 PathEffect::Good | PathEffect::Folder => "",
             };
             ui.label(RichText::new(reason).color(theme::of(ui).warning));
             ui.horizontal(|ui| {
                 let label = match (&verdict, self.purpose.writes()) {
-                    _ if self.purpose.is_folder() => "Export here",
-                    (PathEffect::Replaces, _) => "Replace the file",
-                    (_, true) => "Save here",
-                    (_, false) => "Open this",
+                    _ if self.purpose.is_folder() => tr!("Export here"),
+                    (PathEffect::Replaces, _) => tr!("Replace the file"),
+                    (_, true) => tr!("Save here"),
+                    (_, false) => tr!("Open this"),
                 };
                 let is_file = matches!(verdict, PathEffect::Good | PathEffect::Replaces);
                 if ui.add_enabled(is_file, Button::new(label)).clicked() || enters && is_file {
@@ -114,7 +114,7 @@ impl PathField {
             .desired_width(f32::INFINITY)
             .font(eframe::egui::TextStyle::Monospace);
         let response = ui.add(edit);
-        response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "Path"));
+        response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, tr!("Path")));
         if std::mem::take(&mut self.is_new) {
             response.request_focus();
             let end = CCursor::new(self.text.chars().count());
@@ -176,26 +176,26 @@ impl PathField {
 fn title(purpose: FilePurpose) -> &'static str {
     match purpose {
         FilePurpose::Open => {
-            "Open a look, a scene, a shot, a painted surface or a sheet of a wedge"
+            tr!("Open a look, a scene, a shot, a painted surface or a sheet of a wedge")
         }
-        FilePurpose::Save => "Save the look",
-        FilePurpose::SaveScene => "Save the scene",
-        FilePurpose::SaveShot => "Save the shot",
-        FilePurpose::SavePainting => "Save the painting",
-        FilePurpose::BakeLook => "Bake the look onto a tile",
-        FilePurpose::ImportPainting(_) => "Import painted pictures",
-        FilePurpose::ExportPainting(..) => "Export the painting",
-        FilePurpose::Mesh => "Show the look on a mesh",
-        FilePurpose::AddMesh => "Add an object of a mesh",
-        FilePurpose::ObjectMesh => "Give the object another mesh",
-        FilePurpose::ObjectLook => "Give the object another look",
-        FilePurpose::Shaders(_) => "Export the look into a folder",
-        FilePurpose::Export(_) => "Save the picture",
-        FilePurpose::Reference => "Show an image with the picture",
-        FilePurpose::Comparison => "Compare with a look or a picture",
-        FilePurpose::Frames => "Compare with frames or a document",
-        FilePurpose::FrameFolder => "Render frames into a folder",
-        FilePurpose::Colors => "Take the views of an OpenColorIO configuration",
+        FilePurpose::Save => tr!("Save the look"),
+        FilePurpose::SaveScene => tr!("Save the scene"),
+        FilePurpose::SaveShot => tr!("Save the shot"),
+        FilePurpose::SavePainting => tr!("Save the painting"),
+        FilePurpose::BakeLook => tr!("Bake the look onto a tile"),
+        FilePurpose::ImportPainting(_) => tr!("Import painted pictures"),
+        FilePurpose::ExportPainting(..) => tr!("Export the painting"),
+        FilePurpose::Mesh => tr!("Show the look on a mesh"),
+        FilePurpose::AddMesh => tr!("Add an object of a mesh"),
+        FilePurpose::ObjectMesh => tr!("Give the object another mesh"),
+        FilePurpose::ObjectLook => tr!("Give the object another look"),
+        FilePurpose::Shaders(_) => tr!("Export the look into a folder"),
+        FilePurpose::Export(_) => tr!("Save the picture"),
+        FilePurpose::Reference => tr!("Show an image with the picture"),
+        FilePurpose::Comparison => tr!("Compare with a look or a picture"),
+        FilePurpose::Frames => tr!("Compare with frames or a document"),
+        FilePurpose::FrameFolder => tr!("Render frames into a folder"),
+        FilePurpose::Colors => tr!("Take the views of an OpenColorIO configuration"),
     }
 }
 
@@ -211,18 +211,18 @@ fn verdict(purpose: FilePurpose, path: &Path) -> PathEffect {
     let has_folder =
         path.parent().is_some_and(|folder| folder.as_os_str().is_empty() || folder.is_dir());
     match purpose.writes() {
-        _ if path.as_os_str().is_empty() => PathEffect::Bad("Type a path"),
+        _ if path.as_os_str().is_empty() => PathEffect::Bad(tr!("Type a path")),
         _ if purpose.is_folder() && path.is_file() => {
-            PathEffect::Bad("This is a file, and no folder")
+            PathEffect::Bad(tr!("This is a file, and no folder"))
         }
         _ if purpose.is_folder() && !has_folder => {
-            PathEffect::Bad("There is no folder to make this one in")
+            PathEffect::Bad(tr!("There is no folder to make this one in"))
         }
         _ if purpose.is_folder() => PathEffect::Good,
         _ if path.is_dir() => PathEffect::Folder,
         false if path.is_file() => PathEffect::Good,
-        false => PathEffect::Bad("There is no such file"),
-        true if !has_folder => PathEffect::Bad("There is no such folder"),
+        false => PathEffect::Bad(tr!("There is no such file")),
+        true if !has_folder => PathEffect::Bad(tr!("There is no such folder")),
         true if path.exists() => PathEffect::Replaces,
         true => PathEffect::Good,
     }

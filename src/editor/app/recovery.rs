@@ -1,5 +1,7 @@
 //! Commands about unsaved work, and about files that other programs changed.
 
+use chiaro_locale::tr;
+
 use super::App;
 use crate::commands::{FilePurpose, RecoveryCommand};
 use crate::state::crashes::DocumentOrigin;
@@ -35,7 +37,7 @@ impl App {
             RecoveryCommand::Reload => {
                 if let Some(Conflict::Changed(text)) = safety.disk.conflict.take() {
                     if session.reload(&text) {
-                        return Some("Loaded again; Undo brings your changes back".to_owned());
+                        return Some(tr!("Loaded again; Undo brings your changes back").to_owned());
                     }
                     safety.disk.conflict = Some(Conflict::Broken(text));
                 }
@@ -45,19 +47,17 @@ impl App {
                     safety.disk.conflict.take()
                 {
                     session.look.journal.override_with(text);
-                    return Some("Saving will write over the other version".to_owned());
+                    return Some(tr!("Saving will write over the other version").to_owned());
                 }
             }
             RecoveryCommand::ReloadScene => {
                 if let Some(text) = safety.disk.scene_conflict.take() {
                     let is_read = session.reload_scene(&text);
                     return Some(match is_read {
-                        true => {
-                            "The scene was loaded again; Undo brings your changes back".to_owned()
-                        }
-                        false => {
-                            "The scene's file cannot be read now; your version stays".to_owned()
-                        }
+                        true => tr!("The scene was loaded again; Undo brings your changes back")
+                            .to_owned(),
+                        false => tr!("The scene's file cannot be read now; your version stays")
+                            .to_owned(),
                     });
                 }
             }
@@ -66,21 +66,22 @@ impl App {
                     (safety.disk.scene_conflict.take(), session.open_scene_mut())
                 {
                     open_scene.keep_mine(text);
-                    return Some("Saving the scene will write over the other version".to_owned());
+                    return Some(
+                        tr!("Saving the scene will write over the other version").to_owned(),
+                    );
                 }
             }
             RecoveryCommand::ReloadPainting => {
                 safety.disk.painting_conflict = None;
                 return Some(match session.reload_painting() {
-                    Ok(_) => {
-                        "What is painted was loaded again; Undo brings your changes back".to_owned()
-                    }
+                    Ok(_) => tr!("What is painted was loaded again; Undo brings your changes back")
+                        .to_owned(),
                     Err(problems) => {
                         let why = problems
                             .first()
                             .map(|problem| problem.message.as_str())
                             .unwrap_or_default();
-                        format!("The file cannot be read now, and your version stays: {why}")
+                        tr!("The file cannot be read now, and your version stays: {why}")
                     }
                 });
             }
@@ -89,7 +90,7 @@ impl App {
                 if let Some(work) = session.painting_mut() {
                     work.keep_mine();
                     return Some(
-                        "Saving what is painted will write the file as it is here".to_owned(),
+                        tr!("Saving what is painted will write the file as it is here").to_owned(),
                     );
                 }
             }

@@ -8,7 +8,7 @@ use eframe::egui;
 use eframe::egui::{Panel, RichText, Ui};
 
 use crate::commands::RecoveryCommand;
-use crate::state::crashes::Suspect;
+use crate::state::crashes::{CrashStep, Suspect};
 use crate::state::safety::Safety;
 use crate::state::safety::disk::{Conflict, PaintingConflict};
 use crate::state::safety::offers::Offer;
@@ -39,19 +39,25 @@ impl Safety {
         Panel::top("safety").frame(frame).resizable(false).show(ui, |ui| {
             if let Some(unopened) = &self.unopened {
                 row(ui, Tone::Warning, &unopened.text, |ui| {
-                    ask(ui, "Understood", "Hides this", RecoveryCommand::HideUnopened, &mut out);
                     ask(
                         ui,
-                        "Open another file",
-                        "Asks for a file",
+                        tr!("Understood"),
+                        tr!("Hides this"),
+                        RecoveryCommand::HideUnopened,
+                        &mut out,
+                    );
+                    ask(
+                        ui,
+                        tr!("Open another file"),
+                        tr!("Asks for a file"),
                         RecoveryCommand::OpenAnother,
                         &mut out,
                     );
                     if unopened.interrupted.is_some() {
                         ask(
                             ui,
-                            "Try again",
-                            "Reads it all the same",
+                            tr!("Try again"),
+                            tr!("Reads it all the same"),
                             RecoveryCommand::ReadAgain,
                             &mut out,
                         );
@@ -65,29 +71,30 @@ impl Safety {
             if let Some(problem) = problem {
                 let hint = problem.hints.join("\n");
                 row(ui, Tone::Warning, &problem.message, |ui| {
-                    ask(ui, "Understood", &hint, RecoveryCommand::Hide, &mut out);
+                    ask(ui, tr!("Understood"), &hint, RecoveryCommand::Hide, &mut out);
                 });
             }
             if let Some(conflict) = &self.disk.conflict {
                 self.conflict(ui, conflict, session, &mut out);
             }
             if let (Some(_), Some(open_scene)) = (&self.disk.scene_conflict, session.open_scene()) {
-                let text = format!(
-                    "{} was changed by another program, and by you",
-                    open_scene.name_of_changed()
+                let text = tr!(
+                    "{name} was changed by another program, and by you",
+                    name = open_scene.name_of_changed()
                 );
                 row(ui, Tone::Warning, &text, |ui| {
-                    let help = "Takes the scene as it is in the file now, as one step: Undo brings \
-                                your version back";
+                    let help =
+                        tr!("Takes the scene as it is in the file now, as one step: Undo brings \
+                             your version back");
                     ask(
                         ui,
-                        "Load the file's version",
+                        tr!("Load the file's version"),
                         help,
                         RecoveryCommand::ReloadScene,
                         &mut out,
                     );
-                    let help = "Saving the scene then writes your version over the other one";
-                    ask(ui, "Keep mine", help, RecoveryCommand::KeepMyScene, &mut out);
+                    let help = tr!("Saving the scene then writes your version over the other one");
+                    ask(ui, tr!("Keep mine"), help, RecoveryCommand::KeepMyScene, &mut out);
                 });
             }
             if let (Some(conflict), Some(work)) = (painting, session.painting()) {
@@ -117,31 +124,31 @@ impl Safety {
         let name = name.unwrap_or_default();
         match conflict {
             Conflict::Changed(_) => {
-                let text = format!("{name} was changed by another program, and by you");
+                let text = tr!("{name} was changed by another program, and by you");
                 row(ui, Tone::Warning, &text, |ui| {
-                    let help =
-                        "Takes the file as it is now, as one step: Undo brings your version back";
-                    ask(ui, "Load the file's version", help, RecoveryCommand::Reload, out);
-                    let help = "Saving then writes your version over the other one";
-                    ask(ui, "Keep mine", help, RecoveryCommand::KeepMine, out);
+                    let help = tr!(
+                        "Takes the file as it is now, as one step: Undo brings your version back"
+                    );
+                    ask(ui, tr!("Load the file's version"), help, RecoveryCommand::Reload, out);
+                    let help = tr!("Saving then writes your version over the other one");
+                    ask(ui, tr!("Keep mine"), help, RecoveryCommand::KeepMine, out);
                 });
             }
             Conflict::Broken(_) => {
-                let text = format!(
+                let text = tr!(
                     "{name} was changed by another program and cannot be read now; your version \
                      stays"
                 );
                 row(ui, Tone::Warning, &text, |ui| {
-                    let help = "Saving then writes your version over the other one";
-                    ask(ui, "Keep mine", help, RecoveryCommand::KeepMine, out);
+                    let help = tr!("Saving then writes your version over the other one");
+                    ask(ui, tr!("Keep mine"), help, RecoveryCommand::KeepMine, out);
                 });
             }
             Conflict::Gone => {
-                let text = format!(
-                    "{name} was removed or moved by another program; saving writes it again"
-                );
+                let text =
+                    tr!("{name} was removed or moved by another program; saving writes it again");
                 row(ui, Tone::Warning, &text, |ui| {
-                    ask(ui, "Understood", "Hides this", RecoveryCommand::Hide, out);
+                    ask(ui, tr!("Understood"), tr!("Hides this"), RecoveryCommand::Hide, out);
                 });
             }
         }
@@ -181,13 +188,24 @@ impl Safety {
 
 /// Row for an open document that is not drawn, because the last program ended over it.
 fn held(ui: &mut Ui, suspect: &Suspect, out: &mut Vec<RecoveryCommand>) {
-    let (name, doing) = (&suspect.document.name, suspect.step.doing());
-    let text =
-        format!("{name} is open without being drawn: Chiaro ended while {doing} it the last time");
+    let name = &suspect.document.name;
+    let text = match suspect.step {
+        CrashStep::Read => {
+            tr!("{name} is open without being drawn: Chiaro ended while reading it the last time")
+        }
+        CrashStep::Compile => {
+            tr!("{name} is open without being drawn: Chiaro ended while compiling it the last time")
+        }
+        CrashStep::Draw => {
+            tr!("{name} is open without being drawn: Chiaro ended while drawing it the last time")
+        }
+    };
     row(ui, Tone::Warning, &text, |ui| {
-        let help = "Compiles and draws it as ever. If Chiaro ends over it again, the next start \
-                    asks again";
-        ask(ui, "Try again", help, RecoveryCommand::TryAgain, out);
+        let help = tr!(
+            "Compiles and draws it as ever. If Chiaro ends over it again, the next start asks \
+             again"
+        );
+        ask(ui, tr!("Try again"), help, RecoveryCommand::TryAgain, out);
     });
 }
 
@@ -197,30 +215,30 @@ fn of_painting(
     name: &str,
     out: &mut Vec<RecoveryCommand>,
 ) {
-    let keep = "Saving then writes your version over the other one";
+    let keep = tr!("Saving then writes your version over the other one");
     match conflict {
         PaintingConflict::Changed => {
-            let text = format!("{name} was changed by another program, and painted on by you");
+            let text = tr!("{name} was changed by another program, and painted on by you");
             row(ui, Tone::Warning, &text, |ui| {
                 let help =
-                    "Takes the file as it is now, as one step: Undo brings your version back";
-                ask(ui, "Load the file's version", help, RecoveryCommand::ReloadPainting, out);
-                ask(ui, "Keep mine", keep, RecoveryCommand::KeepMyPainting, out);
+                    tr!("Takes the file as it is now, as one step: Undo brings your version back");
+                ask(ui, tr!("Load the file's version"), help, RecoveryCommand::ReloadPainting, out);
+                ask(ui, tr!("Keep mine"), keep, RecoveryCommand::KeepMyPainting, out);
             });
         }
         PaintingConflict::Broken => {
-            let text = format!(
+            let text = tr!(
                 "{name} was changed by another program and cannot be read now; your version stays"
             );
             row(ui, Tone::Warning, &text, |ui| {
-                ask(ui, "Keep mine", keep, RecoveryCommand::KeepMyPainting, out);
+                ask(ui, tr!("Keep mine"), keep, RecoveryCommand::KeepMyPainting, out);
             });
         }
         PaintingConflict::Gone => {
             let text =
-                format!("{name} was removed or moved by another program; saving writes it again");
+                tr!("{name} was removed or moved by another program; saving writes it again");
             row(ui, Tone::Warning, &text, |ui| {
-                ask(ui, "Understood", "Hides this", RecoveryCommand::KeepMyPainting, out);
+                ask(ui, tr!("Understood"), tr!("Hides this"), RecoveryCommand::KeepMyPainting, out);
             });
         }
     }
@@ -264,18 +282,14 @@ fn several(ui: &mut Ui, offers: &[(usize, &Offer)], out: &mut Vec<RecoveryComman
     let is_damaged = offers.iter().any(|(_, offer)| !offer.damage.is_empty());
     let names: Vec<&str> =
         offers.iter().take(MOST_NAMED).map(|(_, offer)| offer.name.as_str()).collect();
-    let more = match offers.len() - names.len() {
-        0 => String::new(),
-        more => format!(" and {more} more"),
+    let (count, named) = (offers.len(), names.join(", "));
+    let text = match count - names.len() {
+        0 => tr!("Work that was not saved, of {count} documents: {named}"),
+        more => tr!("Work that was not saved, of {count} documents: {named} and {more} more"),
     };
-    let text = format!(
-        "Work that was not saved, of {} documents: {}{more}",
-        offers.len(),
-        names.join(", ")
-    );
     row(ui, if is_damaged { Tone::Warning } else { Tone::Note }, &text, |ui| {
         let is_kept = offers.iter().any(|(_, offer)| !offer.is_thrown);
-        let help = "They go when this window closes; until then each can still be kept";
+        let help = tr!("They go when this window closes; until then each can still be kept");
         if ui
             .add_enabled(is_kept, egui::Button::new(tr!("Throw all away")))
             .on_hover_text(help)
@@ -298,23 +312,30 @@ fn several(ui: &mut Ui, offers: &[(usize, &Offer)], out: &mut Vec<RecoveryComman
 
 fn offered(ui: &mut Ui, number: usize, offer: &Offer, out: &mut Vec<RecoveryCommand>) {
     if offer.is_thrown {
-        let text = format!("{} is thrown away when this window closes", offer.name);
+        let text = tr!("{name} is thrown away when this window closes", name = offer.name);
         row(ui, Tone::Note, &text, |ui| {
-            ask(ui, "Keep it", "It is offered again", RecoveryCommand::Throw(number, false), out);
+            ask(
+                ui,
+                tr!("Keep it"),
+                tr!("It is offered again"),
+                RecoveryCommand::Throw(number, false),
+                out,
+            );
         });
         return;
     }
     let tone = if offer.damage.is_empty() { Tone::Note } else { Tone::Warning };
-    row(ui, tone, &format!("Work that was not saved: {}", offer.summary()), |ui| {
-        let help = "It goes when this window closes; until then you can still keep it";
-        ask(ui, "Throw it away", help, RecoveryCommand::Throw(number, true), out);
+    let text = tr!("Work that was not saved: {work}", work = offer.summary());
+    row(ui, tone, &text, |ui| {
+        let help = tr!("It goes when this window closes; until then you can still keep it");
+        ask(ui, tr!("Throw it away"), help, RecoveryCommand::Throw(number, true), out);
         if offer.is_readable {
-            let path = offer
-                .path
-                .as_ref()
-                .map_or_else(|| "It has no file yet".to_owned(), |path| path.display().to_string());
-            let help = format!("{path}\nOpens it as it was, with everything that can be undone");
-            ask(ui, "Restore it", &help, RecoveryCommand::TakeBack(number), out);
+            let path = offer.path.as_ref().map_or_else(
+                || tr!("It has no file yet").to_owned(),
+                |path| path.display().to_string(),
+            );
+            let help = tr!("{path}\nOpens it as it was, with everything that can be undone");
+            ask(ui, tr!("Restore it"), &help, RecoveryCommand::TakeBack(number), out);
         }
     });
 }

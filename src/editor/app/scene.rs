@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::tr;
 use eframe::egui::Ui;
 
 use super::App;
@@ -45,8 +46,9 @@ impl App {
                     open_scene.placed = placed;
                 }
                 if self.session.frame_without_camera(self.bench.viewport.aspect()) {
-                    let text = "The scene has no camera of its own, so that the picture shows all \
-                                objects; Keep this view in Objects gives it this one";
+                    let text =
+                        tr!("The scene has no camera of its own, so that the picture shows all \
+                             objects; Keep this view in Objects gives it this one");
                     self.message = Some(text.to_owned());
                 }
             }
@@ -106,7 +108,7 @@ impl App {
             self.message = first.map(|problem| problem.message);
             return;
         }
-        let text = format!(
+        let text = tr!(
             "A new shot over {over}: what you change from now on is the shot's, and {over} stays \
              as it is. Save asks for the shot's file."
         );
@@ -241,21 +243,25 @@ impl App {
         };
         if open_scene.wears_unsaved() && self.session.path().is_none() {
             self.message = Some(
-                "Save this look first: objects of the scene wear it, and it has no file yet"
+                tr!("Save this look first: objects of the scene wear it, and it has no file yet")
                     .to_owned(),
             );
             return;
         }
         let path = open_scene.path_of(name);
         if examples::file(&path).is_some() {
-            let text = "This object wears an example: open that from the start page to change it, \
-                        or choose another look";
+            let text = tr!(
+                "This object wears an example: open that from the start page to change it, or \
+                 choose another look"
+            );
             self.message = Some(text.to_owned());
             return;
         }
         if name == OPEN_LOOK || !path.is_file() {
-            self.message =
-                Some(format!("There is no look {}: choose another for the object", path.display()));
+            self.message = Some(tr!(
+                "There is no look {file}: choose another for the object",
+                file = path.display()
+            ));
             return;
         }
         self.do_or_ask(PendingAction::Switch(path));
@@ -272,7 +278,8 @@ impl App {
         let Some(id) = under.or(open_scene.selected().map(|(id, _)| id)).or_else(worn).cloned()
         else {
             self.message = Some(
-                "Select the object that is to have this mesh, or hold Shift to add one".to_owned(),
+                tr!("Select the object that is to have this mesh, or hold Shift to add one")
+                    .to_owned(),
             );
             return;
         };
@@ -327,7 +334,8 @@ impl App {
         let is_saved = self.tell_saved(path, saved);
         if let Some(look) = look.as_deref().and_then(Path::file_name).filter(|_| is_saved) {
             let look = look.to_string_lossy();
-            self.message = Some(format!("Saved {}, and its look {look} beside it", path.display()));
+            self.message =
+                Some(tr!("Saved {file}, and its look {look} beside it", file = path.display()));
         }
         is_saved
     }

@@ -1,7 +1,7 @@
 //! Sheet of all shortcuts, and command palette: both list rows of the table of commands. The
 //! palette finds nodes of the open graph too, however many there are.
 
-use chiaro_locale::{Text, tr};
+use chiaro_locale::{Text, tr, tr_in};
 use eframe::egui;
 use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
@@ -113,12 +113,12 @@ fn show_shortcuts(ui: &mut Ui, height: f32) {
             let told = |rows: &[(Text, Text)]| -> Vec<(String, String)> {
                 rows.iter().map(|(key, what)| (key.to_string(), what.to_string())).collect()
             };
-            list(middle, "With the pointer, on the tile", &told(PAINTING_POINTER));
-            list(middle, "In the light table", &told(LIGHT_TABLE));
+            list(middle, tr!("With the pointer, on the tile"), &told(PAINTING_POINTER));
+            list(middle, tr!("In the light table"), &told(LIGHT_TABLE));
             for place in [KeyScope::Window, KeyScope::Picture, KeyScope::Light] {
                 list(right, place.label(), &rows(place).collect::<Vec<_>>());
             }
-            list(right, "With the pointer, in the graph", &told(POINTER));
+            list(right, tr!("With the pointer, in the graph"), &told(POINTER));
         });
     });
 }
@@ -186,7 +186,7 @@ fn show_commands(
         .desired_width(f32::INFINITY);
     let response = ui.add(edit.id(egui::Id::unique("command query")));
     response.widget_info(|| {
-        WidgetInfo::labeled(egui::Role::SearchInput, true, "Find a command or a node")
+        WidgetInfo::labeled(egui::Role::SearchInput, true, tr!("Find a command or a node"))
     });
     if std::mem::replace(is_new, false) {
         response.request_focus();
@@ -241,13 +241,13 @@ fn entries(session: &Session, query: &str) -> Vec<Entry> {
     let command = |row: &CommandRow| Entry {
         label: row.label.to_string(),
         aside: row.text(),
-        name: format!("Command: {}", row.label),
+        name: tr!("Command: {label}", label = row.label),
         command: row.command.clone(),
     };
     let node = |(id, title): (&NodeId, String)| Entry {
-        name: format!("Node: {title}"),
+        name: tr!("Node: {title}"),
         label: title,
-        aside: format!("node {id}"),
+        aside: tr!("node {id}"),
         command: Command::Reveal(id.clone()),
     };
     found(query)
@@ -273,14 +273,15 @@ fn found(query: &str) -> Vec<&'static CommandRow> {
 /// Panels, where the query has words of their names.
 fn found_panels(query: &str) -> impl Iterator<Item = Entry> {
     let query = query.trim().to_lowercase();
-    let fits = move |label: &str| {
-        let text = format!("panel {label}").to_lowercase();
+    let fits = move |label: Text| {
+        let shown = tr!("Panel {panel}", panel = label);
+        let text = format!("{shown} panel {}", label.english()).to_lowercase();
         !query.is_empty() && query.split_whitespace().all(|word| text.contains(word))
     };
     PANELS.iter().filter(move |panel| fits(panel.label)).map(|panel| Entry {
-        label: format!("Panel {}", panel.label),
+        label: tr!("Panel {panel}", panel = panel.label),
         aside: String::new(),
-        name: format!("Panel: {}", panel.label),
+        name: tr!("Panel: {panel}", panel = panel.label),
         command: Command::ShowPanel(panel.id),
     })
 }
@@ -290,15 +291,15 @@ fn found_passes(session: &Session, query: &str) -> Vec<Entry> {
     let query = query.trim().to_lowercase();
     let words: Vec<&str> = query.split_whitespace().collect();
     let fits = |name: &str, title: &str| {
-        let text = format!("pass aov {name} {title}").to_lowercase();
+        let text = format!("{} pass aov {name} {title}", tr!("Pass")).to_lowercase();
         !words.is_empty() && words.iter().all(|word| text.contains(word))
     };
     let entry = |aov: &crate::document::NamedAov| {
         let title = passes::title_of(session, &aov.from);
         fits(aov.name.as_str(), &title).then(|| Entry {
-            label: format!("Pass {}", aov.name),
+            label: tr!("Pass {pass}", pass = aov.name),
             aside: title,
-            name: format!("Pass: {}", aov.name),
+            name: tr!("Pass: {pass}", pass = aov.name),
             command: Command::Show(aov.from.node.clone()),
         })
     };
@@ -314,13 +315,13 @@ fn found_nodes<'s>(session: &'s Session, query: &str) -> Vec<(&'s NodeId, String
     }
     let words: Vec<&str> = query.split_whitespace().collect();
     let named = session.graph().nodes.iter().filter_map(|(id, node)| {
-        let kind = || session.project.catalog.of(node).map(|kind| kind.label.to_string());
-        let title = if node.name.is_empty() {
-            kind().unwrap_or_else(|| id.to_string())
-        } else {
-            node.name.clone()
+        let kind = session.project.catalog.of(node).map(|kind| &*kind.label);
+        let english = if node.name.is_empty() { kind.unwrap_or(id.as_str()) } else { &node.name };
+        let title = match node.name.is_empty() {
+            true => tr_in("node", english).to_owned(),
+            false => node.name.clone(),
         };
-        let text = format!("{title} {id}").to_lowercase();
+        let text = format!("{title} {english} {id}").to_lowercase();
         words.iter().all(|word| text.contains(word)).then_some((id, title))
     });
     let mut found: Vec<(&NodeId, String)> = named.collect();

@@ -1,6 +1,8 @@
 //! Application of commands about snapshots, about what the picture is compared with, and about
 //! variations.
 
+use chiaro_locale::tr;
+
 use super::App;
 use super::files::PendingAction;
 use crate::commands::{FilePurpose, PanelId, SnapshotCommand};
@@ -19,7 +21,7 @@ impl App {
                 Ok(name) => {
                     self.start = None;
                     self.dock.open(PanelId::SNAPSHOTS);
-                    self.message = Some(format!("{name} is taken"));
+                    self.message = Some(tr!("{name} is taken"));
                 }
                 Err(problem) => self.message = Some(problem.message),
             },

@@ -125,7 +125,7 @@ impl PaintTool {
             Self::Erase => text!("Eraser"),
             Self::Smudge => text!("Smudge"),
             Self::Line => text!("Line"),
-            Self::Fill => text!("Fill"),
+            Self::Fill => text!("tool" => "Fill"),
             Self::Stamp => text!("Stamp"),
             Self::Pick => text!("Pick a color"),
         }

@@ -1,7 +1,7 @@
 //! Generated WGSL, with syntax highlighting and marks on the lines of the selected nodes; a click
 //! on a line selects its node.
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr, trn};
 use eframe::egui;
 use std::ops::Range;
 use std::sync::Arc;
@@ -19,8 +19,8 @@ use crate::widgets::theme::{self, Colors};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::CODE,
-    "Code",
-    "The generated WGSL",
+    text!("Code"),
+    text!("The generated WGSL"),
     PanelPlace::BELOW_PICTURE,
     |bench, ui, PanelContext { session, .. }| {
         let is_alone = !session.view.solo.layers.is_empty();
@@ -96,8 +96,8 @@ impl Code {
 
     fn head(&self, ui: &mut Ui, shader: &CompiledShader, commands: &mut Vec<Command>) {
         ui.horizontal(|ui| {
-            ui.label(RichText::new(tr!("WGSL")).strong());
-            let what = format!("{} lines", self.lines.len());
+            ui.label(RichText::new("WGSL").strong());
+            let what = trn!(count = self.lines.len(), "{count} line", "{count} lines");
             ui.label(RichText::new(what).color(theme::of(ui).dim));
             if !shader.removed.is_empty() {
                 let removed: Vec<String> = shader
@@ -106,11 +106,9 @@ impl Code {
                     .take(20)
                     .map(|r| format!("{}: {}", r.path, r.reason))
                     .collect();
-                ui.label(
-                    RichText::new(format!("{} left out", shader.removed.len()))
-                        .color(theme::of(ui).dim),
-                )
-                .on_hover_text(removed.join("\n"));
+                let text = tr!("{count} left out", count = shader.removed.len());
+                ui.label(RichText::new(text).color(theme::of(ui).dim))
+                    .on_hover_text(removed.join("\n"));
             }
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 if ui.button(tr!("Copy")).on_hover_text(tr!("Copies the whole shader")).clicked() {

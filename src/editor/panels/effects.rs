@@ -1,7 +1,7 @@
 //! Everything that the picture may cost: effects that run, those kept from before, those dropped,
 //! and the proof.
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr, tr_in, trn};
 use eframe::egui;
 use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 use std::sync::Arc;
@@ -15,8 +15,8 @@ use crate::widgets::theme::{self, Colors};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::EFFECTS,
-    "Effects",
-    "Everything that the picture costs, what was left out, and the proof",
+    text!("Effects"),
+    text!("Everything that the picture costs, what was left out, and the proof"),
     PanelPlace::BELOW_PICTURE,
     |bench, ui, _| {
         let effects = bench.picture.as_ref().map(|picture| &picture.effects);
@@ -95,11 +95,11 @@ impl Effects {
                 let count = self.of.iter().filter(|effect| effect.state == state).count();
                 let color =
                     if *is_listed { color(state, theme::of(ui)) } else { theme::of(ui).dim };
-                let text = RichText::new(format!("{count} {}", word(state, count))).color(color);
+                let text = RichText::new(counted(state, count)).color(color);
                 let help = if *is_listed {
-                    "Listed; a click hides them"
+                    tr!("Listed; a click hides them")
                 } else {
-                    "Hidden; a click lists them"
+                    tr!("Hidden; a click lists them")
                 };
                 let button = egui::Button::new(text).small().selected(*is_listed);
                 if ui.add(button).on_hover_text(help).clicked() {
@@ -130,12 +130,11 @@ impl Effects {
     }
 }
 
-fn word(state: EffectState, count: usize) -> &'static str {
+fn counted(state: EffectState, count: usize) -> String {
     match state {
-        EffectState::Runs if count == 1 => "runs",
-        EffectState::Runs => "run",
-        EffectState::Cached => "cached",
-        EffectState::Dropped => "dropped",
+        EffectState::Runs => trn!(count, "{count} runs", "{count} run"),
+        EffectState::Cached => tr!("{count} cached"),
+        EffectState::Dropped => tr!("{count} dropped"),
     }
 }
 
@@ -149,15 +148,15 @@ fn color(state: EffectState, colors: &Colors) -> Color32 {
 
 fn plural(kind: EffectKind) -> &'static str {
     match kind {
-        EffectKind::Pass => "Passes",
-        EffectKind::Object => "Objects",
-        EffectKind::Look => "Looks",
-        EffectKind::Light => "Lights",
-        EffectKind::Attribute => "Vertex attributes",
-        EffectKind::Texture => "Images",
-        EffectKind::Casters => "Shadows",
-        EffectKind::Uniforms => "Uniforms",
-        EffectKind::Node => "Nodes",
+        EffectKind::Pass => tr!("Passes"),
+        EffectKind::Object => tr!("Objects"),
+        EffectKind::Look => tr!("Looks"),
+        EffectKind::Light => tr!("Lights"),
+        EffectKind::Attribute => tr!("Vertex attributes"),
+        EffectKind::Texture => tr!("Images"),
+        EffectKind::Casters => tr!("Shadows"),
+        EffectKind::Uniforms => tr!("Uniforms"),
+        EffectKind::Node => tr!("Nodes"),
     }
 }
 
@@ -173,9 +172,8 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
     let name = effect.what.replace('`', "");
     let name = name.strip_prefix("node ").or(name.strip_prefix("object ")).unwrap_or(&name);
-    response.widget_info(|| {
-        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Effect {name}"))
-    });
+    response
+        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, tr!("Effect {name}")));
     let is_dropped = effect.state == EffectState::Dropped;
     let node =
         effect.node.as_deref().map(NodePath::parse).and_then(|path| path.outermost().cloned());
@@ -193,7 +191,7 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     let font = FontId::proportional(theme::TEXT_SIZE);
     let (left, width) = (rect.left() + 18.0, rect.width() - 18.0);
     let name_width = (width * 0.3).clamp(70.0, 220.0);
-    let proof = effect.proof.map(|proof| proof.label());
+    let proof = effect.proof.map(|proof| tr_in("proof", proof.label()));
     let proof_width = if proof.is_some() { (width * 0.22).min(140.0) } else { 0.0 };
     let cost_width = (width * 0.24).min(130.0);
     let column = |from: f32, width: f32| {
@@ -217,16 +215,19 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
         );
     }
     let state = match effect.state {
-        EffectState::Runs => "Runs for this picture",
-        EffectState::Cached => "Done for an earlier picture, and still stands",
-        EffectState::Dropped => "Not done",
+        EffectState::Runs => tr!("Runs for this picture"),
+        EffectState::Cached => tr!("Done for an earlier picture, and still stands"),
+        EffectState::Dropped => tr!("Not done"),
     };
-    let proof = proof.map(|proof| format!("\nProof: {proof}")).unwrap_or_default();
-    let lead = if node.is_some() { "\nA click shows the node" } else { "" };
+    let cost = match is_dropped {
+        true => tr!("Saves {cost}", cost = effect.cost),
+        false => tr!("Costs {cost}", cost = effect.cost),
+    };
+    let mut lines = vec![format!("{name}: {state}"), cost, reason];
+    lines.extend(proof.map(|proof| tr!("Proof: {proof}")));
+    lines.extend(node.is_some().then(|| tr!("A click shows the node").to_owned()));
     let clicked = response.clicked();
-    let verb = if is_dropped { "Saves" } else { "Costs" };
-    response
-        .on_hover_text(format!("{name}: {state}\n{verb} {}\n{reason}{proof}{lead}", effect.cost));
+    response.on_hover_text(lines.join("\n"));
     node.filter(|_| clicked).map(|id| Command::Show(NodePath::root(id)))
 }
 
@@ -237,7 +238,9 @@ fn short_cost(effect: &Effect) -> String {
         (Some(milliseconds), _) => {
             EffectCost { milliseconds: Some(milliseconds), ..EffectCost::default() }.to_string()
         }
-        (None, 1..) if effect.kind != EffectKind::Pass => format!("{} ops", cost.operations),
+        (None, 1..) if effect.kind != EffectKind::Pass => {
+            tr!("{count} ops", count = cost.operations)
+        }
         _ if cost.bytes > 0 => EffectCost::bytes(cost.bytes).to_string(),
         _ => return String::new(),
     };

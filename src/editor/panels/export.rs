@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr, trn};
 use eframe::egui;
 use eframe::egui::{Align, Button, ComboBox, Layout, RichText, ScrollArea, Ui, vec2};
 
@@ -24,8 +24,8 @@ use crate::widgets::theme;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::EXPORT,
-    "Export",
-    "The look for other programs and for pages: what each needs, refuses and weighs",
+    text!("Export"),
+    text!("The look for other programs and for pages: what each needs, refuses and weighs"),
     PanelPlace::BELOW_GRAPH,
     |bench, ui, context| bench.export.show(ui, context.session),
 )
@@ -181,21 +181,22 @@ impl ExportCards {
             }
             ui.add_space(GAP);
             let label = ui.label(tr!("Painted surfaces"));
-            let word = |storage: Option<Storage>| storage.map_or("as it fits", Storage::word);
-            let combo = ComboBox::from_id_salt("storage")
-                .selected_text(word(self.options.storage))
-                .show_ui(ui, |ui| {
-                    let all = std::iter::once(None).chain(Storage::ALL.map(Some));
-                    for storage in all {
-                        let about = storage.map_or(
-                            "packages have them compact where a node says quick; languages as the \
-                             nodes say",
+            let word = |storage: Option<Storage>| storage.map_or(tr!("as it fits"), Storage::word);
+            let combo =
+                ComboBox::from_id_salt("storage")
+                    .selected_text(word(self.options.storage))
+                    .show_ui(ui, |ui| {
+                        let all = std::iter::once(None).chain(Storage::ALL.map(Some));
+                        for storage in all {
+                            let about = storage.map_or(
+                            tr!("packages have them compact where a node says quick; languages as \
+                                 the nodes say"),
                             Storage::about,
                         );
-                        ui.selectable_value(&mut self.options.storage, storage, word(storage))
-                            .on_hover_text(about);
-                    }
-                });
+                            ui.selectable_value(&mut self.options.storage, storage, word(storage))
+                                .on_hover_text(about);
+                        }
+                    });
             combo.response.labelled_by(label.id);
         });
     }
@@ -203,25 +204,29 @@ impl ExportCards {
 
 /// The needs of a look as a sentence.
 fn told(needs: &LookNeeds) -> String {
-    let counted = |count: usize, one: &str| match count {
-        0 => None,
-        1 => Some(format!("1 {one}")),
-        count => Some(format!("{count} {one}s")),
-    };
-    let passes: Vec<String> = needs.passes.iter().map(|pass| pass.replace('_', " ")).collect();
+    let LookNeeds { lights, parameters, keys, images, painted_surfaces: surfaces, passes, .. } =
+        needs;
+    let some = |count: usize, text: String| (count > 0).then_some(text);
+    let passes: Vec<String> = passes.iter().map(|pass| pass.replace('_', " ")).collect();
     let parts = [
-        counted(needs.lights, "light"),
-        counted(needs.parameters, "exposed value"),
-        counted(needs.keys, "set").map(|sets| format!("{sets} of keys")),
-        counted(needs.images, "image"),
-        counted(needs.painted_surfaces, "painted surface"),
-        (!passes.is_empty()).then(|| format!("passes before it: {}", passes.join(", "))),
+        some(*lights, trn!(*lights, "{lights} light", "{lights} lights")),
+        some(
+            *parameters,
+            trn!(*parameters, "{parameters} exposed value", "{parameters} exposed values"),
+        ),
+        some(*keys, trn!(*keys, "{keys} set of keys", "{keys} sets of keys")),
+        some(*images, trn!(*images, "{images} image", "{images} images")),
+        some(
+            *surfaces,
+            trn!(*surfaces, "{surfaces} painted surface", "{surfaces} painted surfaces"),
+        ),
+        some(passes.len(), tr!("passes before it: {passes}", passes = passes.join(", "))),
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     if parts.is_empty() {
-        return "This look needs a mesh and nothing else".to_owned();
+        return tr!("This look needs a mesh and nothing else").to_owned();
     }
-    format!("This look has {}", parts.join(" · "))
+    tr!("This look has {parts}", parts = parts.join(" · "))
 }
 
 fn show_card(
@@ -238,8 +243,8 @@ fn show_card(
         ui.set_max_size(size - vec2(24.0, 24.0));
         ui.spacing_mut().item_spacing.y = 6.0;
         let run_with = match package.run_with {
-            Some(program) => format!("Run with {program}"),
-            None => "The program itself was not run".to_owned(),
+            Some(program) => tr!("Run with {program}"),
+            None => tr!("The program itself was not run").to_owned(),
         };
         ui.label(RichText::new(package.label).strong().size(15.0)).on_hover_text(run_with);
         ui.label(RichText::new(package.help).color(colors.dim).size(theme::SMALL_TEXT + 1.0));
@@ -249,7 +254,8 @@ fn show_card(
                 true
             }
             Some(PackageTrial::Takes { files, bytes }) => {
-                ui.label(format!("{files} files · {}", weight(*bytes)));
+                let weight = weight(*bytes);
+                ui.label(trn!(*files, "{files} file · {weight}", "{files} files · {weight}"));
                 true
             }
             Some(PackageTrial::Refuses(reason, hints)) => {
@@ -265,15 +271,16 @@ fn show_card(
         };
         ui.with_layout(Layout::bottom_up(Align::Min), |ui| {
             let text = match package.opens {
-                Some(_) => "Export and open...",
-                None => "Export...",
+                Some(_) => tr!("Export and open..."),
+                None => tr!("Export..."),
             };
             let button = ui.add_enabled(is_taken, Button::new(text));
             button.widget_info(|| {
-                let name = format!("Export for {}", package.label);
+                let name = tr!("Export for {program}", program = package.label);
                 egui::WidgetInfo::labeled(egui::Role::Button, is_taken, name)
             });
-            let help = format!("Writes a folder that runs where it arrives: --to {}", package.slug);
+            let help =
+                tr!("Writes a folder that runs where it arrives: --to {slug}", slug = package.slug);
             if button.on_hover_text(help).clicked() {
                 commands.push(Command::ExportLook(package.slug, None));
             }
@@ -283,13 +290,14 @@ fn show_card(
 
 /// Buttons for the languages alone.
 fn languages(ui: &mut Ui, commands: &mut Vec<Command>) {
-    let text = "Or the shaders alone, with LOOK.json, for programs of your own:";
+    let text = tr!("Or the shaders alone, with LOOK.json, for programs of your own:");
     ui.label(RichText::new(text).color(theme::of(ui).dim));
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(6.0, 6.0);
         for language in export::LANGUAGES {
             let button = ui.add(Button::new(language.short_label).small());
-            let help = format!("Writes the look as {} into a folder", language.label);
+            let help =
+                tr!("Writes the look as {language} into a folder", language = language.label);
             if button.on_hover_text(help).clicked() {
                 commands.push(Command::ExportLook(language.slug, None));
             }
@@ -302,8 +310,9 @@ fn named_passes(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing = vec2(6.0, 4.0);
     let aovs = &session.look().aovs;
     if aovs.is_empty() {
-        let text = "No output of this look is named as a pass (AOV) for film. A right click on an \
-                    output of the graph names it";
+        let text =
+            tr!("No output of this look is named as a pass (AOV) for film. A right click on an \
+                 output of the graph names it");
         return hint(ui, text);
     }
     ui.label(RichText::new(tr!("Passes (AOVs) that the look names")).strong()).on_hover_text(tr!(
@@ -319,7 +328,7 @@ fn named_passes(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
             ui.label(RichText::new(tr!("from {title}")).color(theme::of(ui).dim));
             let remove = ui.small_button("×").on_hover_text(tr!("Takes the name away"));
             remove.widget_info(|| {
-                let name = format!("Remove the pass {}", aov.name);
+                let name = tr!("Remove the pass {name}", name = aov.name);
                 egui::WidgetInfo::labeled(egui::Role::Button, true, name)
             });
             if remove.clicked() {
@@ -334,7 +343,7 @@ fn named_passes(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
         let command = format!("chiaro render {document} -o picture.exr --aov named");
         ui.label(RichText::new(&command).monospace().color(theme::of(ui).dim));
         let help =
-            "Copies the command that writes them beside the picture; --aov NAME asks for one";
+            tr!("Copies the command that writes them beside the picture; --aov NAME asks for one");
         if ui.small_button(tr!("Copy")).on_hover_text(help).clicked() {
             commands.push(Command::Copy(command));
         }
@@ -344,7 +353,7 @@ fn named_passes(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
 /// Bytes in words.
 fn weight(bytes: usize) -> String {
     match bytes {
-        0..1_000 => format!("{bytes} bytes"),
+        0..1_000 => trn!(bytes, "{bytes} byte", "{bytes} bytes"),
         1_000..1_000_000 => format!("{} kB", bytes / 1_000),
         _ => format!("{:.1} MB", bytes as f64 / 1e6),
     }
@@ -378,7 +387,7 @@ fn try_package(
     assets: &mut Assets,
 ) -> PackageTrial {
     let Some(scene) = PackageScene::of(setup) else {
-        return PackageTrial::Refuses("there is no mesh to show it on".to_owned(), Vec::new());
+        return PackageTrial::Refuses(tr!("there is no mesh to show it on").to_owned(), Vec::new());
     };
     let worn = &setup.looks[0];
     let place = (worn.folder.as_path(), assets);
@@ -395,6 +404,6 @@ fn refusal(problems: &[Diagnostic]) -> PackageTrial {
     let first = problems.iter().find(|problem| problem.is_error()).or(problems.first());
     match first {
         Some(problem) => PackageTrial::Refuses(problem.message.clone(), problem.hints.clone()),
-        None => PackageTrial::Refuses("it cannot be exported".to_owned(), Vec::new()),
+        None => PackageTrial::Refuses(tr!("it cannot be exported").to_owned(), Vec::new()),
     }
 }

@@ -1,13 +1,15 @@
 //! Panel of the look's graph, which takes nodes that are dragged onto it.
 
+use chiaro_locale::text;
+
 use super::library;
 use super::table::{PanelPlace, PanelRow, PanelStack};
 use crate::commands::{Command, PanelId};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::GRAPH,
-    "Graph",
-    "The nodes of the look and their wires",
+    text!("Graph"),
+    text!("The nodes of the look and their wires"),
     PanelPlace { stack: Some(PanelStack::Graph), fills_room: true, ..PanelPlace::CLOSED },
     |bench, ui, context| {
         let rect = ui.max_rect();

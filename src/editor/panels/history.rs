@@ -1,6 +1,7 @@
 //! History of the document: every step by its name in undo; a click goes to the state after that
 //! step.
 
+use chiaro_locale::{text, tr, trn};
 use eframe::egui;
 use eframe::egui::{
     EventFilter, FontId, Key, Modifiers, Role, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2,
@@ -17,8 +18,8 @@ use crate::widgets::theme;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::HISTORY,
-    "History",
-    "Everything that was done; a click goes there and back",
+    text!("History"),
+    text!("Everything that was done; a click goes there and back"),
     PanelPlace::WITH_DOCUMENT,
     |bench, ui, context| bench.memory.of::<History>().show(ui, context.session),
 );
@@ -49,8 +50,8 @@ impl History {
             for index in rows {
                 let label = match index.checked_sub(1) {
                     Some(step) => step_labelled(session.look_with_library(), labels[step]),
-                    None if session.path().is_some() => "Opened".to_owned(),
-                    None => "New look".to_owned(),
+                    None if session.path().is_some() => tr!("Opened").to_owned(),
+                    None => tr!("New look").to_owned(),
                 };
                 row(ui, index, place, &label, labels.len(), &mut out);
             }
@@ -63,7 +64,7 @@ fn row(ui: &mut Ui, index: usize, place: usize, label: &str, last: usize, out: &
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width() - 8.0, ROW), Sense::click());
     let (is_here, is_undone) = (index == place, index > place);
-    let name = format!("Step {index}: {label}");
+    let name = tr!("Step {index}: {label}");
     response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_here, &name));
     row_ground(ui, rect, &response, is_here);
     let colors = theme::of(ui);
@@ -78,10 +79,9 @@ fn row(ui: &mut Ui, index: usize, place: usize, label: &str, last: usize, out: &
     }
     let text =
         egui::Rect::from_min_max(pos2(rect.left() + 20.0, rect.top()), rect.max - vec2(4.0, 0.0));
-    let mut shown = label.to_owned();
-    if let Some(first) = shown.get(..1).map(str::to_uppercase) {
-        shown.replace_range(..1, &first);
-    }
+    let mut letters = label.chars();
+    let first = letters.next().map(char::to_uppercase).into_iter().flatten();
+    let shown: String = first.chain(letters).collect();
     let ink = if is_undone { colors.dim } else { colors.text };
     cell(ui, text, &shown, FontId::proportional(theme::TEXT_SIZE), ink);
     leave_with_pointer(ui, &response);
@@ -101,14 +101,17 @@ fn row(ui: &mut Ui, index: usize, place: usize, label: &str, last: usize, out: &
         out.push(Command::GoTo(index));
     }
     let help = match (is_here, is_undone) {
-        (true, _) => "The look is as it was after this step".to_owned(),
-        (false, true) => {
-            format!(
-                "Repeats {} steps, up to this one. They are lost when something else is done.",
-                index - place
-            )
-        }
-        (false, false) => format!("Takes back {} steps, to what was after this one", place - index),
+        (true, _) => tr!("The look is as it was after this step").to_owned(),
+        (false, true) => trn!(
+            steps = index - place,
+            "Repeats {steps} step, this one. It is lost when something else is done.",
+            "Repeats {steps} steps, up to this one. They are lost when something else is done."
+        ),
+        (false, false) => trn!(
+            steps = place - index,
+            "Takes back {steps} step, to what was after this one",
+            "Takes back {steps} steps, to what was after this one"
+        ),
     };
     response.on_hover_text(help);
 }

@@ -85,7 +85,11 @@ mod tests {
         for (index, row) in PANELS.iter().enumerate() {
             assert!(PANELS[..index].iter().all(|other| other.id != row.id), "{:?}", row.id);
             assert!(row.place.beside.iter().all(|id| row_of(*id).is_some()), "{:?}", row.id);
-            assert!(!row.label.is_empty() && !row.help.is_empty(), "{:?}", row.id);
+            assert!(
+                !row.label.english().is_empty() && !row.help.english().is_empty(),
+                "{:?}",
+                row.id
+            );
         }
     }
 }

@@ -1,12 +1,14 @@
 //! Panels in which an HCBTF is painted. Light that is painted on the picture: `panels::fit`.
 
+use chiaro_locale::text;
+
 use super::table::{PanelPlace, PanelRow, Presence};
 use crate::commands::PanelId;
 
 pub(super) const PAINT: PanelRow = PanelRow::new(
     PanelId::PAINT,
-    "Paint",
-    "A surface that changes with the light and the eye, to be painted on (HCBTF)",
+    text!("Paint"),
+    text!("A surface that changes with the light and the eye, to be painted on (HCBTF)"),
     PanelPlace { beside: &[PanelId::GRAPH], is_for_painting: true, ..PanelPlace::CLOSED },
     |bench, ui, context| bench.painting.show_tile(ui, context.session),
 )
@@ -21,8 +23,10 @@ pub(super) const PAINT: PanelRow = PanelRow::new(
 
 pub(super) const SAMPLES: PanelRow = PanelRow::new(
     PanelId::SAMPLES,
-    "Samples",
-    "All lights and views of what is painted at a glance: go from one to another, copy, delete",
+    text!("Samples"),
+    text!(
+        "All lights and views of what is painted at a glance: go from one to another, copy, delete"
+    ),
     PanelPlace {
         is_for_painting: true,
         beside: &[
@@ -39,25 +43,27 @@ pub(super) const SAMPLES: PanelRow = PanelRow::new(
 
 pub(super) const SHEET: PanelRow = PanelRow::new(
     PanelId::SHEET,
-    "Sheet",
-    "All of what is painted and filled in one picture, as the thesis lays it out; tells what lies \
-     where",
+    text!("Sheet"),
+    text!(
+        "All of what is painted and filled in one picture, as the thesis lays it out; tells what \
+         lies where"
+    ),
     PanelPlace { beside: &[PanelId::PAINT, PanelId::GRAPH], ..PanelPlace::CLOSED },
     |bench, ui, context| bench.painting.show_sheet(ui, context.session),
 );
 
 pub(super) const DIRECTIONS: PanelRow = PanelRow::new(
     PanelId::DIRECTIONS,
-    "Light and eye",
-    "Where the light and the eye are that you paint for, and what is painted already",
+    text!("Light and eye"),
+    text!("Where the light and the eye are that you paint for, and what is painted already"),
     PanelPlace { is_for_painting: true, ..PanelPlace::WITH_DOCUMENT.closed() },
     |bench, ui, context| bench.painting.show_directions(ui, context.session),
 );
 
 pub(super) const RULES: PanelRow = PanelRow::new(
     PanelId::RULES,
-    "Fill rules",
-    "The rules that fill the lights and views that nobody painted",
+    text!("Fill rules"),
+    text!("The rules that fill the lights and views that nobody painted"),
     PanelPlace { beside: &[PanelId::INSPECTOR], is_for_painting: true, ..PanelPlace::CLOSED },
     |bench, ui, context| bench.painting.show_rules(ui, context.session),
 );

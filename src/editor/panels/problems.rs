@@ -2,7 +2,7 @@
 //! button for the fix where one edit is enough. The status bar shows their number and the first of
 //! them.
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr, tr_in, trn};
 use eframe::egui;
 use eframe::egui::{
     Label, Pos2, Response, RichText, Role, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo, pos2,
@@ -21,8 +21,8 @@ use crate::widgets::theme::{self, Colors};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::PROBLEMS,
-    "Problems",
-    "What is wrong, where, and what mends it",
+    text!("Problems"),
+    text!("What is wrong, where, and what mends it"),
     PanelPlace::BELOW_PICTURE,
     |_, ui, context| show(ui, context.session),
 )
@@ -67,10 +67,8 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
             ui.push_id(index, |ui| row(ui, session, problem, &mut out));
         }
         if sorted.len() > MAX_LISTED {
-            hint(
-                ui,
-                &format!("and {} more, listed once these are mended", sorted.len() - MAX_LISTED),
-            );
+            let more = sorted.len() - MAX_LISTED;
+            hint(ui, &tr!("and {more} more, listed once these are mended"));
         }
     });
     out
@@ -87,7 +85,7 @@ fn row(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Comma
                 ui.spacing_mut().item_spacing.x = 5.0;
                 place(ui, session, problem, out);
                 let message = labelled(session.look_with_library(), &problem.message);
-                ui.label(message).on_hover_text(format!("Code {}", problem.code));
+                ui.label(message).on_hover_text(tr!("Code {code}", code = problem.code));
             });
             // A hint is left out where the button offers the same fix.
             let is_asked = |hint: &&String| mended.is_none() || !hint.starts_with("did you mean");
@@ -100,11 +98,8 @@ fn row(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Comma
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Min), |ui| {
                 ui.add_space(10.0);
                 let button = egui::Button::new(&fix.label).truncate();
-                if ui
-                    .add(button)
-                    .on_hover_text(format!("{}. Undo takes it back.", fix.help))
-                    .clicked()
-                {
+                let help = tr!("{help}. Undo takes it back.", help = fix.help);
+                if ui.add(button).on_hover_text(help).clicked() {
                     out.push(Command::Edit(fix.edit));
                 }
             });
@@ -122,7 +117,7 @@ fn place(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Com
         let mut text = look.title_of_path(path);
         if let Some(port) = &problem.place.port {
             let target = Target::Input { node: path.clone(), port: port.clone() };
-            let label = look.port_at(&target).map(|port| port.label.to_string());
+            let label = look.port_at(&target).map(|port| tr_in("node", &port.label).to_owned());
             text = format!("{text}: {}", label.unwrap_or_else(|| port.to_string()));
         }
         let title = session.look_with_library().title(node);
@@ -132,21 +127,19 @@ fn place(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Com
         }
     }
     if let Some(at) = problem.place.at {
-        let file =
-            problem.place.file.as_deref().map(|file| format!("{file}, ")).unwrap_or_default();
-        ui.label(RichText::new(format!("line {}", at.line)).color(theme::of(ui).dim))
-            .on_hover_text(format!("{file}line {}, column {}", at.line, at.column));
+        let (line, column) = (at.line, at.column);
+        let place = tr!("line {line}, column {column}");
+        let file = problem.place.file.as_deref();
+        let place = file.map(|file| format!("{file}, {place}")).unwrap_or(place);
+        ui.label(RichText::new(tr!("line {line}")).color(theme::of(ui).dim)).on_hover_text(place);
     }
 }
 
-fn word(severity: Severity, count: usize) -> &'static str {
-    match (severity, count) {
-        (Severity::Error, 1) => "error",
-        (Severity::Error, _) => "errors",
-        (Severity::Warning, 1) => "warning",
-        (Severity::Warning, _) => "warnings",
-        (Severity::Note, 1) => "note",
-        (Severity::Note, _) => "notes",
+fn counted(severity: Severity, count: usize) -> String {
+    match severity {
+        Severity::Error => trn!(count, "{count} error", "{count} errors"),
+        Severity::Warning => trn!(count, "{count} warning", "{count} warnings"),
+        Severity::Note => trn!(count, "{count} note", "{count} notes"),
     }
 }
 
@@ -188,8 +181,8 @@ fn counts(ui: &mut Ui, problems: &[&Diagnostic]) {
         let count = problems.iter().filter(|problem| problem.severity == severity).count();
         if count > 0 {
             mark(ui, severity);
-            let text = RichText::new(format!("{count} {}", word(severity, count)))
-                .color(color(severity, theme::of(ui)));
+            let ink = color(severity, theme::of(ui));
+            let text = RichText::new(counted(severity, count)).color(ink);
             ui.add(Label::new(text).selectable(false));
         }
     }
@@ -218,7 +211,8 @@ pub(crate) fn status(ui: &mut Ui, session: &Session) -> Option<Command> {
         .rect
         .union(egui::Rect::from_min_size(pos2(start.x, start.y), vec2(1.0, 1.0)));
     let response = ui.interact(rect, ui.scope_id().with("problems"), Sense::click());
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Open the list of problems"));
+    response
+        .widget_info(|| WidgetInfo::labeled(Role::Button, true, tr!("Open the list of problems")));
     if response.has_focus() || response.hovered() {
         ui.painter().hline(rect.x_range(), rect.bottom(), Stroke::new(1.0, theme::of(ui).accent));
     }

@@ -1,7 +1,7 @@
 //! Shot over the scene: its frames and its step, what lies under it, and every value that it
 //! changes.
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr};
 use eframe::egui::{
     Align, Button, ComboBox, DragValue, Label, Layout, RichText, Role, ScrollArea, Sense, TextEdit,
     Ui, WidgetInfo,
@@ -20,8 +20,8 @@ use crate::widgets::theme;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::SHOT,
-    "Shot",
-    "The open shot: its frames, what it lies over, and every value that it changes",
+    text!("Shot"),
+    text!("The open shot: its frames, what it lies over, and every value that it changes"),
     PanelPlace::WITH_DOCUMENT.closed(),
     |_, ui, context| show(ui, context.session),
 );
@@ -29,7 +29,7 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 /// Rates that are offered.
 const RATES: [&str; 6] = ["23.976", "24", "25", "29.97", "30", "60"];
 /// Steps in the words of animators.
-const STEPS: [(u32, &str); 3] = [(1, "ones"), (2, "twos"), (3, "threes")];
+const STEPS: [(u32, Text); 3] = [(1, text!("ones")), (2, text!("twos")), (3, text!("threes"))];
 
 /// Shows the panel.
 fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
@@ -37,7 +37,7 @@ fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
     let Some(shot) = session.shot() else {
         hint(ui, tr!("No shot is open. A shot changes values of a scene for some frames."));
         let new = Command::Scene(SceneCommand::Shot(ShotCommand::New));
-        let help = "A shot over the open scene; over a look alone, a scene is made around it";
+        let help = tr!("A shot over the open scene; over a look alone, a scene is made around it");
         if ui.button(tr!("New shot of this scene")).on_hover_text(help).clicked() {
             out.push(new);
         }
@@ -50,10 +50,9 @@ fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
             let under = shot.stack().shots.get(1).map(|under| &under.path);
             let under = under.unwrap_or(&shot.stack().scene_path);
             let under = under.file_name().unwrap_or_default().to_string_lossy();
-            let text = format!(
-                "A new shot over {under}, in no file yet: what you change is kept here, and \
-                 {under} stays as it is."
-            );
+            let text =
+                tr!("A new shot over {under}, in no file yet: what you change is kept here, and \
+                     {under} stays as it is.");
             hint(ui, &text);
         }
         about(ui, session, shot, &mut out);
@@ -71,7 +70,7 @@ fn push(out: &mut Vec<Command>, command: ShotCommand) {
 
 /// Shows the name, the frames, the rate, the size and the step.
 fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>) {
-    labelled(ui, "Shot name", "What you call this shot", |ui, label| {
+    labelled(ui, tr!("Shot name"), tr!("What you call this shot"), |ui, label| {
         let mut name = shot.shot().name.clone();
         let field = TextEdit::singleline(&mut name).desired_width(f32::INFINITY);
         let response = ui.add(field).labelled_by(label);
@@ -80,17 +79,19 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
         }
     });
     let inherited = |is_own: bool| match is_own {
-        true => "This shot says so itself",
-        false => "As what lies under it says; a change is this shot's own",
+        true => tr!("This shot says so itself"),
+        false => tr!("As what lies under it says; a change is this shot's own"),
     };
     let [mut first, mut last] = shot.stack().frames();
     let before = [first, last];
-    labelled(ui, "Frames", inherited(shot.shot().frames.is_some()), |ui, _| {
-        for (frame, name) in [(&mut first, "First frame"), (&mut last, "Last frame")] {
+    labelled(ui, tr!("Frames"), inherited(shot.shot().frames.is_some()), |ui, _| {
+        for (frame, name, is_first) in
+            [(&mut first, tr!("First frame"), true), (&mut last, tr!("Last frame"), false)]
+        {
             let response = ui.add(DragValue::new(frame).speed(0.2));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
             if response.changed() {
-                let frames = if name == "First frame" {
+                let frames = if is_first {
                     [*frame, before[1].max(*frame)]
                 } else {
                     [before[0].min(*frame), *frame]
@@ -100,11 +101,11 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
             }
         }
         let frame = shot.frame_at(session.view.time);
-        let text = format!("now {frame}");
+        let text = tr!("now {frame}");
         ui.label(RichText::new(text).color(theme::of(ui).dim))
             .on_hover_text(tr!("The frame at the playhead of the timeline"));
     });
-    labelled(ui, "Rate", inherited(shot.shot().rate.is_some()), |ui, label| {
+    labelled(ui, tr!("Rate"), inherited(shot.shot().rate.is_some()), |ui, label| {
         let now = shot.rate();
         let combo = ComboBox::from_id_salt("rate").selected_text(tr!("{now} a second"));
         let combo = combo.show_ui(ui, |ui| {
@@ -117,14 +118,14 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
         combo.response.labelled_by(label);
     });
     size(ui, shot, out);
-    let help = "Looks, lights and values of objects are held for so many frames; cameras and \
-                objects move on every one";
-    labelled(ui, "Shading on", help, |ui, _| {
+    let help = tr!("Looks, lights and values of objects are held for so many frames; cameras and \
+                    objects move on every one");
+    labelled(ui, tr!("Shading on"), help, |ui, _| {
         ui.spacing_mut().item_spacing.x = 2.0;
         for (step, text) in STEPS {
             let is_it = shot.stack().step() == step;
-            let name = format!("Shading on {text}");
-            let response = ui.selectable_label(is_it, text);
+            let name = tr!("Shading on {text}");
+            let response = ui.selectable_label(is_it, text.tr());
             response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
             if response.on_hover_text(help).clicked() && !is_it {
                 push(out, ShotCommand::Edit(ShotEdit::SetStep { step: Some(step) }));
@@ -133,25 +134,28 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
     });
     ui.horizontal_wrapped(|ui| {
         let follows = session.follows_shot();
-        let help = "The picture as `chiaro render` draws it at this frame; a turn of the view \
-                    leaves the camera";
+        let help = tr!(
+            "The picture as `chiaro render` draws it at this frame; a turn of the view leaves the \
+             camera"
+        );
         let look = ui.add_enabled(!follows, Button::new(tr!("Shot's camera")));
         look.widget_info(|| {
-            WidgetInfo::labeled(Role::Button, !follows, "Look through the shot's camera")
+            WidgetInfo::labeled(Role::Button, !follows, tr!("Look through the shot's camera"))
         });
         if look.on_hover_text(help).on_disabled_hover_text(help).clicked() {
             out.push(Command::View(ViewCommand::Reset));
         }
-        let help = "The camera, the turn of the lights and the backdrop of the picture become the \
-                    shot's: at this frame where they are keyed";
+        let help =
+            tr!("The camera, the turn of the lights and the backdrop of the picture become the \
+                 shot's: at this frame where they are keyed");
         let keep = ui.add_enabled(!follows, Button::new(tr!("Keep view")));
-        keep.widget_info(|| WidgetInfo::labeled(Role::Button, !follows, "Keep this view"));
+        keep.widget_info(|| WidgetInfo::labeled(Role::Button, !follows, tr!("Keep this view")));
         if keep.on_hover_text(help).clicked() {
             out.push(Command::Scene(SceneCommand::KeepView));
         }
-        let help = "Its frames as files, here or on a farm";
+        let help = tr!("Its frames as files, here or on a farm");
         let render = ui.button(tr!("Render..."));
-        render.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Render frames..."));
+        render.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr!("Render frames...")));
         if render.on_hover_text(help).clicked() {
             out.push(Command::ShowPanel(PanelId::FRAMES));
         }
@@ -159,7 +163,7 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
 }
 
 fn size(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
-    labelled(ui, "Size", "Width and height of its pictures, in pixels", |ui, _| {
+    labelled(ui, tr!("Size"), tr!("Width and height of its pictures, in pixels"), |ui, _| {
         let Some(mut size) = shot.stack().size() else {
             if ui
                 .button(tr!("by the command"))
@@ -171,7 +175,7 @@ fn size(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
             }
             return;
         };
-        for (index, name) in ["Width", "Height"].into_iter().enumerate() {
+        for (index, name) in [tr!("Width"), tr!("Height")].into_iter().enumerate() {
             let drag = DragValue::new(&mut size[index]).range(1..=32_768).speed(2.0);
             let response = ui.add(drag);
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
@@ -192,8 +196,8 @@ fn stack(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             ui.label(RichText::new(tr!("over")).color(theme::of(ui).dim));
             let link = ui.link(&*name);
-            link.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Open {name}")));
-            let help = format!("{}\nOpens it in place of the shot", path.display());
+            link.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr!("Open {name}")));
+            let help = tr!("{path}\nOpens it in place of the shot", path = path.display());
             if link.on_hover_text(help).clicked() {
                 out.push(Command::Open(Some(path.clone())));
             }
@@ -208,8 +212,8 @@ fn changes(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Comman
     if standing.is_empty() {
         hint(
             ui,
-            "It changes nothing yet: set any value of a light, an object or the look, and it is \
-             listed here, to be keyed or reset.",
+            tr!("It changes nothing yet: set any value of a light, an object or the look, and it \
+                 is listed here, to be keyed or reset."),
         );
         return;
     }
@@ -254,10 +258,9 @@ fn row(
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                 let text = RichText::new(&address).color(color);
                 let response = ui.add(Label::new(text).sense(Sense::click()).truncate());
-                response.widget_info(|| {
-                    WidgetInfo::labeled(Role::Link, true, format!("Show {address}"))
-                });
-                let help = format!("{}\nA click shows it", at.text());
+                response
+                    .widget_info(|| WidgetInfo::labeled(Role::Link, true, tr!("Show {address}")));
+                let help = tr!("{address}\nA click shows it", address = at.text());
                 if response.on_hover_text(help).clicked() {
                     push(out, ShotCommand::Show(at.clone()));
                 }
@@ -265,12 +268,17 @@ fn row(
         });
     });
     let (from, to) = change_text(change);
-    let kind = if change.is_keyed { "keyed" } else { "set" };
-    let held =
-        if change.step > 1 { format!(", held for {} frames", change.step) } else { String::new() };
-    let text = format!("   {from} before, {kind} to {to}{held}");
-    ui.add(Label::new(RichText::new(text).small().color(colors.dim)).truncate())
-        .on_hover_text(tr!("{kind} by {by}: {from} before, {to} now"));
+    let (mut text, help) = match change.is_keyed {
+        true => {
+            (tr!("{from} before, keyed to {to}"), tr!("keyed by {by}: {from} before, {to} now"))
+        }
+        false => (tr!("{from} before, set to {to}"), tr!("set by {by}: {from} before, {to} now")),
+    };
+    if change.step > 1 {
+        text = tr!("{text}, held for {step} frames", step = change.step);
+    }
+    let text = RichText::new(format!("   {text}")).small().color(colors.dim);
+    ui.add(Label::new(text).truncate()).on_hover_text(help);
     ui.add_space(2.0);
 }
 
@@ -285,16 +293,16 @@ fn buttons(
     let at = ShotAddress::of(change);
     if change.by == shot.path() {
         let button = ui.small_button(tr!("Reset"));
-        button.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Reset {address}")));
+        button.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr!("Reset {address}")));
         if button.on_hover_text(tr!("The value is as before")).clicked() {
             push(out, ShotCommand::Reset(at.clone()));
         }
     } else {
         let by = change.by.file_name().unwrap_or_default().to_string_lossy();
-        let help = format!("{by} changes it, and takes it back: opens that file");
+        let help = tr!("{by} changes it, and takes it back: opens that file");
         let button = ui.small_button(tr!("Open"));
         button.widget_info(|| {
-            WidgetInfo::labeled(Role::Button, true, format!("Open {by} with {address}"))
+            WidgetInfo::labeled(Role::Button, true, tr!("Open {by} with {address}"))
         });
         if button.on_hover_text(help).clicked() {
             out.push(Command::Open(Some(change.by.clone())));
@@ -302,7 +310,7 @@ fn buttons(
     }
     let is_open = change.look.is_none() || change.look == shot.open_look();
     let key = ui.add_enabled(is_open, Button::new(tr!("Key")).small());
-    key.widget_info(|| WidgetInfo::labeled(Role::Button, is_open, format!("Key {address}")));
+    key.widget_info(|| WidgetInfo::labeled(Role::Button, is_open, tr!("Key {address}")));
     let frame = shot.frame_at(session.view.time);
     if key.on_hover_text(tr!("A key at frame {frame}, with the present value")).clicked() {
         push(out, ShotCommand::Key(at));

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui::{
     Button, Color32, Frame, Label, Margin, Popup, Response, RichText, Role, ScrollArea, Sense, Ui,
     WidgetInfo, vec2,
@@ -23,8 +23,8 @@ use crate::widgets::theme;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::SNAPSHOTS,
-    "Snapshots",
-    "States of the look that were kept with it: restored, compared, begun anew from",
+    text!("Snapshots"),
+    text!("States of the look that were kept with it: restored, compared, begun anew from"),
     PanelPlace::WITH_DOCUMENT.closed(),
     |bench, ui, context| bench.memory.of::<Snapshots>().show(ui, context.session, &bench.thumbs),
 );
@@ -58,8 +58,8 @@ impl Snapshots {
         if shelf.is_empty() {
             hint(
                 ui,
-                "A snapshot keeps the look as it is, under a name: to come back to, and to hold \
-                 what you do next against.",
+                tr!("A snapshot keeps the look as it is, under a name: to come back to, and to \
+                     hold what you do next against."),
             );
             return out;
         }
@@ -128,7 +128,7 @@ impl Snapshots {
         }
         picture_frame(ui, rect);
         response.widget_info(|| {
-            WidgetInfo::labeled(Role::Image, true, format!("Picture of {}", snapshot.name))
+            WidgetInfo::labeled(Role::Image, true, tr!("Picture of {name}", name = snapshot.name))
         });
     }
 
@@ -143,7 +143,7 @@ impl Snapshots {
         let (id, name) = (snapshot.id, &snapshot.name);
         let mut compared = None;
         if let Some(field) = self.renaming.as_mut().filter(|field| field.id == id) {
-            if let Some(changed) = field.show(ui, name, &format!("New name of {name}")) {
+            if let Some(changed) = field.show(ui, name, &tr!("New name of {name}")) {
                 self.renaming = None;
                 if let Some(name) = changed {
                     push(SnapshotCommand::Rename(id, name));
@@ -158,32 +158,32 @@ impl Snapshots {
             }
         }
         let is_now = *snapshot.look == *session.look();
-        let state = if is_now { ", as the look is now" } else { "" };
-        let text = format!("{}{state}", date_text(snapshot.taken));
+        let date = date_text(snapshot.taken);
+        let text = if is_now { tr!("{date}, as the look is now") } else { date };
         ui.add(Label::new(RichText::new(text).small().color(theme::of(ui).dim)).truncate());
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 3.0;
-            let help = "Makes the look what it was then, as one step that can be undone";
+            let help = tr!("Makes the look what it was then, as one step that can be undone");
             let button = ui.add_enabled(!is_now, Button::new(tr!("Restore"))).on_hover_text(help);
-            if named(button, !is_now, &format!("Restore {name}")).clicked() {
+            if named(button, !is_now, &tr!("Restore {name}")).clicked() {
                 push(SnapshotCommand::Restore(id));
             }
             let help =
-                "Shows the picture beside what the snapshot holds: wipe, flicker, difference";
+                tr!("Shows the picture beside what the snapshot holds: wipe, flicker, difference");
             let button = ui.button(tr!("Compare")).on_hover_text(help);
-            if named(button, true, &format!("Compare with {name}")).clicked() {
+            if named(button, true, &tr!("Compare with {name}")).clicked() {
                 compared = Some(ComparedPicture::Snapshot(id));
             }
-            let more = icon(ui, Icon::More, true, &format!("More about {name}"), "More");
+            let more = icon(ui, Icon::More, true, &tr!("More about {name}"), tr!("More"));
             Popup::menu(&more).show(|ui| {
                 if ui.button(tr!("Rename")).clicked() {
                     self.renaming = Some(NameEdit::new(id, name));
                 }
-                let help = "A look of its own with what the snapshot holds; this look stays";
+                let help = tr!("A look of its own with what the snapshot holds; this look stays");
                 if ui.button(tr!("New look from it")).on_hover_text(help).clicked() {
                     push(SnapshotCommand::Copy(id));
                 }
-                let help = "Undo brings it back";
+                let help = tr!("Undo brings it back");
                 if ui.button(tr!("Delete")).on_hover_text(help).clicked() {
                     push(SnapshotCommand::Delete(id));
                 }

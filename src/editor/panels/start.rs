@@ -5,7 +5,7 @@
 use std::collections::HashMap;
 use std::path::PathBuf;
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr, tr_in};
 use eframe::egui;
 use eframe::egui::{
     Button, EventFilter, FontId, Key, Label, Modifiers, Rect, Response, RichText, Role, ScrollArea,
@@ -49,7 +49,7 @@ pub(crate) struct Start {
     examples: Vec<ExampleSection>,
     /// Words that the shown cards have in their names, tags or subjects; empty for all.
     query: String,
-    /// Title of the only subject that is shown; `None` for all.
+    /// Title in English of the only subject that is shown; `None` for all.
     subject: Option<&'static str>,
     recent: Vec<RecentFile>,
     /// Revision of the suspects when the recent files were read.
@@ -61,6 +61,7 @@ pub(crate) struct Start {
 
 /// Examples of one subject.
 struct ExampleSection {
+    /// Title in English, by which the subject is chosen.
     title: &'static str,
     about: &'static str,
     cards: Vec<Card>,
@@ -104,8 +105,8 @@ struct RecentFile {
 
 /// Tile: a way to begin.
 struct StartTile {
-    title: &'static str,
-    text: &'static str,
+    title: Text,
+    text: Text,
     command: Command,
     /// True for the tile that newcomers are led to.
     is_first: bool,
@@ -113,32 +114,32 @@ struct StartTile {
 
 static TILES: [StartTile; 5] = [
     StartTile {
-        title: "Take the tour",
-        text: "Your first look, from nothing, in two minutes",
+        title: text!("Take the tour"),
+        text: text!("Your first look, from nothing, in two minutes"),
         command: Command::StartTour(TourTopic::Look),
         is_first: true,
     },
     StartTile {
-        title: "New look",
-        text: "A base and one light to begin with",
+        title: text!("New look"),
+        text: text!("A base and one light to begin with"),
         command: Command::New,
         is_first: false,
     },
     StartTile {
-        title: "Light a scene",
-        text: "Three gray objects: key, rim, shadows, links, mixer",
+        title: text!("Light a scene"),
+        text: text!("Three gray objects: key, rim, shadows, links, mixer"),
         command: Command::StartTour(TourTopic::Lights),
         is_first: false,
     },
     StartTile {
-        title: "Paint a surface",
-        text: "A tile for every light and every side, by hand",
+        title: text!("Paint a surface"),
+        text: text!("A tile for every light and every side, by hand"),
         command: Command::ShowPanel(PanelId::PAINT),
         is_first: false,
     },
     StartTile {
-        title: "Open a file",
-        text: "A look, a scene or a painting, yours or others'",
+        title: text!("Open a file"),
+        text: text!("A look, a scene or a painting, yours or others'"),
         command: Command::Open(None),
         is_first: false,
     },
@@ -237,7 +238,9 @@ impl Start {
                 ui.add_space((beside - 24.0).max(0.0));
             }
             let close = ui.add(Button::new(RichText::new("×").size(24.0)).frame(false));
-            close.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Close the start page"));
+            close.widget_info(|| {
+                WidgetInfo::labeled(Role::Button, true, tr!("Close the start page"))
+            });
             if close.on_hover_text(tr!("To the look that is open (Esc)")).clicked() {
                 out.push(Command::ShowStart(false));
             }
@@ -260,7 +263,7 @@ impl Start {
         ui.add_space(GAP);
         ui.vertical(|ui| {
             ui.add_space(6.0);
-            ui.label(RichText::new(tr!("Chiaro")).size(34.0).strong());
+            ui.label(RichText::new("Chiaro").size(34.0).strong());
             ui.label(RichText::new(tr!("Draw with light")).size(15.0).color(theme::of(ui).dim));
         });
     }
@@ -277,7 +280,11 @@ impl Start {
         let is_recent_shown =
             self.subject.is_none() && self.query.trim().is_empty() && !self.recent.is_empty();
         if is_recent_shown {
-            heading(ui, "Recent", "Looks, scenes and paintings that were open, the newest first");
+            heading(
+                ui,
+                tr!("Recent"),
+                tr!("Looks, scenes and paintings that were open, the newest first"),
+            );
             for row in self.recent.chunks(columns) {
                 in_row(ui, row, |ui, recent| match &recent.card {
                     Some(card) => {
@@ -296,7 +303,11 @@ impl Start {
                 });
             }
         }
-        heading(ui, "Examples", "Each opens as a new one of your own: change whatever you like");
+        heading(
+            ui,
+            tr!("Examples"),
+            tr!("Each opens as a new one of your own: change whatever you like"),
+        );
         let mut is_empty = true;
         let is_chosen =
             |section: &&ExampleSection| self.subject.is_none_or(|subject| subject == section.title);
@@ -308,8 +319,9 @@ impl Start {
             is_empty = false;
             ui.horizontal(|ui| {
                 ui.spacing_mut().item_spacing.x = 10.0;
-                ui.label(RichText::new(section.title).strong());
-                let about = RichText::new(section.about).small().color(theme::of(ui).dim);
+                ui.label(RichText::new(tr_in("example", section.title)).strong());
+                let about =
+                    RichText::new(tr_in("example", section.about)).small().color(theme::of(ui).dim);
                 ui.add(Label::new(about).truncate());
             });
             ui.add_space(4.0);
@@ -321,8 +333,9 @@ impl Start {
             hint(ui, tr!("No example has these words in its name, its tags or its description."));
         }
         ui.add_space(GAP);
-        let text =
-            "Drop a look, a mesh or an image on the window to open it · Ctrl+P finds any command";
+        let text = tr!(
+            "Drop a look, a mesh or an image on the window to open it · Ctrl+P finds any command"
+        );
         ui.label(RichText::new(text).color(theme::of(ui).dim));
         ui.add_space(MARGIN);
     }
@@ -338,7 +351,7 @@ impl Start {
         // Up and down lead on to the cards, as from everything else on the page.
         let filter = EventFilter { horizontal_arrows: true, ..EventFilter::default() };
         ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
-        response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "Find an example"));
+        response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, tr!("Find an example")));
         if is_new && ui.memory(|memory| memory.focused().is_none()) {
             response.request_focus();
         }
@@ -347,9 +360,9 @@ impl Start {
             ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
             ui.selectable_value(&mut self.subject, None, tr!("All"));
             for section in &self.examples {
-                let chip =
-                    ui.selectable_value(&mut self.subject, Some(section.title), section.title);
-                chip.on_hover_text(section.about);
+                let title = tr_in("example", section.title);
+                let chip = ui.selectable_value(&mut self.subject, Some(section.title), title);
+                chip.on_hover_text(tr_in("example", section.about));
             }
         });
     }
@@ -378,7 +391,7 @@ fn tiles_in(
 impl StartTile {
     fn show(&self, ui: &mut Ui, size: egui::Vec2) -> Response {
         let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, self.title));
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, self.title.tr()));
         let colors = theme::of(ui);
         let is_near = response.hovered() || response.has_focus();
         let fill = match (self.is_first, is_near) {
@@ -399,12 +412,15 @@ impl StartTile {
         let inner = rect.shrink2(vec2(14.0, 10.0));
         let dim = if self.is_first { colors.text } else { colors.dim };
         let painter = ui.painter().with_clip_rect(rect);
-        let title =
-            painter.layout_no_wrap(self.title.to_owned(), FontId::proportional(15.0), colors.text);
+        let title = painter.layout_no_wrap(
+            self.title.tr().to_owned(),
+            FontId::proportional(15.0),
+            colors.text,
+        );
         let keys = table::row_of(&self.command).map(CommandRow::text).unwrap_or_default();
         let small = FontId::proportional(theme::SMALL_TEXT);
         let keys = painter.layout_no_wrap(keys, small.clone(), dim);
-        let text = painter.layout(self.text.to_owned(), small, dim, inner.width());
+        let text = painter.layout(self.text.tr().to_owned(), small, dim, inner.width());
         let middle = inner.top() + title.size().y / 2.0;
         painter.galley(
             pos2(inner.right() - keys.size().x, middle - keys.size().y / 2.0),

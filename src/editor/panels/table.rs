@@ -1,6 +1,7 @@
 //! Definition of a panel: a row with its name, its help, its place, the function that draws it and
 //! its jobs on other threads.
 
+use chiaro_locale::Text;
 use eframe::egui::Ui;
 
 use super::Workbench;
@@ -27,8 +28,8 @@ type Jobs = fn(&Workbench) -> &dyn BackgroundJobs;
 pub(crate) struct PanelRow {
     pub(crate) id: PanelId,
     /// Text of the panel's tab.
-    pub(crate) label: &'static str,
-    pub(crate) help: &'static str,
+    pub(crate) label: Text,
+    pub(crate) help: Text,
     pub(crate) place: PanelPlace,
     /// Function that handles the pointer before the panel is drawn, so that its changes to the view
     /// and to strokes are drawn in the same frame.
@@ -41,8 +42,8 @@ pub(crate) struct PanelRow {
 impl PanelRow {
     pub(crate) const fn new(
         id: PanelId,
-        label: &'static str,
-        help: &'static str,
+        label: Text,
+        help: Text,
         place: PanelPlace,
         draw: Draw,
     ) -> Self {

@@ -4,7 +4,7 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui::{
     Button, Color32, ComboBox, DragValue, FontId, Rect, RichText, Role, ScrollArea, Sense, Slider,
     Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
@@ -27,8 +27,10 @@ use crate::widgets::theme;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::VARIATIONS,
-    "Variations",
-    "Small pictures of a value, a color, a light or the mesh as it could be; a click takes one",
+    text!("Variations"),
+    text!(
+        "Small pictures of a value, a color, a light or the mesh as it could be; a click takes one"
+    ),
     PanelPlace::WITH_DOCUMENT.closed(),
     |bench, ui, context| bench.memory.of::<Variations>().show(ui, context.session, &bench.thumbs),
 );
@@ -76,8 +78,8 @@ impl Variations {
         let Some(sheet) = &mut self.sheet else {
             hint(
                 ui,
-                "Choose what to vary: a value of the selected node, a light, the mesh. A value's \
-                 own menu has Variations too.",
+                tr!("Choose what to vary: a value of the selected node, a light, the mesh. A \
+                     value's own menu has Variations too."),
             );
             return out;
         };
@@ -118,11 +120,11 @@ impl Variations {
     fn choice(&mut self, ui: &mut Ui, session: &Session) {
         let look = session.look_with_library();
         let title = |subject: &VariedSubject| match subject {
-            VariedSubject::Mesh => "Mesh".to_owned(),
+            VariedSubject::Mesh => tr!("Mesh").to_owned(),
             VariedSubject::Value(target) => look.names_of(target).join(": "),
         };
         let now = self.sheet.as_ref().map(|sheet| sheet.subject.clone());
-        let text = now.as_ref().map_or_else(|| "Choose".to_owned(), title);
+        let text = now.as_ref().map_or_else(|| tr!("Choose").to_owned(), title);
         let mut chosen = None;
         ui.horizontal(|ui| {
             let label = ui.label(tr!("Vary"));
@@ -179,7 +181,7 @@ impl Variations {
         if !ui.is_rect_visible(rect) {
             return false;
         }
-        let name = format!("Take {}", of.label);
+        let name = tr!("Take {value}", value = of.label);
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
         if !thumbs.is_done(of.key)
             && let Some(sheet) = &self.sheet
@@ -206,7 +208,7 @@ impl Variations {
         let words = Rect::from_min_max(pos2(rect.left() + 2.0, picture.bottom()), rect.max);
         let font = FontId::proportional(theme::SMALL_TEXT);
         cell(ui, words, &of.label, font, theme::of(ui).text);
-        let help = format!("{}: a click takes it, as one step", of.label);
+        let help = tr!("{value}: a click takes it, as one step", value = of.label);
         response.on_hover_text(help).clicked()
     }
 }
@@ -242,7 +244,7 @@ fn controls(ui: &mut Ui, sheet: &mut VariationSheet, taken: Option<&Variation>) 
                 let (factor, suffix) =
                     if sheet.is_angle() { (1.0_f64.to_degrees(), "°") } else { (1.0, "") };
                 let [least, most] = sheet.bounds();
-                for (side, name) in [(0, "From"), (1, "To")] {
+                for (side, name) in [(0, tr!("From")), (1, tr!("To"))] {
                     let label = ui.label(name);
                     let mut shown = sheet.range[side] * factor;
                     let drag = DragValue::new(&mut shown).suffix(suffix).max_decimals(3);
@@ -269,7 +271,7 @@ fn controls(ui: &mut Ui, sheet: &mut VariationSheet, taken: Option<&Variation>) 
             VariationKind::Number { .. } | VariationKind::Color | VariationKind::Direction
         );
         if can {
-            let help = "A finer sheet around the one that was taken";
+            let help = tr!("A finer sheet around the one that was taken");
             let button = ui.add_enabled(taken.is_some(), Button::new(tr!("Again around this one")));
             let button = button.on_hover_text(help).on_disabled_hover_text(tr!("Take one first"));
             if let Some(taken) = taken.filter(|_| button.clicked()) {
@@ -278,8 +280,8 @@ fn controls(ui: &mut Ui, sheet: &mut VariationSheet, taken: Option<&Variation>) 
         }
     });
     let text = match sheet.kind {
-        VariationKind::Color => "Hues across, brighter above",
-        VariationKind::Direction => "From the left to the right, from above to below",
+        VariationKind::Color => tr!("Hues across, brighter above"),
+        VariationKind::Direction => tr!("From the left to the right, from above to below"),
         _ => return,
     };
     ui.label(RichText::new(text).small().color(theme::of(ui).dim));

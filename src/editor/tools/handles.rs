@@ -1,5 +1,7 @@
 //! Switch of the lines and handles on the object, which the viewport draws.
 
+use chiaro_locale::tr;
+
 use super::table::{SwitchPlace, ToolRow};
 use crate::commands::{Command, ViewCommand, table};
 
@@ -10,7 +12,7 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
     |tools, ui, _| {
         let help = table::help_of(&Command::View(ViewCommand::ToggleHandles));
         let is_on = &mut tools.of_mut::<HandlesSwitch>().is_on;
-        ui.checkbox(is_on, "Handles on the object").on_hover_text(help);
+        ui.checkbox(is_on, tr!("Handles on the object")).on_hover_text(help);
     },
 );
 

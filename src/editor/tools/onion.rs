@@ -95,26 +95,26 @@ impl OnionSkin {
         let text = if self.is_on { text.color(theme::of(ui).accent) } else { text };
         let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         let (menu, _) = MenuButton::new(text).config(stays).ui(ui, |ui| {
-            let help = "Ghosts of the picture at other times, where it differs from now";
+            let help = tr!("Ghosts of the picture at other times, where it differs from now");
             ui.checkbox(&mut self.is_on, tr!("Show ghosts")).on_hover_text(help);
             ui.radio_value(&mut self.by, OnionStep::Keys, tr!("At keys before and after"));
             ui.radio_value(&mut self.by, OnionStep::Frames, tr!("At frames before and after"));
             ui.horizontal(|ui| {
                 let count = ui.add(DragValue::new(&mut self.count).range(1..=MOST));
-                count.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Ghosts"));
+                count.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Ghosts")));
                 ui.label(tr!("on each side"));
             });
             if self.by == OnionStep::Frames {
                 ui.horizontal(|ui| {
                     let spacing = ui.add(DragValue::new(&mut self.spacing).range(1..=1000));
-                    let name = "Frames between ghosts";
+                    let name = tr!("Frames between ghosts");
                     spacing.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
                     ui.label(tr!("frames apart"));
                 });
             }
-            let opacity = ui.add(Slider::new(&mut self.opacity, 0.05..=1.0).text("Opacity"));
+            let opacity = ui.add(Slider::new(&mut self.opacity, 0.05..=1.0).text(tr!("Opacity")));
             let value = f64::from(self.opacity);
-            opacity.widget_info(|| WidgetInfo::slider(true, value, "Opacity of ghosts"));
+            opacity.widget_info(|| WidgetInfo::slider(true, value, tr!("Opacity of ghosts")));
             ui.horizontal(|ui| {
                 ui.label(RichText::new(tr!("before")).color(TINTS[0]));
                 ui.label(RichText::new(tr!("after")).color(TINTS[1]));

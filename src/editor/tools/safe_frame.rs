@@ -3,6 +3,7 @@
 //! Cameras have their height of view. So a panel that is wider than the shot shows more at both
 //! sides, which is dimmed; in a narrower one the picture gets less height, and is the frame itself.
 
+use chiaro_locale::tr;
 use eframe::egui::{Color32, Rect, Stroke, StrokeKind, Ui, Vec2, vec2};
 
 use super::PictureTools;
@@ -14,10 +15,12 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
     |_| Box::new(SafeFrame { is_on: true }),
     |tools| tools.of::<SafeFrame>().is_on,
     |tools, ui, _| {
-        let help = "Frames what the shot shows in its own size, and dims what lies outside; for \
-                    shots that say a size";
+        let help = tr!(
+            "Frames what the shot shows in its own size, and dims what lies outside; for shots \
+             that say a size"
+        );
         let is_on = &mut tools.of_mut::<SafeFrame>().is_on;
-        ui.checkbox(is_on, "Frame of the shot").on_hover_text(help);
+        ui.checkbox(is_on, tr!("Frame of the shot")).on_hover_text(help);
     },
 )
 .with_overlay(|tools, ui, context, _| show(tools, ui, context));

@@ -333,7 +333,8 @@ impl<'t> Parser<'t> {
             let open = self.open.pop().expect("deeper than `depth`");
             let cut = self.open.len() > depth;
             if cut {
-                let (what, end) = if open.is_object { ("object", '}') } else { ("list", ']') };
+                let end = if open.is_object { '}' } else { ']' };
+                let what = part_name(open.is_object);
                 let from = self.lines.at(self.text, self.items[open.item].start as usize);
                 let message =
                     tr!("the {what} opened at {place} is not closed", place = line_column(from));
@@ -362,7 +363,7 @@ impl<'t> Parser<'t> {
 
     fn truncated(&mut self) {
         let Some(open) = self.open.last() else { return };
-        let what = if open.is_object { "object" } else { "list" };
+        let what = part_name(open.is_object);
         let from = self.lines.at(self.text, self.items[open.item].start as usize);
         let message = tr!(
             "the file ends in the middle: the {what} opened at {place} is not closed",
@@ -443,6 +444,11 @@ fn not_json(text: &str, at: usize) -> Diagnostic {
 pub(super) fn short(text: &str) -> String {
     let shown: String = text.chars().take(40).collect();
     if shown.len() < text.len() { shown + "…" } else { shown }
+}
+
+/// Name of an object or a list in messages.
+fn part_name(is_object: bool) -> &'static str {
+    if is_object { tr!("part" => "object") } else { tr!("part" => "list") }
 }
 
 fn line_column(place: LineColumn) -> String {

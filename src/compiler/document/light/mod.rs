@@ -13,7 +13,7 @@ mod master;
 mod mix;
 mod values;
 
-use chiaro_locale::text;
+use chiaro_locale::{Text, text};
 use serde::{Deserialize, Serialize};
 
 use super::described::described;
@@ -40,8 +40,8 @@ const PLACED: &[LightKind] = &[Point, Spot];
 
 /// Defaults of the properties that a row leaves out.
 const ROW: LightRow = LightRow {
-    label: text!(""),
-    hint: text!(""),
+    label: Text::new(""),
+    hint: Text::new(""),
     quantity: Factor,
     kinds: ANY,
     within: None,

@@ -242,7 +242,7 @@ impl Behavior<Pane> for TileBehavior<'_> {
     }
 
     fn tab_title_for_pane(&mut self, panel: &Pane) -> WidgetText {
-        panel.0.label.into()
+        panel.0.label.tr().into()
     }
 
     fn tab_ui(
@@ -259,12 +259,13 @@ impl Behavior<Pane> for TileBehavior<'_> {
         let colors = theme::of(ui);
         let color = if state.active { colors.text } else { colors.dim };
         let font = TextStyle::Body.resolve(ui.style());
-        let galley = ui.painter().layout_no_wrap(panel.label.to_owned(), font, color);
+        let galley = ui.painter().layout_no_wrap(panel.label.tr().to_owned(), font, color);
         let (_, rect) =
             ui.allocate_space(vec2(galley.size().x + TAB_MARGIN, ui.available_height()));
         let response = ui.interact(rect, id, Sense::click_and_drag());
-        response
-            .widget_info(|| WidgetInfo::selected(egui::Role::Tab, true, state.active, panel.label));
+        response.widget_info(|| {
+            WidgetInfo::selected(egui::Role::Tab, true, state.active, panel.label.tr())
+        });
         if !state.is_being_dragged {
             let color = if response.hovered() { colors.text } else { color };
             // A name that the end of the row cuts off is left out, and not shown in half letters.
@@ -294,7 +295,7 @@ impl Behavior<Pane> for TileBehavior<'_> {
             tiles.remove(tile);
             self.is_changed = true;
         }
-        response.on_hover_text(panel.help)
+        response.on_hover_text(panel.help.tr())
     }
 
     /// Shows a list of all panels where their tabs have no room beside each other, and keeps the
@@ -313,8 +314,11 @@ impl Behavior<Pane> for TileBehavior<'_> {
         for (tile, panel) in
             tabs.children.iter().filter_map(|tile| Some((*tile, tiles.get_pane(tile)?.0)))
         {
-            let galley =
-                ui.painter().layout_no_wrap(panel.label.to_owned(), font.clone(), Color32::WHITE);
+            let galley = ui.painter().layout_no_wrap(
+                panel.label.tr().to_owned(),
+                font.clone(),
+                Color32::WHITE,
+            );
             let from = end;
             end += galley.size().x + TAB_MARGIN;
             all.push((tile, panel, from..=end));
@@ -326,8 +330,9 @@ impl Behavior<Pane> for TileBehavior<'_> {
         let menu = ui.menu_button("...", |ui| {
             for (tile, panel, _) in &all {
                 let is_it = tabs.active == Some(*tile);
-                let entry = ui.selectable_label(is_it, panel.label).on_hover_text(panel.help);
-                let label = format!("Show {}", panel.label);
+                let entry =
+                    ui.selectable_label(is_it, panel.label.tr()).on_hover_text(panel.help.tr());
+                let label = tr!("Show {panel}", panel = panel.label);
                 entry.widget_info(|| {
                     WidgetInfo::selected(egui::Role::MenuItem, true, is_it, &label)
                 });
@@ -338,7 +343,7 @@ impl Behavior<Pane> for TileBehavior<'_> {
             }
         });
         menu.response.widget_info(|| {
-            WidgetInfo::labeled(egui::Role::Button, true, "All panels of this stack")
+            WidgetInfo::labeled(egui::Role::Button, true, tr!("All panels of this stack"))
         });
         menu.response.on_hover_text(tr!("Lists all panels that lie here"));
         let known = egui::Id::unique("front tab").with(stack);

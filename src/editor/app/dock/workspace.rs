@@ -1,6 +1,7 @@
 //! Workspaces: two layouts of the panels, one for looks and one for painting. Each keeps its layout
 //! by hand: whoever comes back to a workspace finds it as it was left.
 
+use chiaro_locale::tr;
 use egui_tiles::{Container, Tile, Tree};
 use serde_json::{Value, json};
 
@@ -25,8 +26,8 @@ impl Workspace {
     /// Label of the workspace in the menu.
     pub(crate) fn label(self) -> &'static str {
         match self {
-            Self::Look => "Layout for looks",
-            Self::Painting => "Layout for painting",
+            Self::Look => tr!("Layout for looks"),
+            Self::Painting => tr!("Layout for painting"),
         }
     }
 
@@ -34,11 +35,11 @@ impl Workspace {
     pub(crate) fn help(self) -> &'static str {
         match self {
             Self::Look => {
-                "Where the panels lie while nothing is painted: it comes with every look that \
-                 shows no open painting"
+                tr!("Where the panels lie while nothing is painted: it comes with every look that \
+                     shows no open painting")
             }
             Self::Painting => {
-                "Where the panels lie while you paint: it comes and goes with what is painted"
+                tr!("Where the panels lie while you paint: it comes and goes with what is painted")
             }
         }
     }

@@ -52,13 +52,18 @@ pub(super) fn show(
         ring(ui, target);
     }
     let mut answer = None;
-    let title = format!("{}  ·  {} of {}", step.title, progress.index + 1, progress.count);
+    let title = tr!(
+        "{title}  ·  {step} of {count}",
+        title = step.title,
+        step = progress.index + 1,
+        count = progress.count
+    );
     // The step's panels are kept clear: they show what the artist does, and its effect.
     let clear = step.panels.iter().filter_map(|panel| spots::find(ui.ctx(), &Spot::Panel(*panel)));
     card(ui, target, &clear.collect::<Vec<_>>(), |ui| {
         head(ui, &title, &mut answer);
-        ui.label(step.task);
-        ui.label(RichText::new(step.reason).color(theme::of(ui).dim));
+        ui.label(step.task.tr());
+        ui.label(RichText::new(step.reason.tr()).color(theme::of(ui).dim));
         dots(ui, progress);
         ui.horizontal(|ui| {
             if ui
@@ -68,7 +73,7 @@ pub(super) fn show(
             {
                 answer = Some(Answer::Back);
             }
-            let help = "Does it for you, as a step that Undo takes back";
+            let help = tr!("Does it for you, as a step that Undo takes back");
             let button = ui
                 .add_enabled(can_show && !progress.is_done, Button::new(tr!("Show me")))
                 .on_hover_text(help);
@@ -77,8 +82,8 @@ pub(super) fn show(
             }
             ui.with_layout(Layout::right_to_left(eframe::egui::Align::Center), |ui| {
                 let (label, help) = match progress.is_done {
-                    true => ("Next", "On to the next step, whenever you like"),
-                    false => ("Skip", "On to the next step, without this one"),
+                    true => (tr!("Next"), tr!("On to the next step, whenever you like")),
+                    false => (tr!("Skip"), tr!("On to the next step, without this one")),
                 };
                 let colors = theme::of(ui);
                 let button = if progress.is_done {
@@ -99,13 +104,13 @@ pub(super) fn show(
 pub(super) fn last(ui: &Ui, session: &Session, texts: &TourTexts) -> (Option<Command>, bool) {
     let (mut next, mut answer) = (None, None);
     card(ui, None, &[], |ui| {
-        head(ui, texts.title, &mut answer);
+        head(ui, texts.title.tr(), &mut answer);
         ui.label((texts.made)(session));
-        ui.label(RichText::new(texts.more).color(theme::of(ui).dim));
+        ui.label(RichText::new(texts.more.tr()).color(theme::of(ui).dim));
         ui.add_space(4.0);
         ui.horizontal_wrapped(|ui| {
             for (label, help, command) in texts.next {
-                if ui.button(*label).on_hover_text(*help).clicked() {
+                if ui.button(label.tr()).on_hover_text(help.tr()).clicked() {
                     next = Some(command.clone());
                 }
             }
@@ -147,7 +152,7 @@ fn dots(ui: &mut Ui, progress: TourProgress) {
     }
     if progress.is_done {
         let font = eframe::egui::TextStyle::Body.resolve(ui.style());
-        let text = "Done: play on, or go on";
+        let text = tr!("Done: play on, or go on");
         ui.painter().text(
             rect.right_center(),
             eframe::egui::Align2::RIGHT_CENTER,

@@ -2,7 +2,9 @@
 //! shadow that falls where it is wanted, and the mixer. As with every tour: the text of each step,
 //! its target, the test of whether it is done, and the commands that do it.
 
-use super::{Step, StepStart, TourRow, TourTexts};
+use chiaro_locale::{text, trn};
+
+use super::{Step, StepStart, Suggestion, TourRow, TourTexts};
 use crate::commands::{Command, PanelId, SceneCommand, Switch};
 use crate::document::{
     GroupMaster, Light, LightKind, LightSet, LightSpace, Object, Scene, SceneEdit,
@@ -20,18 +22,23 @@ const GRAY_SCENE: &str = include_str!("gray-scene.json");
 pub(super) static TOUR: TourRow = TourRow {
     steps: &STEPS,
     texts: TourTexts {
-        title: "This scene is lit",
+        title: text!("This scene is lit"),
         made: |session| {
             let count = scene(session).map_or(0, |scene| scene.lights.len());
-            let lights = if count == 1 { "light" } else { "lights" };
-            format!(
-                "{count} {lights} of the scene: each by itself, in groups, on the objects that it \
-                 is for. Probe pixel and then Why lit so tells for any pixel which lights arrive \
+            trn!(
+                count,
+                "{count} light of the scene: each by itself, in groups, on the objects that it is \
+                 for. Probe pixel and then Why lit so tells for any pixel which lights arrive \
+                 there, and by which rule.",
+                "{count} lights of the scene: each by itself, in groups, on the objects that it is \
+                 for. Probe pixel and then Why lit so tells for any pixel which lights arrive \
                  there, and by which rule."
             )
         },
-        more: "Look through a light with O. Filters such as Blocker and Gobo have handles in the \
-               picture. Shadows and outlines are values on wires: the graph draws them.",
+        more: text!(
+            "Look through a light with O. Filters such as Blocker and Gobo have handles in the \
+             picture. Shadows and outlines are values on wires: the graph draws them."
+        ),
         next: &NEXT,
     },
     begin: |session| {
@@ -42,19 +49,29 @@ pub(super) static TOUR: TourRow = TourRow {
 };
 
 /// Suggestions at the end of the tour.
-static NEXT: [(&str, &str, Command); 3] = [
-    ("Probe pixel", "Click on the picture, then open Why lit so", Command::Probe(Switch::On)),
-    ("See the examples", "A lit room and a comic street are among them", Command::ShowStart(true)),
-    ("All shortcuts", "What every key does (?)", Command::OpenShortcuts),
+static NEXT: [Suggestion; 3] = [
+    (
+        text!("Probe pixel"),
+        text!("Click on the picture, then open Why lit so"),
+        Command::Probe(Switch::On),
+    ),
+    (
+        text!("See the examples"),
+        text!("A lit room and a comic street are among them"),
+        Command::ShowStart(true),
+    ),
+    (text!("All shortcuts"), text!("What every key does (?)"), Command::OpenShortcuts),
 ];
 
 /// Steps from gray objects to a lit scene.
 static STEPS: [Step; 8] = [
     Step {
-        title: "A light of the scene",
-        task: "In Lights, press Add scene light and choose In place of Key.",
-        reason: "A light of the scene shines in all of its looks. The three objects wear one gray \
-                 look, which runs once for each light.",
+        title: text!("A light of the scene"),
+        task: text!("In Lights, press Add scene light and choose In place of Key."),
+        reason: text!(
+            "A light of the scene shines in all of its looks. The three objects wear one gray \
+             look, which runs once for each light."
+        ),
         panels: &[PanelId::PICTURE, PanelId::LIGHTS],
         spots: |_| vec![Spot::AddSceneLight, Spot::Panel(PanelId::LIGHTS)],
         is_done: |session, _| light(session, "key").is_some(),
@@ -64,10 +81,12 @@ static STEPS: [Step; 8] = [
         },
     },
     Step {
-        title: "Where its highlight is",
-        task: "Press Place light above the picture, then click high on the ball.",
-        reason: "The light goes where it is brightest there. Its shadow or its terminator can say \
-                 where it stands, too (Shift+H, S, T over the picture). Esc leaves.",
+        title: text!("Where its highlight is"),
+        task: text!("Press Place light above the picture, then click high on the ball."),
+        reason: text!(
+            "The light goes where it is brightest there. Its shadow or its terminator can say \
+             where it stands, too (Shift+H, S, T over the picture). Esc leaves."
+        ),
         panels: &[PanelId::PICTURE],
         spots: |_| vec![Spot::PlaceLight, Spot::Picture],
         is_done: |session, before| has_moved(session, before, "key"),
@@ -77,12 +96,16 @@ static STEPS: [Step; 8] = [
         },
     },
     Step {
-        title: "A rim from behind",
-        task: "Press Add scene light and choose Directional. Then double-click the end of its \
-               needle in the picture: the light goes behind the figure.",
-        reason: "Every directional light has a needle around what is lit, to be dragged; past the \
-                 rim and back it goes behind, too. Point and spot lights stand in the picture \
-                 themselves, with handles for cones and distances.",
+        title: text!("A rim from behind"),
+        task: text!(
+            "Press Add scene light and choose Directional. Then double-click the end of its needle \
+             in the picture: the light goes behind the figure."
+        ),
+        reason: text!(
+            "Every directional light has a needle around what is lit, to be dragged; past the rim \
+             and back it goes behind, too. Point and spot lights stand in the picture themselves, \
+             with handles for cones and distances."
+        ),
         panels: &[PanelId::PICTURE, PanelId::LIGHTS],
         spots: |session| match scene(session).is_some_and(|scene| scene.lights.len() > 1) {
             true => vec![Spot::Picture],
@@ -115,10 +138,14 @@ static STEPS: [Step; 8] = [
         },
     },
     Step {
-        title: "A group, in the light table",
-        task: "In Light table, click the new light's cell under Groups, type rim and press Enter.",
-        reason: "Sets of lights name groups: group:rim is every light of it. Many cells can be \
-                 selected and changed at once: 0.5, *1.2, +0.1.",
+        title: text!("A group, in the light table"),
+        task: text!(
+            "In Light table, click the new light's cell under Groups, type rim and press Enter."
+        ),
+        reason: text!(
+            "Sets of lights name groups: group:rim is every light of it. Many cells can be \
+             selected and changed at once: 0.5, *1.2, +0.1."
+        ),
         panels: &[PanelId::PICTURE, PanelId::LIGHT_TABLE],
         spots: |_| vec![Spot::Panel(PanelId::LIGHT_TABLE)],
         is_done: |session, _| {
@@ -131,11 +158,15 @@ static STEPS: [Step; 8] = [
         },
     },
     Step {
-        title: "A light that goes along",
-        task: "Add a scene light once more, a Point. Unfold it in Lights and choose Object as its \
-               frame.",
-        reason: "Each object then has it for itself, at the same place beside it: an eye light \
-                 that goes wherever the character goes.",
+        title: text!("A light that goes along"),
+        task: text!(
+            "Add a scene light once more, a Point. Unfold it in Lights and choose Object as its \
+             frame."
+        ),
+        reason: text!(
+            "Each object then has it for itself, at the same place beside it: an eye light that \
+             goes wherever the character goes."
+        ),
         panels: &[PanelId::PICTURE, PanelId::LIGHTS],
         spots: |_| vec![Spot::AddSceneLight, Spot::Panel(PanelId::LIGHTS)],
         is_done: |session, _| own_light(session).is_some(),
@@ -161,11 +192,15 @@ static STEPS: [Step; 8] = [
         },
     },
     Step {
-        title: "For the figure alone",
-        task: "In Links, choose that light at the left. Then click the dots of ball and floor: \
-               they are not linked any more.",
-        reason: "Links say which lights reach what, with the rule that decides. Over the picture J \
-                 links the chosen lights to the object at the pointer, Shift+J unlinks them.",
+        title: text!("For the figure alone"),
+        task: text!(
+            "In Links, choose that light at the left. Then click the dots of ball and floor: they \
+             are not linked any more."
+        ),
+        reason: text!(
+            "Links say which lights reach what, with the rule that decides. Over the picture J \
+             links the chosen lights to the object at the pointer, Shift+J unlinks them."
+        ),
         panels: &[PanelId::PICTURE, PanelId::LINKS],
         spots: |_| vec![Spot::Panel(PanelId::LINKS)],
         is_done: |session, before| {
@@ -187,11 +222,15 @@ static STEPS: [Step; 8] = [
         },
     },
     Step {
-        title: "Its shadow, by pointing",
-        task: "Choose Key in Lights. Press Shift+S over the picture, click on the ball, then on \
-               the floor where its shadow shall fall.",
-        reason: "The light goes on the line through both places. What casts shadows onto what is a \
-                 matter of links, too: Shadows in Links.",
+        title: text!("Its shadow, by pointing"),
+        task: text!(
+            "Choose Key in Lights. Press Shift+S over the picture, click on the ball, then on the \
+             floor where its shadow shall fall."
+        ),
+        reason: text!(
+            "The light goes on the line through both places. What casts shadows onto what is a \
+             matter of links, too: Shadows in Links."
+        ),
         panels: &[PanelId::PICTURE, PanelId::LIGHTS],
         spots: |_| vec![Spot::PlaceLight, Spot::Picture],
         is_done: |session, before| has_moved(session, before, "key"),
@@ -201,10 +240,12 @@ static STEPS: [Step; 8] = [
         },
     },
     Step {
-        title: "The mixer",
-        task: "In Mixer, drag the fader of the group rim down, or solo it with S.",
-        reason: "Masters of groups multiply all of their lights: a mood is a few faders. They are \
-                 the scene's, and undo takes them back like anything else.",
+        title: text!("The mixer"),
+        task: text!("In Mixer, drag the fader of the group rim down, or solo it with S."),
+        reason: text!(
+            "Masters of groups multiply all of their lights: a mood is a few faders. They are the \
+             scene's, and undo takes them back like anything else."
+        ),
         panels: &[PanelId::PICTURE, PanelId::MIXER],
         spots: |_| vec![Spot::Panel(PanelId::MIXER)],
         is_done: |session, before| {

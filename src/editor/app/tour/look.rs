@@ -1,7 +1,9 @@
 //! Tour of a first look: the text of each step, its target, the test of whether it is done, and the
 //! commands that do it.
 
-use super::{Step, StepStart, TourRow, TourTexts};
+use chiaro_locale::{text, trn};
+
+use super::{Step, StepStart, Suggestion, TourRow, TourTexts};
 use crate::commands::{Command, PanelId, TourTopic, ViewCommand};
 use crate::document::{Edit, GraphId, Node, Value};
 use crate::ids::NodeId;
@@ -34,46 +36,56 @@ const NOTHING: &str = r##"{
 pub(super) static TOUR: TourRow = TourRow {
     steps: &STEPS,
     texts: TourTexts {
-        title: "This is your look",
+        title: text!("This is your look"),
         made: |session| {
             let nodes = session.look().graph.nodes.values();
             let count = nodes.filter(|node| node.kind == "light_layer").count();
-            format!(
-                "{count} {} over a base: everything in Chiaro is made this way. The graph in the \
-                 middle is the same look, where anything can be wired to anything.",
-                if count == 1 { "layer" } else { "layers" }
+            trn!(
+                count,
+                "{count} layer over a base: everything in Chiaro is made this way. The graph in \
+                 the middle is the same look, where anything can be wired to anything.",
+                "{count} layers over a base: everything in Chiaro is made this way. The graph in \
+                 the middle is the same look, where anything can be wired to anything."
             )
         },
-        more: "Drop a mesh of yours on the window to see it there. Copy as, above, takes the \
-               picture or the shader with you.",
+        more: text!(
+            "Drop a mesh of yours on the window to see it there. Copy as, above, takes the picture \
+             or the shader with you."
+        ),
         next: &NEXT,
     },
     begin: |session| session.start_from(NOTHING, "first look"),
 };
 
 /// Suggestions at the end of the tour.
-static NEXT: [(&str, &str, Command); 4] = [
+static NEXT: [Suggestion; 4] = [
     (
-        "Light a scene",
-        "The tour of lights, links and shadows, on three gray objects",
+        text!("Light a scene"),
+        text!("The tour of lights, links and shadows, on three gray objects"),
         Command::StartTour(TourTopic::Lights),
     ),
     (
-        "See the examples",
-        "All of them, as pictures: open one and take it apart",
+        text!("See the examples"),
+        text!("All of them, as pictures: open one and take it apart"),
         Command::ShowStart(true),
     ),
-    ("All shortcuts", "What every key does (?)", Command::OpenShortcuts),
-    ("Find a command", "Everything that the window can do, by name (Ctrl+P)", Command::OpenPalette),
+    (text!("All shortcuts"), text!("What every key does (?)"), Command::OpenShortcuts),
+    (
+        text!("Find a command"),
+        text!("Everything that the window can do, by name (Ctrl+P)"),
+        Command::OpenPalette,
+    ),
 ];
 
 /// Steps from nothing to a look.
 static STEPS: [Step; 7] = [
     Step {
-        title: "The base",
-        task: "Click Base in the stack of layers, then change its color.",
-        reason: "It is what is seen where no light falls. Painters begin dark and leave room for \
-                 the light.",
+        title: text!("The base"),
+        task: text!("Click Base in the stack of layers, then change its color."),
+        reason: text!(
+            "It is what is seen where no light falls. Painters begin dark and leave room for the \
+             light."
+        ),
         panels: &[PanelId::PICTURE, PanelId::LAYERS, PanelId::INSPECTOR],
         spots: |session| match ground(session) {
             Some(base) if session.selection.nodes.contains(&base) => {
@@ -91,22 +103,24 @@ static STEPS: [Step; 7] = [
         },
     },
     Step {
-        title: "A first layer of light",
-        task: "Press Add layer and choose Diffuse.",
-        reason: "A layer is a light, the way it moves over the surface, a profile and two colors. \
-                 Diffuse light stays \
-                 where it falls; a highlight follows the eye.",
+        title: text!("A first layer of light"),
+        task: text!("Press Add layer and choose Diffuse."),
+        reason: text!(
+            "A layer is a light, the way it moves over the surface, a profile and two colors. \
+             Diffuse light stays where it falls; a highlight follows the eye."
+        ),
         panels: &[PanelId::PICTURE, PanelId::LAYERS],
         spots: |_| vec![Spot::AddLayer, Spot::Panel(PanelId::LAYERS)],
         is_done: has_more_layers,
         show: |session| layers::add_preset(session, "Diffuse"),
     },
     Step {
-        title: "Its profile",
-        task: "Drag the handles of the curve: offset, fall-off and cut-off.",
-        reason: "Up to the offset the tone is full, at the cut-off it is gone. Bring them together \
-                 for the edge of a \
-                 cartoon, apart for something soft.",
+        title: text!("Its profile"),
+        task: text!("Drag the handles of the curve: offset, fall-off and cut-off."),
+        reason: text!(
+            "Up to the offset the tone is full, at the cut-off it is gone. Bring them together for \
+             the edge of a cartoon, apart for something soft."
+        ),
         panels: &[PanelId::PICTURE, PanelId::PROFILE, PanelId::INSPECTOR],
         spots: |_| vec![Spot::Panel(PanelId::PROFILE), Spot::Input("offset".into())],
         is_done: |session, before| any_layer_changed(session, before, &PROFILE),
@@ -117,11 +131,13 @@ static STEPS: [Step; 7] = [
         },
     },
     Step {
-        title: "Turn the light",
-        task: "Drag on the object, beside its colored lines.",
-        reason: "The light turns with your hand, and so do all lights of the look: they hang in \
-                 one frame. A drag on \
-                 a line shapes the layer, and a drag beside the object turns the camera.",
+        title: text!("Turn the light"),
+        task: text!("Drag on the object, beside its colored lines."),
+        reason: text!(
+            "The light turns with your hand, and so do all lights of the look: they hang in one \
+             frame. A drag on a line shapes the layer, and a drag beside the object turns the \
+             camera."
+        ),
         panels: &[PanelId::PICTURE],
         spots: |_| vec![Spot::Picture],
         is_done: is_light_turned,
@@ -132,21 +148,24 @@ static STEPS: [Step; 7] = [
         },
     },
     Step {
-        title: "A rim from behind",
-        task: "Press Add layer again and choose Back-light.",
-        reason: "It brings a light of its own, behind the object as you see it now: its cool rim \
-                 parts the object from \
-                 what is behind.",
+        title: text!("A rim from behind"),
+        task: text!("Press Add layer again and choose Back-light."),
+        reason: text!(
+            "It brings a light of its own, behind the object as you see it now: its cool rim parts \
+             the object from what is behind."
+        ),
         panels: &[PanelId::PICTURE, PanelId::LAYERS],
         spots: |_| vec![Spot::AddLayer, Spot::Panel(PanelId::LAYERS)],
         is_done: has_more_layers,
         show: |session| layers::add_preset(session, "Back-light"),
     },
     Step {
-        title: "How layers meet",
-        task: "In a layer's row, choose another blending or drag its opacity.",
-        reason: "Add brightens what is below, multiply darkens it, alpha covers it. The order \
-                 counts too: drag rows.",
+        title: text!("How layers meet"),
+        task: text!("In a layer's row, choose another blending or drag its opacity."),
+        reason: text!(
+            "Add brightens what is below, multiply darkens it, alpha covers it. The order counts \
+             too: drag rows."
+        ),
         panels: &[PanelId::PICTURE, PanelId::LAYERS],
         spots: |session| {
             top_layer(session)
@@ -163,10 +182,12 @@ static STEPS: [Step; 7] = [
         },
     },
     Step {
-        title: "Keep it",
-        task: "Press Save and choose where.",
-        reason: "A look is a small text file, and Recent will have it. What is not saved is kept \
-                 too, until you are back.",
+        title: text!("Keep it"),
+        task: text!("Press Save and choose where."),
+        reason: text!(
+            "A look is a small text file, and Recent will have it. What is not saved is kept too, \
+             until you are back."
+        ),
         panels: &[PanelId::PICTURE],
         spots: |_| vec![Spot::Save],
         is_done: |session, _| session.path().is_some() && !session.is_dirty(),

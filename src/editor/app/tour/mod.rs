@@ -8,6 +8,7 @@ mod card;
 mod lights;
 mod look;
 
+use chiaro_locale::Text;
 use eframe::egui::Ui;
 use glam::DQuat;
 
@@ -20,11 +21,11 @@ use card::{Answer, TourProgress};
 
 /// Step of a tour.
 struct Step {
-    title: &'static str,
+    title: Text,
     /// Instruction of the step.
-    task: &'static str,
+    task: Text,
     /// Reason for the step.
-    reason: &'static str,
+    reason: Text,
     /// Panels that are brought to the front for the step.
     panels: &'static [PanelId],
     /// Targets to point at: the first of these that is on the screen.
@@ -37,13 +38,15 @@ struct Step {
 
 /// Texts of the card after the last step.
 struct TourTexts {
-    title: &'static str,
+    title: Text,
     /// Account of what was made.
     made: fn(&Session) -> String,
-    more: &'static str,
-    /// Suggestions: label, help and command of each.
-    next: &'static [(&'static str, &'static str, Command)],
+    more: Text,
+    next: &'static [Suggestion],
 }
+
+/// What to do next: label, help and command.
+type Suggestion = (Text, Text, Command);
 
 /// A tour, as data.
 struct TourRow {

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr, trn};
 use eframe::egui::{Label, ProgressBar, RichText, Role, Ui, WidgetInfo};
 
 use super::Cost;
@@ -23,9 +23,11 @@ const MOST_NODES: usize = 8;
 const LEAST_SHARE: f64 = 0.01;
 
 /// Help on the time of the picture.
-pub(super) const TIMED: &str = "From when the picture was handed to the GPU until the GPU was \
-                                done, by the clock on the wall: other work of the GPU counts, \
-                                too. Measure tells more, by the GPU's own clock if there is one.";
+pub(super) const TIMED: Text = text!(
+    "From when the picture was handed to the GPU until the GPU was done, by the clock on the \
+     wall: other work of the GPU counts, too. Measure tells more, by the GPU's own clock if there \
+     is one."
+);
 
 impl Cost {
     /// Shows the values that passes are needed for.
@@ -73,18 +75,12 @@ pub(super) fn show(ui: &mut Ui, session: &Session, cost: &PictureCost, out: &mut
 fn show_cause(ui: &mut Ui, session: &Session, cause: &PassCause, out: &mut Vec<Command>) {
     let names: Vec<String> = cause.values.iter().map(|value| name(session, value)).collect();
     let passes: Vec<&str> = cause.passes.iter().map(|pass| pass.label()).collect();
-    let verb = if names.len() == 1 { "costs" } else { "together cost" };
-    let count = match passes.len() {
-        1 => "a pass".to_owned(),
-        2 => "two passes".to_owned(),
-        count => format!("{count} passes"),
-    };
-    let text = format!("{} {verb} {count} ({})", names.join(" and "), passes.join(", "));
+    let text = cost_text(&names, &passes);
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(&text).color(theme::of(ui).warning));
         let (label, help) = match names.len() {
-            1 => ("Set to 0", "The passes go with it. Undo brings both back."),
-            _ => ("Set all to 0", "The passes go with them. Undo brings all back."),
+            1 => (tr!("Set to 0"), tr!("The passes go with it. Undo brings both back.")),
+            _ => (tr!("Set all to 0"), tr!("The passes go with them. Undo brings all back.")),
         };
         let button = ui.button(label).on_hover_text(help);
         button.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{label}: {text}")));
@@ -94,6 +90,30 @@ fn show_cause(ui: &mut Ui, session: &Session, cause: &PassCause, out: &mut Vec<C
     });
 }
 
+/// Sentence on values that passes are needed for.
+fn cost_text(names: &[String], passes: &[&str]) -> String {
+    let count = passes.len();
+    let passes = passes.join(", ");
+    match names {
+        [name] if count == 2 => tr!("{name} costs two passes ({passes})"),
+        [name] => {
+            trn!(count, "{name} costs a pass ({passes})", "{name} costs {count} passes ({passes})")
+        }
+        names => {
+            let names = names.join(tr!(" and "));
+            if count == 2 {
+                tr!("{names} together cost two passes ({passes})")
+            } else {
+                trn!(
+                    count,
+                    "{names} together cost a pass ({passes})",
+                    "{names} together cost {count} passes ({passes})"
+                )
+            }
+        }
+    }
+}
+
 /// A value in words: "this slope of 0.2" is "Shape slope 0.2 of Rim".
 fn name(session: &Session, value: &CauseValue) -> String {
     let look = session.look_with_library();
@@ -101,7 +121,7 @@ fn name(session: &Session, value: &CauseValue) -> String {
     let target = Target::Input { node, port: value.port.clone() };
     let [owner, label] = look.names_of(&target);
     let now = look.port_at(&target).map(|port| values::short(&port, &value.now));
-    format!("{label} {} of {owner}", now.unwrap_or_default())
+    tr!("{label} {value} of {owner}", value = now.unwrap_or_default())
 }
 
 /// Shows the share of each node, as an estimate.
@@ -120,8 +140,11 @@ fn shares(ui: &mut Ui, session: &Session, cost: &PictureCost, out: &mut Vec<Comm
     ));
     for (id, share) in nodes.into_iter().take(MOST_NODES) {
         let title = session.look_with_library().title(id);
-        let time = cost.milliseconds.map(|time| format!(", some {}", time_text(time * share)));
-        let text = format!("{:.0} %{}", share * 100.0, time.unwrap_or_default());
+        let percent = share * 100.0;
+        let text = match cost.milliseconds.map(|time| time_text(time * share)) {
+            Some(time) => tr!("{percent:.0} %, some {time}"),
+            None => format!("{percent:.0} %"),
+        };
         ui.horizontal(|ui| {
             let width = (ui.available_width() * 0.4).clamp(60.0, 160.0);
             let bar = ProgressBar::new(share as f32).desired_width(width);

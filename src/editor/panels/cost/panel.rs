@@ -1,12 +1,13 @@
 //! Table of measured figures.
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr, trn};
 use eframe::egui;
 use eframe::egui::{FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
 use super::{Cost, adopt, now, plot};
-use crate::accuracy::{BenchReport, MeasurementRow, MeasurementSubject};
+use crate::accuracy::{BenchReport, MeasuredTier, MeasurementRow, MeasurementSubject};
 use crate::commands::{Command, PanelId};
+use crate::document::Tier;
 use crate::panels::table::{PanelPlace, PanelRow, Presence};
 use crate::state::picture_cost::PictureCost;
 use crate::state::problem_text::sentence;
@@ -18,9 +19,11 @@ use crate::widgets::theme;
 
 pub(in crate::panels) const PANEL: PanelRow = PanelRow::new(
     PanelId::COST,
-    "Cost and accuracy",
-    "What the picture costs, why it needs its passes, and what each tier costs and how far it is \
-     from the truth",
+    text!("Cost and accuracy"),
+    text!(
+        "What the picture costs, why it needs its passes, and what each tier costs and how far it \
+         is from the truth"
+    ),
     PanelPlace::BELOW_PICTURE,
     |bench, ui, context| {
         let rect = bench.viewport.rect();
@@ -85,8 +88,8 @@ impl Cost {
         let Some(done) = &self.done else {
             hint(
                 ui,
-                "Measure tells time and error of the look and of each node in each tier: the look \
-                 within seconds, all of it after a while.",
+                tr!("Measure tells time and error of the look and of each node in each tier: the \
+                     look within seconds, all of it after a while."),
             );
             return None;
         };
@@ -119,34 +122,43 @@ impl Cost {
                 let [done, total] = self.progress.steps();
                 let share = self.progress.share() as f32;
                 let text =
-                    if total == 0 { "starting".to_owned() } else { format!("{done} of {total}") };
+                    if total == 0 { tr!("starting").to_owned() } else { tr!("{done} of {total}") };
                 ui.add(egui::ProgressBar::new(share).desired_width(160.0).text(text));
                 if ui.button(tr!("Stop")).clicked() {
                     self.stop();
                 }
                 return;
             }
-            let help = "Draws the look and each of its nodes in each tier, and holds them against \
-                        the truth in f64";
+            let help =
+                tr!("Draws the look and each of its nodes in each tier, and holds them against \
+                     the truth in f64");
             if ui.button(tr!("Measure")).on_hover_text(help).clicked() {
                 self.start(session, size);
             }
             if let Some(cost) = cost.filter(|cost| !cost.passes.is_empty()) {
-                ui.label(format!("This picture: {}", cost.short())).on_hover_text(now::TIMED);
+                ui.label(tr!("This picture: {cost}", cost = cost.short()))
+                    .on_hover_text(now::TIMED.tr());
             }
             let Some(report) = self.report() else { return };
             if !self.is_current.1 {
-                let help = "The look was changed since, by more than its tiers";
+                let help = tr!("The look was changed since, by more than its tiers");
                 ui.label(RichText::new(tr!("of before")).color(theme::of(ui).warning))
                     .on_hover_text(help);
             }
             let [width, height] = report.size;
-            let clock =
-                if report.has_timestamps { "GPU timestamps" } else { "the clock on the wall" };
-            let software = if report.is_software { "; software, not a GPU" } else { "" };
-            let text = format!("{width}×{height} on {}", report.adapter);
+            let clock = if report.has_timestamps {
+                tr!("GPU timestamps")
+            } else {
+                tr!("the clock on the wall")
+            };
+            let text = tr!("{width}×{height} on {adapter}", adapter = report.adapter);
+            let rounds = trn!(rounds = report.rounds, "{rounds} round", "{rounds} rounds");
+            let mut told = format!("{text}\n{rounds}, {clock}");
+            if report.is_software {
+                told = tr!("{told}; software, not a GPU");
+            }
             ui.add(egui::Label::new(RichText::new(&text).color(theme::of(ui).dim)).truncate())
-                .on_hover_text(format!("{text}\n{} rounds, {clock}{software}", report.rounds));
+                .on_hover_text(told);
         });
         ui.add_space(2.0);
     }
@@ -154,8 +166,8 @@ impl Cost {
 
 fn name(subject: &MeasurementSubject) -> String {
     match subject {
-        MeasurementSubject::Whole => "Whole look".to_owned(),
-        MeasurementSubject::Pass(kind) => format!("{} pass", kind.label()),
+        MeasurementSubject::Whole => tr!("Whole look").to_owned(),
+        MeasurementSubject::Pass(kind) => tr!("{name} pass", name = kind.label()),
         MeasurementSubject::Node { name, .. } => name.clone(),
     }
 }
@@ -191,7 +203,9 @@ fn table(
 ) -> Option<MeasurementRow> {
     let (head, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
     for (index, title) in
-        ["Tier", "Milliseconds (95%)", "Max error", "RMS", "> 1/255"].into_iter().enumerate()
+        [tr!("Tier"), tr!("Milliseconds (95%)"), tr!("Max error"), "RMS", "> 1/255"]
+            .into_iter()
+            .enumerate()
     {
         cell(
             ui,
@@ -222,9 +236,8 @@ fn subject(ui: &mut Ui, subject: &MeasurementSubject, is_plotted: bool) -> bool 
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), ROW + 2.0), Sense::click());
     let name = name(subject);
-    response.widget_info(|| {
-        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Plot {name}"))
-    });
+    response
+        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, tr!("Plot {name}")));
     let color =
         if is_plotted || response.hovered() { theme::of(ui).accent } else { theme::of(ui).text };
     cell(ui, rect, &name, FontId::proportional(theme::TEXT_SIZE), color);
@@ -238,8 +251,8 @@ fn subject(ui: &mut Ui, subject: &MeasurementSubject, is_plotted: bool) -> bool 
 
 fn figures(ui: &mut Ui, session: &Session, row: &MeasurementRow) -> bool {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
-    let word = row.tier.word();
-    let label = format!("Adopt {word} for {}", name(&row.subject));
+    let word = tier_name(row.tier);
+    let label = tr!("Adopt {tier} for {name}", tier = word, name = name(&row.subject));
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, label.clone()));
     let is_used = in_use(session, row);
     if is_used {
@@ -265,8 +278,9 @@ fn figures(ui: &mut Ui, session: &Session, row: &MeasurementRow) -> bool {
     } else {
         2
     };
-    let text =
-        format!("{:.places$}  ({:.places$} to {:.places$})", time.median, time.low, time.high);
+    let [median, low, high] =
+        [time.median, time.low, time.high].map(|time| format!("{time:.places$}"));
+    let text = tr!("{median}  ({low} to {high})");
     let mono = FontId::monospace(11.0);
     cell(
         ui,
@@ -288,35 +302,58 @@ fn figures(ui: &mut Ui, session: &Session, row: &MeasurementRow) -> bool {
 
 /// Description of a row in words.
 pub(super) fn told(row: &MeasurementRow, is_used: bool) -> String {
-    let mut text = format!("{}, {}", name(&row.subject), row.tier.word());
-    text += &format!(
-        "\n{:.3} ms, 95% from {:.3} to {:.3}",
-        row.time.median, row.time.low, row.time.high
-    );
+    let mut lines = vec![format!("{}, {}", name(&row.subject), tier_name(row.tier))];
+    let time = &row.time;
+    lines.push(tr!(
+        "{median:.3} ms, 95% from {low:.3} to {high:.3}",
+        median = time.median,
+        low = time.low,
+        high = time.high
+    ));
     if matches!(row.subject, MeasurementSubject::Node { .. }) {
-        text +=
-            if row.time.is_noise() { "\nnothing seen beyond noise" } else { "\nadded by the node" };
+        let line = if time.is_noise() {
+            tr!("nothing seen beyond noise")
+        } else {
+            tr!("added by the node")
+        };
+        lines.push(line.to_owned());
     }
     if let Some(sizes) = &row.sizes {
         let megabytes = sizes.traffic as f64 / f64::from(1 << 20);
-        text += &format!(
-            "\n{} instructions, {megabytes:.1} MiB moved in a frame, as counted",
-            sizes.instructions
-        );
+        lines.push(tr!(
+            "{count} instructions, {megabytes:.1} MiB moved in a frame, as counted",
+            count = sizes.instructions
+        ));
     }
     if let Some(error) = &row.error {
         let [x, y] = error.worst;
-        text += &format!(
-            "\nerror max {} at pixel {x}, {y}; rms {}",
-            small(error.max),
-            small(error.rms)
-        );
-        text += &format!("\n{} of {} pixels over 1/255", error.visible, error.pixels);
+        lines.push(tr!(
+            "error max {max} at pixel {x}, {y}; rms {rms}",
+            max = small(error.max),
+            rms = small(error.rms)
+        ));
+        lines.push(tr!(
+            "{count} of {all} pixels over 1/255",
+            count = error.visible,
+            all = error.pixels
+        ));
     }
     if row.tier.is_choice() {
-        text += if is_used { "\nIn use" } else { "\nA click adopts it" };
+        let line = if is_used { tr!("In use") } else { tr!("A click adopts it") };
+        lines.push(line.to_owned());
     }
-    text
+    lines.join("\n")
+}
+
+/// Name of a tier, as it stands within a sentence.
+pub(super) fn tier_name(tier: MeasuredTier) -> &'static str {
+    match tier {
+        MeasuredTier::Named(Tier::Exact) => tr!("exact"),
+        MeasuredTier::Named(Tier::Balanced) => tr!("balanced"),
+        MeasuredTier::Named(Tier::Fast) => tr!("fast"),
+        MeasuredTier::Automatic => tr!("automatic"),
+        MeasuredTier::AsSet => tr!("as set"),
+    }
 }
 
 fn small(number: f64) -> String {

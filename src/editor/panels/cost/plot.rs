@@ -1,10 +1,11 @@
 //! Plot of error against time, both logarithmic: points by tier, the line of 1/255, and the front
 //! of the tiers that no other beats in both.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Align2, FontId, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2, vec2};
 
-use super::panel::told;
+use super::panel::{tier_name, told};
 use crate::accuracy::MeasurementRow;
 use crate::accuracy::report::pareto_front;
 use crate::widgets::theme;
@@ -62,8 +63,9 @@ pub(super) fn show(
     let height = (ui.clip_rect().height() * 0.62).clamp(*HEIGHT.start(), *HEIGHT.end());
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
-    response
-        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, "Error against time"));
+    response.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::Role::Canvas, true, tr!("Error against time"))
+    });
     let inner = Rect::from_min_max(rect.min + vec2(46.0, 20.0), rect.max - vec2(10.0, 20.0));
     let time = |row: &MeasurementRow| row.time.median.max(LEAST_TIME);
     let error = |row: &MeasurementRow| row.max_error().unwrap_or(0.0).max(LEAST_ERROR);
@@ -87,7 +89,7 @@ pub(super) fn show(
     let touch = |(index, (at, row)): (usize, &(Pos2, &MeasurementRow))| {
         let reach = Rect::from_center_size(*at, vec2(20.0, 20.0));
         let point = ui.interact(reach, response.id.with(index), Sense::click());
-        let label = format!("Point {}", row.tier.word());
+        let label = tr!("Point {tier}", tier = tier_name(row.tier));
         point.widget_info(|| {
             egui::WidgetInfo::labeled(egui::Role::Button, row.tier.is_choice(), label.clone())
         });
@@ -128,7 +130,7 @@ fn name_points(ui: &Ui, inner: Rect, points: &[(Pos2, &MeasurementRow)]) {
     for (at, row) in points {
         let ink = theme::of(ui).of_tier(row.tier);
         let font = FontId::proportional(theme::SMALL_TEXT);
-        let galley = ui.painter().layout_no_wrap(row.tier.word().to_owned(), font, ink);
+        let galley = ui.painter().layout_no_wrap(tier_name(row.tier).to_owned(), font, ink);
         let (right, above) = (9.0 + galley.size().x / 2.0, 9.0 + galley.size().y / 2.0);
         let sides = [vec2(right, 0.0), vec2(-right, 0.0), vec2(0.0, -above), vec2(0.0, above)];
         let corners =
@@ -189,7 +191,7 @@ fn grid(ui: &Ui, rect: Rect, inner: Rect, x: &Axis, y: &Axis) {
     painter.text(
         rect.right_top(),
         Align2::RIGHT_TOP,
-        "max error over milliseconds",
+        tr!("max error over milliseconds"),
         font,
         theme::of(ui).dim,
     );

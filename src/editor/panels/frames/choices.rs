@@ -31,9 +31,14 @@ pub(super) fn show(
     size(ui, choices, document);
     if choices.is_png() {
         if let Some(view) = &context.safety.settings.display {
-            labelled(ui, "View", "The view of OpenColorIO that the window shows", |ui, _| {
-                ui.checkbox(&mut choices.has_view, view.view.as_str());
-            });
+            labelled(
+                ui,
+                tr!("View"),
+                tr!("The view of OpenColorIO that the window shows"),
+                |ui, _| {
+                    ui.checkbox(&mut choices.has_view, view.view.as_str());
+                },
+            );
         }
         return;
     }
@@ -41,8 +46,8 @@ pub(super) fn show(
     let count =
         choices.aovs.len() + choices.mattes.len() + choices.other_aovs.split_whitespace().count();
     let head = match count {
-        0 => "Layers and mattes".to_owned(),
-        count => format!("Layers and mattes: {count}"),
+        0 => tr!("Layers and mattes").to_owned(),
+        count => tr!("Layers and mattes: {count}"),
     };
     CollapsingHeader::new(head).id_salt("layers").default_open(true).show(ui, |ui| {
         layers(ui, choices, context);
@@ -51,10 +56,12 @@ pub(super) fn show(
 
 /// Shows the range and the step.
 fn frames(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
-    let help = "First and last frame that are rendered, and every how manieth";
-    labelled(ui, "Frames", help, |ui, _| {
+    let help = tr!("First and last frame that are rendered, and every how manieth");
+    labelled(ui, tr!("Frames"), help, |ui, _| {
         let [mut first, mut last] = choices.range(document);
-        for (frame, name) in [(&mut first, "Render from frame"), (&mut last, "Render to frame")] {
+        for (frame, name) in
+            [(&mut first, tr!("Render from frame")), (&mut last, tr!("Render to frame"))]
+        {
             let response = ui.add(DragValue::new(frame).speed(0.2));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
             response.on_hover_text(name);
@@ -62,13 +69,16 @@ fn frames(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
         if [first, last] != choices.range(document) {
             choices.frames = Some([first, last]);
         }
-        let drag = DragValue::new(&mut choices.step).range(1..=1000).speed(0.1).prefix("every ");
+        let drag =
+            DragValue::new(&mut choices.step).range(1..=1000).speed(0.1).prefix(tr!("every "));
         let response = ui.add(drag);
-        response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Step of frames"));
+        response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Step of frames")));
         response.on_hover_text(tr!("1 for every frame, 2 for every second one"));
         let is_other = choices.frames.is_some_and(|frames| frames != document.frames);
-        let of = if document.is_shot { "the shot" } else { "the document" };
-        let help = format!("All frames of {of}");
+        let help = match document.is_shot {
+            true => tr!("All frames of the shot"),
+            false => tr!("All frames of the document"),
+        };
         if is_other && ui.small_button(tr!("All")).on_hover_text(help).clicked() {
             choices.frames = None;
         }
@@ -77,28 +87,29 @@ fn frames(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
 
 /// Shows the folder, the name and the form of the files.
 fn files(ui: &mut Ui, choices: &mut FrameChoices, out: &mut Vec<Command>) {
-    let help = "Folder of the frames, from the document's own; it is made where it is not there";
-    labelled(ui, "Folder", help, |ui, label| {
+    let help =
+        tr!("Folder of the frames, from the document's own; it is made where it is not there");
+    labelled(ui, tr!("Folder"), help, |ui, label| {
         let width = (ui.available_width() - 40.0).max(40.0);
         let field = TextEdit::singleline(&mut choices.folder).desired_width(width);
         ui.add(field).labelled_by(label);
         let choose = ui.small_button("...").on_hover_text(tr!("Chooses the folder"));
         choose.widget_info(|| {
-            WidgetInfo::labeled(Role::Button, true, "Choose the folder of the frames")
+            WidgetInfo::labeled(Role::Button, true, tr!("Choose the folder of the frames"))
         });
         if choose.clicked() {
             out.push(Command::Film(FilmCommand::ChooseFolder(None)));
         }
     });
-    let help = "Name of the files; #### stands for the number of the frame, a digit each";
-    labelled(ui, "Name", help, |ui, label| {
+    let help = tr!("Name of the files; #### stands for the number of the frame, a digit each");
+    labelled(ui, tr!("Name"), help, |ui, label| {
         let width = (ui.available_width() - 92.0).max(40.0);
         let field = TextEdit::singleline(&mut choices.name).desired_width(width);
         ui.add(field).labelled_by(label);
         ui.spacing_mut().item_spacing.x = 2.0;
         for (ending, text, help) in [
-            ("exr", "EXR", "Light, with layers and mattes, for a compositor"),
-            ("png", "PNG", "The picture as it is shown"),
+            ("exr", "EXR", tr!("Light, with layers and mattes, for a compositor")),
+            ("png", "PNG", tr!("The picture as it is shown")),
         ] {
             let is_it = choices.is_png() == (ending == "png");
             let response = ui.selectable_label(is_it, text);
@@ -111,16 +122,16 @@ fn files(ui: &mut Ui, choices: &mut FrameChoices, out: &mut Vec<Command>) {
 }
 
 fn size(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
-    labelled(ui, "Size", "Width and height, in pixels", |ui, _| {
+    labelled(ui, tr!("Size"), tr!("Width and height, in pixels"), |ui, _| {
         let Some(own) = document.size.or(choices.size) else {
-            let help = "The command takes a size that fits the camera; sets another one";
+            let help = tr!("The command takes a size that fits the camera; sets another one");
             if ui.button(tr!("by the command")).on_hover_text(help).clicked() {
                 choices.size = Some(SIZE);
             }
             return;
         };
         let mut size = choices.size.unwrap_or(own);
-        for (side, name) in size.iter_mut().zip(["Width of frames", "Height of frames"]) {
+        for (side, name) in size.iter_mut().zip([tr!("Width of frames"), tr!("Height of frames")]) {
             let response = ui.add(DragValue::new(side).range(1..=32_768).speed(2.0));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
             response.on_hover_text(name);
@@ -130,13 +141,13 @@ fn size(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
         }
     });
     let (whole, size) = (document.size.unwrap_or(SIZE), choices.size.or(document.size));
-    labelled(ui, "Scale", "Parts of the whole size, for drafts", |ui, _| {
+    labelled(ui, tr!("Scale"), tr!("Parts of the whole size, for drafts"), |ui, _| {
         ui.spacing_mut().item_spacing.x = 2.0;
         for part in PARTS {
             let scaled = whole.map(|side| (side * part / 100).max(1));
             let is_it = size == Some(scaled);
             let response = ui.selectable_label(is_it, format!("{part}%"));
-            let name = format!("Frames at {part}%");
+            let name = tr!("Frames at {part}%");
             response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
             let help = format!("{}×{}", scaled[0], scaled[1]);
             if response.on_hover_text(help).clicked() {
@@ -147,13 +158,13 @@ fn size(ui: &mut Ui, choices: &mut FrameChoices, document: &FilmDocument) {
 }
 
 fn numbers(ui: &mut Ui, choices: &mut FrameChoices) {
-    let help = "Numbers of an EXR: halves have 16 bits, which is usual; floats have 32";
-    labelled(ui, "Numbers", help, |ui, _| {
+    let help = tr!("Numbers of an EXR: halves have 16 bits, which is usual; floats have 32");
+    labelled(ui, tr!("Numbers"), help, |ui, _| {
         ui.spacing_mut().item_spacing.x = 2.0;
         for (depth, text) in [(SampleDepth::Half, "half"), (SampleDepth::Float, "float")] {
             let is_it = choices.depth == depth;
             let response = ui.selectable_label(is_it, text);
-            let name = format!("Numbers as {text}");
+            let name = tr!("Numbers as {text}");
             response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
             if response.clicked() {
                 choices.depth = depth;
@@ -180,59 +191,60 @@ fn layers(ui: &mut Ui, choices: &mut FrameChoices, context: PanelContext<'_>) {
             choices.aovs.insert(word.to_owned());
         }
     };
-    head(ui, "What adds up to the picture, and shadows");
+    head(ui, tr!("What adds up to the picture, and shadows"));
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = egui::vec2(3.0, 3.0);
         for (word, help) in CONTRIBUTIONS {
             let is_on = choices.aovs.contains(word);
-            if switch(ui, is_on, word, &format!("Layers of {word}"), help.tr()) {
+            if switch(ui, is_on, word, &tr!("Layers of {word}"), help.tr()) {
                 toggle(choices, word);
             }
         }
     });
     let named = named_passes(context.session);
     if !named.is_empty() {
-        head(ui, "Passes that the looks name");
+        head(ui, tr!("Passes that the looks name"));
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = egui::vec2(3.0, 3.0);
             for name in &named {
                 let is_on = choices.aovs.contains(name);
-                let help = "An output of a node that a look names, as a layer";
-                if switch(ui, is_on, name, &format!("Pass {name}"), help) {
+                let help = tr!("An output of a node that a look names, as a layer");
+                if switch(ui, is_on, name, &tr!("Pass {name}"), help) {
                     toggle(choices, name);
                 }
             }
         });
     }
-    let help = "More layers: NAME=NODE.OUTPUT, as ink=outline.line; several parted by blanks";
-    labelled(ui, "Others", help, |ui, label| {
+    let help = tr!("More layers: NAME=NODE.OUTPUT, as ink=outline.line; several parted by blanks");
+    labelled(ui, tr!("Others"), help, |ui, label| {
         let field =
             TextEdit::singleline(&mut choices.other_aovs).hint_text(tr!("ink=outline.line"));
         let width = (ui.available_width() - 14.0).max(40.0);
         ui.add(field.desired_width(width)).labelled_by(label);
     });
-    head(ui, "Mattes (Cryptomatte)");
+    head(ui, tr!("Mattes (Cryptomatte)"));
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = egui::vec2(3.0, 3.0);
         for (word, help) in MATTES {
             let is_on = choices.mattes.contains(word);
-            if switch(ui, is_on, word, &format!("Matte of {word}"), help.tr())
+            if switch(ui, is_on, word, &tr!("Matte of {word}"), help.tr())
                 && !choices.mattes.remove(word)
             {
                 choices.mattes.insert(word);
             }
         }
     });
-    head(ui, "Names of these layers");
+    head(ui, tr!("Names of these layers"));
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = egui::vec2(3.0, 3.0);
         for (word, _) in LayerNaming::all() {
             let is_it = choices.naming == word;
             let response = ui.selectable_label(is_it, word);
-            let name = format!("Names as {word}");
+            let name = tr!("Names as {word}");
             response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
-            let help = "How layers of lights are called: nuke light_key, karma C_key, blender \
-                        Combined_key, arnold RGBA_key";
+            let help =
+                tr!("How layers of lights are called: nuke light_key, karma C_key, blender \
+                     Combined_key, arnold RGBA_key");
             if response.on_hover_text(help).clicked() {
                 choices.naming = word;
             }

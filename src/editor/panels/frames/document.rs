@@ -1,5 +1,7 @@
 //! Document of the window that is rendered: a file, as it is on the disk.
 
+use chiaro_locale::tr;
+
 use crate::document::{FrameRate, TimeRange};
 use crate::frame::{DEFAULT_MESH, SHAPE_PREFIX};
 use crate::state::runs::FilmDocument;
@@ -15,7 +17,9 @@ const FRAMES: [i32; 2] = [1, 48];
 pub(crate) fn document_of(session: &Session) -> Result<FilmDocument, &'static str> {
     if let Some(shot) = session.shot() {
         if !shot.has_file() {
-            return Err("The shot is in no file yet: what is rendered are files. Save it first.");
+            return Err(tr!(
+                "The shot is in no file yet: what is rendered are files. Save it first."
+            ));
         }
         return Ok(FilmDocument {
             path: shot.path().to_path_buf(),
@@ -28,7 +32,7 @@ pub(crate) fn document_of(session: &Session) -> Result<FilmDocument, &'static st
     }
     if let Some(open_scene) = session.open_scene() {
         let path = open_scene.path();
-        let path = path.ok_or("The scene is in no file yet. Save it first.")?;
+        let path = path.ok_or(tr!("The scene is in no file yet. Save it first."))?;
         let time = open_scene.scene().time;
         let rate: Option<FrameRate> = format!("{}", time.fps).parse().ok();
         let of_time = |rate: FrameRate| [time.start, time.end].map(|time| rate.frame_at(time));
@@ -42,7 +46,7 @@ pub(crate) fn document_of(session: &Session) -> Result<FilmDocument, &'static st
             is_shot: false,
         });
     }
-    let path = session.path().ok_or("The look is in no file yet. Save it first.")?;
+    let path = session.path().ok_or(tr!("The look is in no file yet. Save it first."))?;
     let orbit = session.view().orbit();
     let is_default = orbit.mesh == DEFAULT_MESH && !orbit.z_is_up;
     Ok(FilmDocument {

@@ -1,6 +1,6 @@
 //! Job of a farm: the farm, how its tasks are cut, and the file that is written.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui::{Align, Button, DragValue, RichText, Role, Ui, WidgetInfo};
 
 use super::{FrameRenders, JobRun, command_text, view_of};
@@ -34,33 +34,37 @@ impl FrameRenders {
             for farm in FARMS {
                 let is_it = self.farm.to == farm.word;
                 let response = ui.selectable_label(is_it, farm.word);
-                let name = format!("Farm {}", farm.word);
+                let name = tr!("Farm {name}", name = farm.word);
                 response
                     .widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
-                let help = format!("Submitted by {}", farm.submitted_by);
+                let help = tr!("Submitted by {command}", command = farm.submitted_by);
                 if response.on_hover_text(help).clicked() {
                     self.farm.to = farm.word;
                 }
             }
         });
         let count = self.choices.list(document).map_or(0, |list| list.frames().len());
-        labelled(ui, "Frames a task", "Greatest number of frames of a task", |ui, _| {
+        labelled(ui, tr!("Frames a task"), tr!("Greatest number of frames of a task"), |ui, _| {
             let drag = DragValue::new(&mut self.farm.chunk).range(1..=100_000).speed(0.2);
             let response = ui.add(drag);
-            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Frames a task"));
+            response
+                .widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Frames a task")));
             let tasks = count.div_ceil(self.farm.chunk.max(1) as usize);
-            ui.label(RichText::new(tr!("{tasks} tasks")).color(theme::of(ui).dim));
+            ui.label(
+                RichText::new(trn!(tasks, "{tasks} task", "{tasks} tasks"))
+                    .color(theme::of(ui).dim),
+            );
         });
         let line = self.choices.job(document, view_of(context), &self.farm);
         let is_going_on = self.job.as_ref().is_some_and(|job| job.end.is_none());
-        let text = format!("Write {}", self.farm.job(&document.stem()));
+        let text = tr!("Write {file}", file = self.farm.job(&document.stem()));
         let button = ui.add_enabled(line.is_ok() && !is_going_on, Button::new(text));
-        let help = "Writes the job beside the document; nothing is sent anywhere";
+        let help = tr!("Writes the job beside the document; nothing is sent anywhere");
         if button.on_hover_text(help).clicked() {
             out.push(Command::Film(FilmCommand::WriteJob));
         }
         if let Ok(line) = &line {
-            command_text(ui, line, "Copy the command that writes the job", out);
+            command_text(ui, line, tr!("Copy the command that writes the job"), out);
         }
         if let Some(job) = &self.job {
             written(ui, job, out);
@@ -76,7 +80,7 @@ fn written(ui: &mut Ui, job: &JobRun, out: &mut Vec<Command>) {
         return;
     };
     if end == RunEnd::Done {
-        ui.label(format!("The job is {}", job.file.display()));
+        ui.label(tr!("The job is {file}", file = job.file.display()));
         let name = job.file.file_name().unwrap_or_default().to_string_lossy();
         if let Some(farm) = Farm::named(job.farm) {
             let by = farm.submitted_by.replace("FILE", &name);
@@ -84,7 +88,7 @@ fn written(ui: &mut Ui, job: &JobRun, out: &mut Vec<Command>) {
                 ui.label(RichText::new(tr!("Submit it by")).color(colors.dim));
                 ui.label(RichText::new(&by).monospace());
                 let copy = ui.small_button(tr!("Copy"));
-                let label = "Copy the command that submits the job";
+                let label = tr!("Copy the command that submits the job");
                 copy.widget_info(|| WidgetInfo::labeled(Role::Button, true, label));
                 if copy.on_hover_text(tr!("Copies it, with the way to its folder")).clicked() {
                     let folder = job.line.folder.display();

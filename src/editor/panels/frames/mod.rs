@@ -9,7 +9,7 @@ mod progress;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr, trn};
 use eframe::egui::{Button, RichText, ScrollArea, Ui};
 
 use crate::clock::Clock;
@@ -28,8 +28,8 @@ use document::{document_of, is_unsaved};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::FRAMES,
-    "Render",
-    "Frames of what is open, rendered beside the window, and jobs of render farms",
+    text!("Render"),
+    text!("Frames of what is open, rendered beside the window, and jobs of render farms"),
     PanelPlace::WITH_DOCUMENT.closed(),
     |bench, ui, context| bench.frames.show(ui, context),
 )
@@ -204,7 +204,9 @@ impl FrameRenders {
             let file = job.file.display();
             out.extend(job.end.map(|end| match end {
                 RunEnd::Done => Command::Tell(tr!("The job is {file}")),
-                _ => Command::Tell("The job is not written: the panel Render tells why".to_owned()),
+                _ => Command::Tell(
+                    tr!("The job is not written: the panel Render tells why").to_owned(),
+                ),
             }));
         }
         out
@@ -242,7 +244,7 @@ impl FrameRenders {
             ui.add_space(4.0);
             choices::show(ui, &mut self.choices, context, &document, &mut out);
             if let Ok(line) = self.choices.render(&document, view_of(context)) {
-                command_text(ui, &line, "Copy the command that renders", &mut out);
+                command_text(ui, &line, tr!("Copy the command that renders"), &mut out);
             }
             ui.separator();
             self.farm_part(ui, context, &document, &mut out);
@@ -263,20 +265,19 @@ impl FrameRenders {
         let count = self.choices.list(document).map_or(0, |list| list.frames().len());
         ui.horizontal(|ui| {
             if is_going_on {
-                let help = "Ends it; frames that are whole stay, and the next run goes on there";
+                let help =
+                    tr!("Ends it; frames that are whole stay, and the next run goes on there");
                 if ui.button(tr!("Stop")).on_hover_text(help).clicked() {
                     out.push(Command::Film(FilmCommand::StopFrames));
                 }
                 return;
             }
-            let text = match count {
-                1 => "Render 1 frame".to_owned(),
-                count => format!("Render {count} frames"),
-            };
+            let text = trn!(count, "Render {count} frame", "Render {count} frames");
             let text = RichText::new(text).strong();
             let button = ui.add_enabled(line.is_ok(), Button::new(text));
-            let help = "Beside the window, which stays free. Frames of a run before that are whole \
-                        and the same are kept";
+            let help =
+                tr!("Beside the window, which stays free. Frames of a run before that are whole \
+                     and the same are kept");
             if button.on_hover_text(help).clicked() {
                 out.push(Command::Film(FilmCommand::Render));
             }
@@ -293,11 +294,15 @@ impl FrameRun {
         let [whole, all] = self.progress.count();
         let folder = self.folder.display();
         match end {
-            RunEnd::Done => format!("{whole} frames are whole, in {folder}"),
-            RunEnd::Stopped => format!("Stopped: {whole} of {all} frames are whole, in {folder}"),
+            RunEnd::Done => trn!(
+                whole,
+                "{whole} frame is whole, in {folder}",
+                "{whole} frames are whole, in {folder}"
+            ),
+            RunEnd::Stopped => tr!("Stopped: {whole} of {all} frames are whole, in {folder}"),
             RunEnd::Failed => match self.progress.failed().next() {
-                Some((frame, _)) => format!("Frame {frame} failed: the panel Render tells why"),
-                None => "Rendering failed: the panel Render tells why".to_owned(),
+                Some((frame, _)) => tr!("Frame {frame} failed: the panel Render tells why"),
+                None => tr!("Rendering failed: the panel Render tells why").to_owned(),
             },
         }
     }
@@ -318,7 +323,7 @@ fn subject(ui: &mut Ui, session: &Session, document: &FilmDocument, out: &mut Ve
     });
     if is_unsaved(session) {
         ui.horizontal_wrapped(|ui| {
-            let text = "What you changed is not saved, and not in the frames.";
+            let text = tr!("What you changed is not saved, and not in the frames.");
             ui.label(RichText::new(text).color(colors.warning));
             let save = ui.small_button(tr!("Save now")).on_hover_text(tr!("Saves what is open"));
             if save.clicked() {
@@ -335,7 +340,7 @@ pub(crate) fn command_text(ui: &mut Ui, line: &CommandLine, label: &str, out: &m
     ui.horizontal_top(|ui| {
         let copy = ui.small_button(tr!("Copy"));
         copy.widget_info(|| WidgetInfo::labeled(Role::Button, true, label));
-        let help = "Copies the command that does the same in a terminal";
+        let help = tr!("Copies the command that does the same in a terminal");
         if copy.on_hover_text(help).clicked() {
             out.push(Command::Copy(line.text_from_anywhere()));
         }

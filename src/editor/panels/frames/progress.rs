@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui::{Color32, Rect, RichText, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use super::FrameRun;
@@ -22,9 +22,17 @@ pub(super) fn show(ui: &mut Ui, frames: &FrameRun, session: &Session, out: &mut 
     let colors = theme::of(ui);
     let (text, color) = match frames.end {
         None => (going_on(frames, [whole, all]), colors.text),
-        Some(RunEnd::Done) => (format!("{whole} frames in {}", time(frames.seconds)), colors.text),
-        Some(RunEnd::Stopped) => (format!("Stopped: {whole} of {all} are whole"), colors.warning),
-        Some(RunEnd::Failed) => (format!("{whole} of {all} are whole"), colors.error),
+        Some(RunEnd::Done) => (
+            trn!(
+                whole,
+                "{whole} frame in {time}",
+                "{whole} frames in {time}",
+                time = time(frames.seconds)
+            ),
+            colors.text,
+        ),
+        Some(RunEnd::Stopped) => (tr!("Stopped: {whole} of {all} are whole"), colors.warning),
+        Some(RunEnd::Failed) => (tr!("{whole} of {all} are whole"), colors.error),
     };
     ui.label(RichText::new(text).color(color));
     if frames.end.is_none() {
@@ -33,8 +41,7 @@ pub(super) fn show(ui: &mut Ui, frames: &FrameRun, session: &Session, out: &mut 
     marks(ui, frames, session, out);
     for (frame, reason) in frames.progress.failed().take(12) {
         ui.horizontal_wrapped(|ui| {
-            let go =
-                ui.link(format!("Frame {frame}")).on_hover_text(tr!("Brings the playhead there"));
+            let go = ui.link(tr!("Frame {frame}")).on_hover_text(tr!("Brings the playhead there"));
             if go.clicked() {
                 out.push(Command::SetTime(time_of(session, frame)));
             }
@@ -56,7 +63,8 @@ pub(super) fn show(ui: &mut Ui, frames: &FrameRun, session: &Session, out: &mut 
         return;
     }
     ui.horizontal_wrapped(|ui| {
-        let help = "Compares these frames with those of the window, and finds the one that differs";
+        let help =
+            tr!("Compares these frames with those of the window, and finds the one that differs");
         if ui.button(tr!("Flip book")).on_hover_text(help).clicked() {
             out.push(Command::ShowPanel(PanelId::TIMELINE));
             out.push(Command::CompareFrames(Some(frames.first.clone())));
@@ -72,8 +80,17 @@ pub(super) fn show(ui: &mut Ui, frames: &FrameRun, session: &Session, out: &mut 
 fn going_on(frames: &FrameRun, [whole, all]: [usize; 2]) -> String {
     let passed = frames.clock.seconds();
     match frames.progress.seconds_left(passed) {
-        Some(left) => format!("{whole} of {all}, {}, about {} left", time(passed), time(left)),
-        None => format!("Opening and compiling, {} ({} frames)", time(passed), all),
+        Some(left) => tr!(
+            "{whole} of {all}, {passed}, about {left} left",
+            passed = time(passed),
+            left = time(left)
+        ),
+        None => trn!(
+            all,
+            "Opening and compiling, {passed} ({all} frame)",
+            "Opening and compiling, {passed} ({all} frames)",
+            passed = time(passed)
+        ),
     }
 }
 
@@ -103,7 +120,7 @@ fn marks(ui: &mut Ui, frames: &FrameRun, session: &Session, out: &mut Vec<Comman
     let size = vec2(ui.available_width(), HEIGHT);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let [whole, all] = frames.progress.count();
-    let name = format!("Frames: {whole} of {all} are whole");
+    let name = tr!("Frames: {whole} of {all} are whole");
     response.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, &name));
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 2.0, colors.well);
@@ -132,7 +149,7 @@ fn marks(ui: &mut Ui, frames: &FrameRun, session: &Session, out: &mut Vec<Comman
         out.push(Command::SetTime(time_of(session, frame)));
     }
     if let Some((frame, fate)) = found {
-        let fate = fate.map_or_else(|| "not drawn yet".to_owned(), FrameFate::text);
+        let fate = fate.map_or_else(|| tr!("not drawn yet").to_owned(), FrameFate::text);
         response.on_hover_text(tr!("Frame {frame}: {fate}"));
     }
 }

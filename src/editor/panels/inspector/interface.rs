@@ -1,13 +1,13 @@
 //! Interface of the open group: its name, and the inputs and outputs that it shows to the outside.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui;
 use eframe::egui::{RichText, TextEdit, Ui};
 
 use crate::commands::Command;
 use crate::document::{Definition, Edit, GraphId, InterfacePort};
 use crate::fields::row;
-use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS};
+use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, PortName};
 use crate::state::interface::{free_port, set};
 use crate::state::session::Session;
 use crate::widgets::theme;
@@ -25,16 +25,17 @@ pub(super) fn show(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     )
     .on_hover_text(tr!("group {id}"));
     let users = users(session, id);
-    let shared = match users {
-        0 | 1 => "What is changed here is this group, wherever it is used.".to_owned(),
-        _ => format!("What is changed here changes all {users} nodes of this group."),
-    };
+    let shared = trn!(
+        count = users.max(1),
+        "What is changed here is this group, wherever it is used.",
+        "What is changed here changes all {count} nodes of this group."
+    );
     ui.label(RichText::new(shared).color(theme::of(ui).dim));
     ui.add_space(4.0);
     text_row(
         ui,
-        "Name",
-        "What its nodes are called",
+        tr!("Name"),
+        tr!("What its nodes are called"),
         &definition.label,
         id.as_str(),
         |widget, label| {
@@ -46,8 +47,8 @@ pub(super) fn show(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     );
     text_row(
         ui,
-        "Help",
-        "What it does, for whoever uses it",
+        tr!("Help"),
+        tr!("What it does, for whoever uses it"),
         &definition.help,
         "",
         |widget, help| {
@@ -55,10 +56,10 @@ pub(super) fn show(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         },
     );
     ui.separator();
-    ports(ui, "Inputs", (id, definition), false, out);
-    ports(ui, "Outputs", (id, definition), true, out);
+    ports(ui, tr!("Inputs"), (id, definition), false, out);
+    ports(ui, tr!("Outputs"), (id, definition), true, out);
     ui.add_space(6.0);
-    let hint = "A wire dropped on \"Group inputs\" or \"Group outputs\" adds a port.";
+    let hint = tr!("A wire dropped on \"Group inputs\" or \"Group outputs\" adds a port.");
     ui.label(RichText::new(hint).color(theme::of(ui).dim));
 }
 
@@ -94,6 +95,34 @@ fn list(definition: &mut Definition, is_output: bool) -> &mut Vec<InterfacePort>
     if is_output { &mut definition.outputs } else { &mut definition.inputs }
 }
 
+/// Names of a port's widgets, for screen readers.
+struct PortNames {
+    label: String,
+    up: String,
+    down: String,
+    remove: String,
+}
+
+impl PortNames {
+    fn of(port: &PortName, is_output: bool) -> Self {
+        if is_output {
+            Self {
+                label: tr!("Label of output {port}"),
+                up: tr!("Move up output {port}"),
+                down: tr!("Move down output {port}"),
+                remove: tr!("Remove output {port}"),
+            }
+        } else {
+            Self {
+                label: tr!("Label of input {port}"),
+                up: tr!("Move up input {port}"),
+                down: tr!("Move down input {port}"),
+                remove: tr!("Remove input {port}"),
+            }
+        }
+    }
+}
+
 fn ports(
     ui: &mut Ui,
     title: &str,
@@ -102,7 +131,6 @@ fn ports(
     out: &mut Vec<Command>,
 ) {
     let ports = if is_output { &definition.outputs } else { &definition.inputs };
-    let what = if is_output { "output" } else { "input" };
     ui.label(RichText::new(title).strong());
     for (index, port) in ports.iter().enumerate() {
         ui.push_id((is_output, &port.name), |ui| {
@@ -112,13 +140,11 @@ fn ports(
                 let edit = TextEdit::singleline(&mut label)
                     .hint_text(port.name.as_str())
                     .desired_width(width);
-                let response = ui.add(edit).on_hover_text(format!("The label of {}", port.name));
+                let help = tr!("The label of {port}", port = port.name);
+                let response = ui.add(edit).on_hover_text(help);
+                let names = PortNames::of(&port.name, is_output);
                 response.widget_info(|| {
-                    egui::WidgetInfo::labeled(
-                        egui::Role::TextInput,
-                        true,
-                        format!("Label of {what} {}", port.name),
-                    )
+                    egui::WidgetInfo::labeled(egui::Role::TextInput, true, &names.label)
                 });
                 if response.changed() {
                     let label = (!label.is_empty()).then_some(label);
@@ -127,33 +153,32 @@ fn ports(
                     });
                     out.push(Command::EditHeld(response.id, edit));
                 }
-                let button = |ui: &mut Ui, text: &str, verb: &str, is_on: bool| {
+                let button = |ui: &mut Ui, text: &str, name: &str, is_on: bool| {
                     let response = ui.add_enabled(is_on, egui::Button::new(text).small());
-                    let name = format!("{verb} {what} {}", port.name);
-                    response.widget_info(|| {
-                        egui::WidgetInfo::labeled(egui::Role::Button, is_on, &name)
-                    });
+                    response
+                        .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, is_on, name));
                     response.on_hover_text(name).clicked()
                 };
-                if button(ui, "Up", "Move up", index > 0) {
+                if button(ui, tr!("Up"), &names.up, index > 0) {
                     let edit = set(id, definition, |changed| {
                         list(changed, is_output).swap(index, index - 1);
                     });
                     out.push(Command::Edit(edit));
                 }
-                if button(ui, "Down", "Move down", index + 1 < ports.len()) {
+                if button(ui, tr!("Down"), &names.down, index + 1 < ports.len()) {
                     let edit = set(id, definition, |changed| {
                         list(changed, is_output).swap(index, index + 1);
                     });
                     out.push(Command::Edit(edit));
                 }
-                if button(ui, "×", "Remove", true) {
+                if button(ui, "×", &names.remove, true) {
                     out.push(Command::Edit(remove(id, definition, is_output, index)));
                 }
             });
         });
     }
-    if ui.small_button(tr!("Add {what}")).clicked() {
+    let add = if is_output { tr!("Add output") } else { tr!("Add input") };
+    if ui.small_button(add).clicked() {
         let name = free_port(definition, is_output, "value");
         let port = InterfacePort { name, ..InterfacePort::default() };
         out.push(Command::Edit(set(id, definition, |changed| list(changed, is_output).push(port))));

@@ -2,7 +2,7 @@
 
 mod interface;
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr, tr_in, trn};
 use eframe::egui;
 use eframe::egui::{DragValue, RichText, ScrollArea, TextEdit, Ui};
 
@@ -32,8 +32,8 @@ const UNIT: f32 = 90.0;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::INSPECTOR,
-    "Inspector",
-    "The values of what is selected",
+    text!("Inspector"),
+    text!("The values of what is selected"),
     PanelPlace { stack: Some(PanelStack::Inspector), ..PanelPlace::CLOSED },
     |_, ui, context| show(ui, context.session),
 );
@@ -47,7 +47,7 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
         // The margin is room for the scroll bar.
         ui.set_max_width((ui.available_width() - 8.0).max(0.0));
         if session.graph_view().is_read_only() {
-            let text = "This group is of the library. Make it the look's own to change it.";
+            let text = tr!("This group is of the library. Make it the look's own to change it.");
             ui.label(RichText::new(text).color(theme::of(ui).dim));
             if ui.button(tr!("Make it the look's own")).clicked() {
                 commands.extend(session.graph_view().own_group().map(Command::Edit));
@@ -62,7 +62,7 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
                 }
                 None => {
                     ui.heading(id.as_str());
-                    ui.label(format!("There is no node of kind \"{}\".", node.kind));
+                    ui.label(tr!("There is no node of kind \"{kind}\".", kind = node.kind));
                 }
             },
             None if session.graph_view().definition().is_some() => {
@@ -77,18 +77,20 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
 fn show_node(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
     let InspectedNode { session, id, node, kind } = subject;
     ui.horizontal(|ui| {
-        let label = ui.label(RichText::new(&*kind.label).heading());
+        let label = ui.label(RichText::new(tr_in("node", &kind.label)).heading());
         let count = session.selection.nodes.len();
         if count > 1 {
-            let help = "What is set here is set in every selected node that has it";
-            let text = RichText::new(format!("and {} more", count - 1)).color(theme::of(ui).dim);
+            let help = tr!("What is set here is set in every selected node that has it");
+            let text = RichText::new(tr!("and {more} more", more = count - 1));
+            let text = text.color(theme::of(ui).dim);
             ui.label(text).on_hover_text(help);
         }
-        label.on_hover_text(format!("kind {}, id {id}", node.kind));
+        label.on_hover_text(tr!("kind {kind}, id {id}", kind = node.kind));
     });
     if !kind.help.is_empty() {
-        let first = kind.help.split("\n\n").next().unwrap_or_default();
-        ui.label(RichText::new(first).color(theme::of(ui).dim)).on_hover_text(&kind.help);
+        let help = tr_in("node", &kind.help);
+        let first = help.split("\n\n").next().unwrap_or_default();
+        ui.label(RichText::new(first).color(theme::of(ui).dim)).on_hover_text(help);
     }
     if !kind.sources.is_empty() {
         ui.label(RichText::new(kind.sources.join(" · ")).small().color(theme::of(ui).dim));
@@ -99,7 +101,7 @@ fn show_node(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
     ui.separator();
     let wanted = search(ui, kind);
     let field = EdgeField::of_node(session, id, kind);
-    let field = field.filter(|_| wanted.is_empty() || "edge softness".contains(&wanted));
+    let field = field.filter(|_| wanted.is_empty() || has_words(EDGE, &wanted));
     // Three angles lie behind the edge that they make, unless a search is for them.
     let is_behind =
         |port: &Port| wanted.is_empty() && field.is_some() && PROFILE.contains(&port.name.as_str());
@@ -191,7 +193,9 @@ fn search(ui: &mut Ui, kind: &NodeKind) -> String {
             .hint_text(tr!("Find a value"))
             .desired_width(f32::INFINITY),
     );
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::TextInput, true, "Find a value"));
+    response.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::Role::TextInput, true, tr!("Find a value"))
+    });
     if response.changed() {
         ui.data_mut(|data| data.insert_temp(id, text.clone()));
     }
@@ -202,9 +206,18 @@ fn search_id(kind: &NodeKind) -> egui::Id {
     egui::Id::unique(("inspector search", &kind.id))
 }
 
+/// Words by which a search finds the edge of a profile.
+const EDGE: Text = text!("edge softness");
+
+/// True if a text has the words that are sought, which are in lower case.
+fn has_words(text: Text, wanted: &str) -> bool {
+    [text.english(), text.tr()].iter().any(|text| text.to_lowercase().contains(wanted))
+}
+
 fn fits(port: &crate::catalog::Port, wanted: &str) -> bool {
     let has_it = |text: &str| text.to_lowercase().contains(wanted);
-    wanted.is_empty() || has_it(&port.label) || has_it(port.name.as_str()) || has_it(&port.help)
+    let words = [port.name.as_str(), &port.label, &port.help];
+    wanted.is_empty() || words.iter().any(|text| has_it(text) || has_it(tr_in("node", text)))
 }
 
 fn name_row(
@@ -212,22 +225,27 @@ fn name_row(
     InspectedNode { session, id, node, kind }: &InspectedNode<'_>,
     out: &mut Vec<Command>,
 ) {
-    row::labelled(ui, "Name", "What you call it; the generated code uses it", |ui, label| {
-        let mut name = node.name.clone();
-        let edit = TextEdit::singleline(&mut name)
-            .hint_text(&*kind.label)
-            .desired_width(f32::INFINITY)
-            .char_limit(80);
-        let response = ui.add(edit).labelled_by(label);
-        if response.changed() {
-            let edit = Edit::SetName {
-                graph: session.selection.graph_id().clone(),
-                id: (*id).clone(),
-                name,
-            };
-            out.push(Command::EditHeld(response.id, edit));
-        }
-    });
+    row::labelled(
+        ui,
+        tr!("Name"),
+        tr!("What you call it; the generated code uses it"),
+        |ui, label| {
+            let mut name = node.name.clone();
+            let edit = TextEdit::singleline(&mut name)
+                .hint_text(tr_in("node", &kind.label))
+                .desired_width(f32::INFINITY)
+                .char_limit(80);
+            let response = ui.add(edit).labelled_by(label);
+            if response.changed() {
+                let edit = Edit::SetName {
+                    graph: session.selection.graph_id().clone(),
+                    id: (*id).clone(),
+                    name,
+                };
+                out.push(Command::EditHeld(response.id, edit));
+            }
+        },
+    );
 }
 
 fn presets(
@@ -241,7 +259,7 @@ fn presets(
     ui.horizontal_wrapped(|ui| {
         for preset in &kind.presets {
             if ui
-                .button(&preset.label)
+                .button(tr_in("node", &preset.label))
                 .on_hover_text(tr!("Sets the values of this preset"))
                 .clicked()
             {
@@ -265,10 +283,11 @@ fn for_each_row(
     if !is_group && node.for_each.is_none() {
         return;
     }
-    let help = "Runs the group once for each light of a set: a light that nothing in it names is \
+    let help =
+        tr!("Runs the group once for each light of a set: a light that nothing in it names is \
                 that one, and nodes such as Sum of lights join what comes of them. * is every \
-                light; key | group:rim - group:set says more";
-    row::labelled(ui, "For each light", help, |ui, label| {
+                light; key | group:rim - group:set says more");
+    row::labelled(ui, tr!("For each light"), help, |ui, label| {
         let read = |text: &str| match text.trim() {
             "" => Ok(None),
             text => LightSet::parse(text).map(Some).map_err(|why| why.to_string()),
@@ -284,35 +303,39 @@ fn for_each_row(
 
 /// Row for a set of the lights of a node.
 struct LinkRow {
-    label: &'static str,
-    help: &'static str,
+    label: Text,
+    help: Text,
     set: fn(&mut NodeLinks) -> &mut LightSet,
 }
 
 const REACH: [LinkRow; 2] = [
     LinkRow {
-        label: "Reached by",
-        help: "Lights that reach it, and what is in it; {source} are those that reach the group \
-               around it. * is every light; key | group:rim - group:set says more",
+        label: text!("Reached by"),
+        help: text!(
+            "Lights that reach it, and what is in it; {source} are those that reach the group \
+             around it. * is every light; key | group:rim - group:set says more"
+        ),
         set: |links| &mut links.layered,
     },
     LinkRow {
-        label: "Not reached by",
-        help: "Lights that do not reach it all the same; {source} is Reached by",
+        label: text!("Not reached by"),
+        help: text!("Lights that do not reach it all the same; {source} is Reached by"),
         set: |links| &mut links.unlayered,
     },
 ];
 
 const FILTER: [LinkRow; 2] = [
     LinkRow {
-        label: "Filters lights",
-        help: "Lights that it filters; others pass as if it were not there. * is every light; \
-               key | group:rim - group:set says more",
+        label: text!("Filters lights"),
+        help: text!(
+            "Lights that it filters; others pass as if it were not there. * is every light; key | \
+             group:rim - group:set says more"
+        ),
         set: |links| &mut links.filtered,
     },
     LinkRow {
-        label: "Lets pass by",
-        help: "Lights that it does not filter all the same; {source} is Filters lights",
+        label: text!("Lets pass by"),
+        help: text!("Lights that it does not filter all the same; {source} is Filters lights"),
         set: |links| &mut links.unfiltered,
     },
 ];
@@ -330,7 +353,7 @@ fn link_rows(
     let mut now = links.clone();
     for LinkRow { label, help, set } in rows {
         let shown = set(&mut now).clone();
-        row::labelled(ui, label, help, |ui, label| {
+        row::labelled(ui, label.tr(), help.tr(), |ui, label| {
             let read = |text: &str| LightSet::parse(text).map_err(|why| why.to_string());
             let found = formed(ui, label, &shown, |set| set.text().to_owned(), read);
             if let Some((widget, changed)) = found {
@@ -360,16 +383,16 @@ fn tier_row(
     }
     row::labelled(
         ui,
-        "Tier",
-        "Which implementation: exact, or faster with a measured error",
+        tr!("Tier"),
+        tr!("Which implementation: exact, or faster with a measured error"),
         |ui, label| {
             let runs = session.compilation().tier_of(&session.selection.path_of(id));
             let name = |tier: Option<Tier>| match (tier, runs) {
                 (Some(tier), _) => tier_name(tier).to_owned(),
                 (None, Some(tier)) if node.tier.is_none() => {
-                    format!("As the look ({})", tier_name(tier).to_lowercase())
+                    tr!("As the look ({tier})", tier = tier_word(tier))
                 }
-                (None, _) => "As the look".to_owned(),
+                (None, _) => tr!("As the look").to_owned(),
             };
             let combo = egui::ComboBox::from_id_salt("tier")
                 .width(ui.available_width().min(LIST))
@@ -409,13 +432,18 @@ fn error_of(session: &Session, kind: &NodeKind, tier: Option<Tier>) -> String {
     let def = session.project.library.nodes.get(&kind.id);
     match tier {
         None => match session.look().tier {
-            Some(tier) => format!("As the look is: {}", tier_name(tier).to_lowercase()),
-            None => "The cheapest whose difference nobody can see".to_owned(),
+            Some(tier) => tr!("As the look is: {tier}", tier = tier_word(tier)),
+            None => tr!("The cheapest whose difference nobody can see").to_owned(),
         },
-        Some(Tier::Exact) => "The truth, as near as f32 comes".to_owned(),
+        Some(Tier::Exact) => tr!("The truth, as near as f32 comes").to_owned(),
         Some(tier) => match def.and_then(|def| def.error_of(tier)) {
-            Some(error) => format!("At most {:e} off: {}", error.bound, error.help),
-            None => "Faster, with the error that the Cost and accuracy panel measures".to_owned(),
+            Some(error) => {
+                let help = tr_in("node", &error.help);
+                tr!("At most {bound:e} off: {help}", bound = error.bound)
+            }
+            None => {
+                tr!("Faster, with the error that the Cost and accuracy panel measures").to_owned()
+            }
         },
     }
 }
@@ -433,13 +461,13 @@ fn shown_row(
         session.view.wire.as_ref().filter(|wire| wire.node == session.selection.path_of(id));
     row::labelled(
         ui,
-        "View wire",
-        "Shows an output of this node in place of the picture",
+        tr!("View wire"),
+        tr!("Shows an output of this node in place of the picture"),
         |ui, label| {
-            let name = |port: &crate::catalog::Port| port.label.to_string();
+            let name = |port: &crate::catalog::Port| tr_in("node", &port.label).to_owned();
             let port =
                 shown.and_then(|wire| kind.outputs.iter().find(|port| port.name == wire.port));
-            let text = port.map_or("Not shown".to_owned(), name);
+            let text = port.map_or(tr!("Not shown").to_owned(), name);
             let combo = egui::ComboBox::from_id_salt("wire")
                 .selected_text(text)
                 .width(90.0)
@@ -449,7 +477,7 @@ fn shown_row(
                     }
                     for port in &kind.outputs {
                         let is_it = shown.is_some_and(|wire| wire.port == port.name);
-                        if ui.selectable_label(is_it, &*port.label).clicked() {
+                        if ui.selectable_label(is_it, name(port)).clicked() {
                             let style = shown.map(|wire| wire.style).unwrap_or_default();
                             out.push(Command::ShowWire(Some(ShownWire {
                                 node: session.selection.path_of(id),
@@ -463,7 +491,7 @@ fn shown_row(
         },
     );
     let Some(wire) = shown else { return };
-    row::labelled(ui, "Seen as", "How its numbers are seen", |ui, _| {
+    row::labelled(ui, tr!("Seen as"), tr!("How its numbers are seen"), |ui, _| {
         for style in Style::ALL {
             if ui
                 .selectable_label(wire.style == style, style.label())
@@ -488,10 +516,12 @@ fn lights_of(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
             .filter(|_| subject.session.look().lights.contains_key(&id));
         if let Some(owned_light) = owned_light {
             ui.separator();
-            let whose = if owned_light.owner == Owner::Scene { " of the scene" } else { "" };
-            ui.label(
-                RichText::new(format!("The light \"{}\"{whose}", owned_light.name())).strong(),
-            );
+            let light = owned_light.name();
+            let title = match owned_light.owner {
+                Owner::Look => tr!("The light \"{light}\""),
+                Owner::Scene => tr!("The light \"{light}\" of the scene"),
+            };
+            ui.label(RichText::new(title).strong());
             lights::edit(ui, subject.session, &owned_light, out);
         }
     }
@@ -499,34 +529,44 @@ fn lights_of(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
 
 fn tier_name(tier: Tier) -> &'static str {
     match tier {
-        Tier::Exact => "Exact",
-        Tier::Balanced => "Balanced",
-        Tier::Fast => "Fast",
+        Tier::Exact => tr!("Exact"),
+        Tier::Balanced => tr!("Balanced"),
+        Tier::Fast => tr!("Fast"),
+    }
+}
+
+/// Name of a tier within a sentence.
+fn tier_word(tier: Tier) -> &'static str {
+    match tier {
+        Tier::Exact => tr!("exact"),
+        Tier::Balanced => tr!("balanced"),
+        Tier::Fast => tr!("fast"),
     }
 }
 
 /// Meaning of a tier that a look asks for.
 fn tier_help(tier: Option<Tier>) -> &'static str {
     match tier {
-        None => "For each node the cheapest whose difference nobody can see",
-        Some(Tier::Exact) => "The truth, as near as 32-bit numbers come",
-        Some(Tier::Balanced) => "Errors below what is seen, where that is faster",
-        Some(Tier::Fast) => "The least time; edges and curvature may be seen to differ",
+        None => tr!("For each node the cheapest whose difference nobody can see"),
+        Some(Tier::Exact) => tr!("The truth, as near as 32-bit numbers come"),
+        Some(Tier::Balanced) => tr!("Errors below what is seen, where that is faster"),
+        Some(Tier::Fast) => tr!("The least time; edges and curvature may be seen to differ"),
     }
 }
 
 /// Row of the difference that automatic tiers may make, shown in steps of a screen.
 fn difference_row(ui: &mut Ui, look: &Look, out: &mut Vec<Command>) {
-    let help = "Greatest difference from the exact tier that an automatic one may make, in the 255 \
+    let help =
+        tr!("Greatest difference from the exact tier that an automatic one may make, in the 255 \
                 steps of a screen; 1 is seen by nobody. More allows cheaper tiers, and 0 none. It \
-                is estimated; Cost and accuracy measures it";
-    row::labelled(ui, "Difference", help, |ui, label| {
+                is estimated; Cost and accuracy measures it");
+    row::labelled(ui, tr!("Difference"), help, |ui, label| {
         // A whole number of steps is shown as one, in spite of rounding.
         let mut steps = (look.max_error * STEPS * 1e6).round() / 1e6;
         let unit = match (steps - 1.0).abs() < 0.005 {
             _ if ui.available_width() < UNIT => "",
-            true => " step",
-            false => " steps",
+            true => tr!(" step"),
+            false => tr!(" steps"),
         };
         let field =
             DragValue::new(&mut steps).range(0.0..=STEPS).speed(0.05).max_decimals(2).suffix(unit);
@@ -540,9 +580,9 @@ fn difference_row(ui: &mut Ui, look: &Look, out: &mut Vec<Command>) {
 
 /// Shows a link to the lights, which have a panel of their own.
 fn lights_row(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-    row::labelled(ui, "Lights", "What shines on the look", |ui, _| {
+    row::labelled(ui, tr!("Lights"), tr!("What shines on the look"), |ui, _| {
         let count = session.look().lights.len();
-        let text = format!("{count} {}", if count == 1 { "light" } else { "lights" });
+        let text = trn!(count, "{count} light", "{count} lights");
         if ui.link(text).on_hover_text(tr!("Opens the list of lights")).clicked() {
             out.push(Command::ShowPanel(PanelId::LIGHTS));
         }
@@ -555,7 +595,7 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     ui.heading(tr!("Look"));
     ui.label(RichText::new(tr!("Select a node to set its values.")).color(theme::of(ui).dim));
     ui.add_space(4.0);
-    row::labelled(ui, "Name", "What you call this look", |ui, label| {
+    row::labelled(ui, tr!("Name"), tr!("What you call this look"), |ui, label| {
         let mut name = look.name.clone();
         let response =
             ui.add(TextEdit::singleline(&mut name).desired_width(f32::INFINITY)).labelled_by(label);
@@ -565,8 +605,8 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     });
     row::labelled(
         ui,
-        "About",
-        "What it shows and how it is built, for who finds it",
+        tr!("About"),
+        tr!("What it shows and how it is built, for who finds it"),
         |ui, label| {
             let mut about = look.about.clone();
             let field =
@@ -580,8 +620,8 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     );
     row::labelled(
         ui,
-        "Tags",
-        "Words to find it by in the library, apart by spaces",
+        tr!("Tags"),
+        tr!("Words to find it by in the library, apart by spaces"),
         |ui, label| {
             let mut tags = look.tags.clone();
             let field =
@@ -592,10 +632,10 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             }
         },
     );
-    row::labelled(ui, "Colors", "What the numbers of a color mean", |ui, label| {
+    row::labelled(ui, tr!("Colors"), tr!("What the numbers of a color mean"), |ui, label| {
         let name = |space| match space {
-            ColorSpace::Display => "As shown",
-            ColorSpace::Linear => "Linear light",
+            ColorSpace::Display => tr!("As shown"),
+            ColorSpace::Linear => tr!("Linear light"),
         };
         let combo = egui::ComboBox::from_id_salt("space")
             .selected_text(name(look.color_space))
@@ -613,10 +653,10 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     });
     row::labelled(
         ui,
-        "Tier",
-        "Which implementation nodes have that do not say their own",
+        tr!("Tier"),
+        tr!("Which implementation nodes have that do not say their own"),
         |ui, label| {
-            let name = |tier: Option<Tier>| tier.map_or("Automatic", tier_name);
+            let name = |tier: Option<Tier>| tier.map_or(tr!("Automatic"), tier_name);
             let combo = egui::ComboBox::from_id_salt("tier")
                 .width(ui.available_width().min(LIST))
                 .truncate()

@@ -11,7 +11,7 @@ mod row;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr, trn};
 use eframe::egui;
 use eframe::egui::{
     EventFilter, Key, Modifiers, Popup, Rect, Response, RichText, ScrollArea, Stroke, Ui, pos2,
@@ -41,8 +41,8 @@ use row::{FolderRow, ROW, Row};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LAYERS,
-    "Layers",
-    "The look as a stack of layers: another view of the same graph",
+    text!("Layers"),
+    text!("The look as a stack of layers: another view of the same graph"),
     PanelPlace::WITH_DOCUMENT,
     |bench, ui, context| bench.memory.of::<Layers>().show(ui, context.session, &bench.thumbs),
 )
@@ -177,23 +177,25 @@ impl Layers {
                 let menu = ui.menu_button(tr!("Add layer"), |ui| {
                     scrolling(ui, |ui| {
                         for preset in &PRESETS {
-                            let button = ui.button(preset.name).on_hover_text(preset.help);
-                            let name = || {
+                            let name = preset.name.tr();
+                            let button = ui.button(name).on_hover_text(preset.help.tr());
+                            let info = || {
                                 egui::WidgetInfo::labeled(
                                     egui::Role::MenuItem,
                                     true,
-                                    format!("Add {}", preset.name),
+                                    tr!("Add {name}"),
                                 )
                             };
-                            button.widget_info(name);
+                            button.widget_info(info);
                             if button.clicked() {
                                 out.extend(add(session, preset));
                                 ui.close();
                             }
                         }
                         ui.separator();
-                        let help = "An empty folder for layers: they are hidden, masked, faded and \
-                                    moved together";
+                        let help =
+                            tr!("An empty folder for layers: they are hidden, masked, faded and \
+                                 moved together");
                         if ui.button(tr!("New folder")).on_hover_text(help).clicked() {
                             let place = place_for_new(&self.tree, session);
                             let (id, edit) = self.tree.add_folder(session.look(), &place);
@@ -209,11 +211,12 @@ impl Layers {
             });
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let count = self.tree.len();
-                let text = format!("{count} {}", if count == 1 { "layer" } else { "layers" });
-                let help = "The uppermost is laid on last, as in a painting program.\nDrag rows to \
-                            reorder, or into a folder; Alt and an arrow key move the one with the \
-                            keyboard. Ctrl and Shift select several, which are hidden, faded, \
-                            moved and deleted together.";
+                let text = trn!(count, "{count} layer", "{count} layers");
+                let help =
+                    tr!("The uppermost is laid on last, as in a painting program.\nDrag rows to \
+                         reorder, or into a folder; Alt and an arrow key move the one with the \
+                         keyboard. Ctrl and Shift select several, which are hidden, faded, moved \
+                         and deleted together.");
                 ui.label(RichText::new(text).color(theme::of(ui).dim)).on_hover_text(help);
             });
         });
@@ -281,49 +284,64 @@ impl Layers {
     /// Shows the menu of a layer, or of all that are selected.
     fn menu(&mut self, ui: &mut Ui, session: &Session, id: &NodeId, out: &mut Vec<Command>) {
         let acting = self.acting(session, id);
-        let many = if acting.len() > 1 { "s" } else { "" };
+        let is_one = acting.len() == 1;
         ChangedRow::of_node(session, &NodePath::root(id.clone())).menu(ui, out);
         let entry = |ui: &mut Ui, label: &str, help: &str, is_on: bool| {
             ui.add_enabled(is_on, egui::Button::new(label)).on_hover_text(help).clicked()
         };
-        if entry(ui, "Rename layer", "F2, or a double click on the name", true) {
+        if entry(ui, tr!("Rename layer"), tr!("F2, or a double click on the name"), true) {
             self.rename(session, id);
         }
-        if entry(ui, &format!("Duplicate layer{many}"), "Puts a copy over it (Ctrl+D)", true) {
+        if entry(
+            ui,
+            if is_one { tr!("Duplicate layer") } else { tr!("Duplicate layers") },
+            tr!("Puts a copy over it (Ctrl+D)"),
+            true,
+        ) {
             self.duplicate(session, id, out);
         }
         let can = |is_up| self.tree.beside(&acting, is_up, |id| self.closed.contains(id)).is_some();
-        if entry(ui, &format!("Move layer{many} up"), "Lays it on later (Alt+Up)", can(true)) {
+        if entry(
+            ui,
+            if is_one { tr!("Move layer up") } else { tr!("Move layers up") },
+            tr!("Lays it on later (Alt+Up)"),
+            can(true),
+        ) {
             self.move_by(session, id, true, out);
         }
-        if entry(ui, &format!("Move layer{many} down"), "Lays it on earlier (Alt+Down)", can(false))
-        {
+        if entry(
+            ui,
+            if is_one { tr!("Move layer down") } else { tr!("Move layers down") },
+            tr!("Lays it on earlier (Alt+Down)"),
+            can(false),
+        ) {
             self.move_by(session, id, false, out);
         }
-        if entry(ui, "Save to the library…", "So that other looks can have it", true) {
+        if entry(ui, tr!("Save to the library…"), tr!("So that other looks can have it"), true) {
             let choice = PartChoice::Layers(vec![id.clone()]);
             out.push(Command::Library(LibraryCommand::Offer(choice)));
         }
-        if entry(ui, "Show on the canvas", "Brings its node into view", true) {
+        if entry(ui, tr!("Show on the canvas"), tr!("Brings its node into view"), true) {
             out.push(Command::Show(crate::ids::NodePath::root(id.clone())));
         }
         ui.separator();
-        let help = "They lie on what is below as before, and are hidden, masked and faded together \
-                    (Ctrl+G)";
-        if entry(ui, "Put into a new folder", help, true) {
+        let help =
+            tr!("They lie on what is below as before, and are hidden, masked and faded together \
+                 (Ctrl+G)");
+        if entry(ui, tr!("Put into a new folder"), help, true) {
             self.group(session, id, out);
         }
         if self.tree.is_folder(id) {
-            let help = "Leaves its layers in its place (Ctrl+Shift+G)";
-            if entry(ui, "Take the folder away", help, true) {
+            let help = tr!("Leaves its layers in its place (Ctrl+Shift+G)");
+            if entry(ui, tr!("Take the folder away"), help, true) {
                 out.extend(self.tree.ungroup(session.look(), &acting).map(Command::Edit));
             }
         }
         ui.separator();
         masks::menu(ui, session, &self.tree, id, out);
         ui.separator();
-        let help = "Takes it out; the others close up (Del)";
-        if entry(ui, &format!("Delete layer{many}"), help, true) {
+        let help = tr!("Takes it out; the others close up (Del)");
+        if entry(ui, if is_one { tr!("Delete layer") } else { tr!("Delete layers") }, help, true) {
             out.push(Command::Edit(self.tree.remove(session.look(), &acting)));
         }
     }
@@ -479,7 +497,7 @@ impl Layers {
                     .layout(egui::Layout::left_to_right(egui::Align::Center)),
             );
             child.label(RichText::new(tr!("Nothing lies below")).color(theme::of(ui).warning));
-            let help = "Adds a Base node: the color under the first layer";
+            let help = tr!("Adds a Base node: the color under the first layer");
             if child.button(tr!("Add a base")).on_hover_text(help).clicked()
                 && let Some(to) = self.tree.own().lowest_inlet()
             {
@@ -490,10 +508,11 @@ impl Layers {
         let Some(node) = session.look().graph.nodes.get(&ground.node) else { return };
         let Some(kind) = session.project.catalog.of(node) else {
             let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
-            let text = format!("The stack ends here: there is no node of kind \"{}\".", node.kind);
+            let text =
+                tr!("The stack ends here: there is no node of kind \"{kind}\".", kind = node.kind);
             child.label(RichText::new(text).color(theme::of(ui).error));
             if child
-                .link(format!("Show {}", ground.node))
+                .link(tr!("Show {node}", node = ground.node))
                 .on_hover_text(tr!("Selects the node and brings it into view"))
                 .clicked()
             {
@@ -546,7 +565,7 @@ fn texture(
 
 /// Commands that add a layer of the preset with this name, as the menu does.
 pub(crate) fn add_preset(session: &Session, name: &str) -> Vec<Command> {
-    let preset = PRESETS.iter().find(|preset| preset.name == name);
+    let preset = PRESETS.iter().find(|preset| preset.name.english() == name);
     preset.map(|preset| add(session, preset)).unwrap_or_default()
 }
 

@@ -1,6 +1,7 @@
 //! Layers to begin with: those that painters and shading artists know by name, with the values of
 //! the Profile node's own presets where it has them, and otherwise those of the BADF paper's looks.
 
+use chiaro_locale::{Text, text};
 use glam::DVec3;
 
 use crate::catalog::Catalog;
@@ -35,9 +36,9 @@ enum PresetValue {
 
 /// Layer to begin with.
 pub(super) struct LayerPreset {
-    /// Name of the preset, and of the new layer.
-    pub(super) name: &'static str,
-    pub(super) help: &'static str,
+    /// Name of the preset, and in English of the new layer.
+    pub(super) name: Text,
+    pub(super) help: Text,
     /// Kind of the layer's node.
     kind: &'static str,
     /// Preset of the Profile node that supplies values.
@@ -52,8 +53,8 @@ use PresetValue::{Bands, Number, Word};
 /// Presets in the order in which a look is built up: from what lies below to what lies on top.
 pub(super) static PRESETS: [LayerPreset; 9] = [
     LayerPreset {
-        name: "Fill",
-        help: "Ambient light: a tint everywhere, so that nothing is black",
+        name: text!("Fill"),
+        help: text!("Ambient light: a tint everywhere, so that nothing is black"),
         kind: LIGHT_LAYER,
         profile: Some("Ambient"),
         values: &[
@@ -64,16 +65,16 @@ pub(super) static PRESETS: [LayerPreset; 9] = [
         light: LightChoice::Front,
     },
     LayerPreset {
-        name: "Diffuse",
-        help: "Lambert's soft light, falling with the cosine of the angle to it",
+        name: text!("Diffuse"),
+        help: text!("Lambert's soft light, falling with the cosine of the angle to it"),
         kind: LIGHT_LAYER,
         profile: Some("Lambert"),
         values: &[("convex", Word("#b58a6a")), ("concave", Word("#7a4a3c"))],
         light: LightChoice::Front,
     },
     LayerPreset {
-        name: "Cartoon",
-        help: "One flat tone with a hard, antialiased edge",
+        name: text!("Cartoon"),
+        help: text!("One flat tone with a hard, antialiased edge"),
         kind: LIGHT_LAYER,
         profile: Some("Cartoon"),
         values: &[
@@ -84,9 +85,11 @@ pub(super) static PRESETS: [LayerPreset; 9] = [
         light: LightChoice::Front,
     },
     LayerPreset {
-        name: "Bands",
-        help: "Flat colors from the light to the dark, as many as you like, with one softness; \
-               edges are dragged on the object",
+        name: text!("Bands"),
+        help: text!(
+            "Flat colors from the light to the dark, as many as you like, with one softness; \
+             edges are dragged on the object"
+        ),
         kind: "band_layer",
         profile: None,
         values: &[(
@@ -100,8 +103,8 @@ pub(super) static PRESETS: [LayerPreset; 9] = [
         light: LightChoice::Front,
     },
     LayerPreset {
-        name: "Shadow",
-        help: "Multiplied: darkens what the light does not reach, whatever the colors below",
+        name: text!("Shadow"),
+        help: text!("Multiplied: darkens what the light does not reach, whatever the colors below"),
         kind: LIGHT_LAYER,
         profile: Some("Half-Lambert"),
         values: &[
@@ -113,17 +116,19 @@ pub(super) static PRESETS: [LayerPreset; 9] = [
         light: LightChoice::Front,
     },
     LayerPreset {
-        name: "Cast shadow",
-        help: "Shadows that things throw onto one another and onto themselves, in a color: seen in \
-               scenes that have something to throw them",
+        name: text!("Cast shadow"),
+        help: text!(
+            "Shadows that things throw onto one another and onto themselves, in a color: seen in \
+             scenes that have something to throw them"
+        ),
         kind: "shadow_layer",
         profile: None,
         values: &[("color", Word("#5c5585"))],
         light: LightChoice::Front,
     },
     LayerPreset {
-        name: "Highlight",
-        help: "Phong's highlight: the light's mirror image, which moves with the eye",
+        name: text!("Highlight"),
+        help: text!("Phong's highlight: the light's mirror image, which moves with the eye"),
         kind: LIGHT_LAYER,
         profile: Some("Phong specular"),
         values: &[
@@ -134,9 +139,11 @@ pub(super) static PRESETS: [LayerPreset; 9] = [
         light: LightChoice::Front,
     },
     LayerPreset {
-        name: "Cut highlight",
-        help: "A highlight with a shape: move, turn, stretch and split it on the object; square \
-               it, or make it a star. It stands upright on any mesh",
+        name: text!("Cut highlight"),
+        help: text!(
+            "A highlight with a shape: move, turn, stretch and split it on the object; square it, \
+             or make it a star. It stands upright on any mesh"
+        ),
         kind: "highlight_layer",
         profile: None,
         values: &[
@@ -151,9 +158,11 @@ pub(super) static PRESETS: [LayerPreset; 9] = [
         light: LightChoice::Front,
     },
     LayerPreset {
-        name: "Back-light",
-        help: "A rim: a cool edge by a light behind the object as it is seen now, which is added \
-               where there is none",
+        name: text!("Back-light"),
+        help: text!(
+            "A rim: a cool edge by a light behind the object as it is seen now, which is added \
+             where there is none"
+        ),
         kind: LIGHT_LAYER,
         profile: None,
         values: &[
@@ -179,7 +188,7 @@ impl LayerPreset {
         let look = session.look();
         let mut node = Node {
             kind: self.kind.to_owned(),
-            name: free_name(look, self.name),
+            name: free_name(look, self.name.english()),
             ..Node::default()
         };
         let (light, edits) = match self.light {
@@ -322,7 +331,7 @@ mod tests {
             assert!(
                 preset.profile.is_none() || node.values.contains_key("cutoff"),
                 "{}",
-                preset.name
+                preset.name.english()
             );
             for (port, value) in &node.values {
                 let port = &kind.inputs[kind.input(port.as_str()).unwrap()];

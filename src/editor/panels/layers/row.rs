@@ -1,6 +1,6 @@
 //! Row of the stack of layers.
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr, tr_in};
 use eframe::egui;
 use eframe::egui::{
     Align, Color32, ComboBox, DragValue, Id, Label, Layout, Rect, Response, RichText, Role, Sense,
@@ -33,12 +33,13 @@ pub(super) const PICTURE: f32 = 46.0;
 /// Indent of what lies in a folder, in points.
 const INDENT: f32 = 14.0;
 /// Label of the mode of folders whose layers lie on what is below.
-const PASS_LABEL: &str = "Pass through";
+const PASS_LABEL: Text = text!("Pass through");
 /// Explanation of the modes of folders.
-const FOLDER_MODES: &str = "Pass through: its layers lie on what is below as if they were not in a \
-                            folder, and its opacity and mask count for all of them.\nAny other: \
-                            isolated. Its layers are blended among themselves first, over nothing, \
-                            and then laid over what is below as one layer in this mode.";
+const FOLDER_MODES: Text = text!(
+    "Pass through: its layers lie on what is below as if they were not in a folder, and its \
+     opacity and mask count for all of them.\nAny other: isolated. Its layers are blended among \
+     themselves first, over nothing, and then laid over what is below as one layer in this mode."
+);
 
 /// Node shown as a row.
 pub(super) struct Row<'a> {
@@ -108,7 +109,11 @@ impl Row<'_> {
     }
 
     pub(super) fn title(&self) -> String {
-        if self.node.name.is_empty() { self.kind.label.to_string() } else { self.node.name.clone() }
+        if self.node.name.is_empty() {
+            tr_in("node", &self.kind.label).to_owned()
+        } else {
+            self.node.name.clone()
+        }
     }
 
     /// Shows a layer.
@@ -126,7 +131,7 @@ impl Row<'_> {
         let whole = ui.interact(rect, focus_id(self.id), Sense::click_and_drag());
         let changed = self.changed_by_shot();
         whole.widget_info(|| {
-            let name = format!("Layer {title}{}", changed.word());
+            let name = tr!("Layer {title}") + changed.word();
             WidgetInfo::selected(Role::ListItem, true, is_selected, name)
         });
         spots::note(ui, Spot::Layer(self.id.clone()), rect);
@@ -167,8 +172,8 @@ impl Row<'_> {
             &mut ends,
             Icon::More,
             true,
-            &format!("More of {title}"),
-            "Duplicate, move, delete",
+            &tr!("More of {title}"),
+            tr!("Duplicate, move, delete"),
         );
         let mut below = row_in(ui, lower, "values");
         self.blending(&mut below, &title, out);
@@ -176,8 +181,10 @@ impl Row<'_> {
         self.opacity(&mut below, &title, out);
         let mut help = changed.help();
         help += if help.is_empty() { "" } else { "\n" };
-        help += "Click selects its node too, with Ctrl or Shift several · drag to reorder · right \
-                 click for more";
+        help += tr!(
+            "Click selects its node too, with Ctrl or Shift several · drag to reorder · right \
+             click for more"
+        );
         let whole = if whole.dragged() { whole } else { whole.on_hover_text(help) };
         RowResponse { whole, more, is_fold_toggled }
     }
@@ -186,9 +193,9 @@ impl Row<'_> {
     fn fold_button(&self, ui: &mut Ui, title: &str) -> bool {
         let Some(FolderRow { is_closed }) = self.folder else { return false };
         let (icon_of, label, help) = match is_closed {
-            true => (Icon::Closed, format!("Open {title}"), "Lists its layers (Right)"),
+            true => (Icon::Closed, tr!("Open {title}"), tr!("Lists its layers (Right)")),
             false => {
-                (Icon::Opened, format!("Close {title}"), "Hides its layers in the list (Left)")
+                (Icon::Opened, tr!("Close {title}"), tr!("Hides its layers in the list (Left)"))
             }
         };
         icon(ui, icon_of, true, &label, help).clicked()
@@ -206,7 +213,7 @@ impl Row<'_> {
         let is_base = self.kind.id == "base";
         let is_selected = super::is_selected(self.session, self.id);
         let whole = ui.interact(rect, focus_id(self.id), Sense::click());
-        let name = if is_base { format!("Base {title}") } else { format!("Branch {title}") };
+        let name = if is_base { tr!("Base {title}") } else { tr!("Branch {title}") };
         let changed = self.changed_by_shot();
         let name = name + changed.word();
         whole.widget_info(|| WidgetInfo::selected(Role::ListItem, true, is_selected, &name));
@@ -224,9 +231,9 @@ impl Row<'_> {
             ui.spacing_mut().item_spacing.y = 1.0;
             ui.add(Label::new(title).selectable(false).truncate());
             let text = if is_base {
-                "what is seen where no layer paints"
+                tr!("what is seen where no layer paints")
             } else {
-                "a branch of the graph, not a layer"
+                tr!("a branch of the graph, not a layer")
             };
             ui.add(
                 Label::new(RichText::new(text).small().color(theme::of(ui).dim))
@@ -290,12 +297,12 @@ impl Row<'_> {
     fn eye(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
         let help = match self.node.muted {
             false => {
-                "Leaves this layer out of the look: the node is muted, also in what is saved and \
-                 exported"
+                tr!("Leaves this layer out of the look: the node is muted, also in what is saved \
+                     and exported")
             }
-            true => "Takes this layer in again",
+            true => tr!("Takes this layer in again"),
         };
-        let response = icon(ui, Icon::Eye, !self.node.muted, &format!("Show {title}"), help);
+        let response = icon(ui, Icon::Eye, !self.node.muted, &tr!("Show {title}"), help);
         if response.clicked() {
             let muted = !self.node.muted;
             let edit = |id: &NodeId| Edit::SetMuted { graph: GraphId::Look, id: id.clone(), muted };
@@ -306,9 +313,10 @@ impl Row<'_> {
     fn solo(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
         let solo = &self.session.view.solo;
         let is_on = solo.layers.contains(self.id);
-        let help = "Solo: shows this layer alone over what the stack lies on; Ctrl-click adds to \
-                    others.\nOnly in this window: nothing of it is saved.";
-        if icon(ui, Icon::Solo, is_on, &format!("Solo {title}"), help).clicked() {
+        let help =
+            tr!("Solo: shows this layer alone over what the stack lies on; Ctrl-click adds to \
+                 others.\nOnly in this window: nothing of it is saved.");
+        if icon(ui, Icon::Solo, is_on, &tr!("Solo {title}"), help).clicked() {
             let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
             out.push(Command::Solo(match self.acting.len() > 1 && !adds {
                 true => solo.toggle_layers(self.acting.to_vec()),
@@ -322,8 +330,10 @@ impl Row<'_> {
         let (rect, response) = ui.allocate_exact_size(vec2(PICTURE, PICTURE), Sense::hover());
         response.on_hover_ui(|ui| {
             let stand = ThumbObject::of(self.session).help();
-            ui.label(tr!("What it paints alone. What only adds a little is shown brighter than \
-                              it is. {stand}"));
+            ui.label(tr!(
+                "What it paints alone. What only adds a little is shown brighter than it is. \
+                 {stand}"
+            ));
         });
         let tint = if is_faint { Color32::WHITE.gamma_multiply(0.35) } else { Color32::WHITE };
         ui.painter().rect_filled(rect, 3.0, theme::of(ui).canvas);
@@ -369,7 +379,9 @@ impl Row<'_> {
         out: &mut Vec<Command>,
     ) {
         if let Some(field) = renaming.as_mut().filter(|field| field.id == *self.id) {
-            if let Some(name) = field.show(ui, &self.kind.label, &format!("New name of {title}")) {
+            if let Some(name) =
+                field.show(ui, tr_in("node", &self.kind.label), &tr!("New name of {title}"))
+            {
                 *renaming = None;
                 let name = name.filter(|name| *name != self.node.name);
                 let edit = |name| Edit::SetName { graph: GraphId::Look, id: self.id.clone(), name };
@@ -395,14 +407,16 @@ impl Row<'_> {
     fn modes(&self) -> Vec<(String, Option<String>)> {
         let of = |port: &Port| {
             let options = port.options.iter();
-            options.map(|(word, label)| (label.to_string(), Some(word.to_string()))).collect()
+            options
+                .map(|(word, label)| (tr_in("choice", label).to_owned(), Some(word.to_string())))
+                .collect()
         };
         if self.folder.is_none() {
             return self.mode_port().map(of).unwrap_or_default();
         }
         let isolated = self.session.project.catalog.get(ISOLATED);
         let port = isolated.and_then(|kind| Some(&kind.inputs[kind.input(MODES[0])?]));
-        let passes = [(PASS_LABEL.to_owned(), None)];
+        let passes = [(PASS_LABEL.tr().to_owned(), None)];
         passes.into_iter().chain(port.map(of).unwrap_or_default()).collect()
     }
 
@@ -423,14 +437,13 @@ impl Row<'_> {
                 }
             });
         combo.response.widget_info(|| {
-            let mut info =
-                WidgetInfo::labeled(Role::ComboBox, true, format!("Blending of {title}"));
+            let mut info = WidgetInfo::labeled(Role::ComboBox, true, tr!("Blending of {title}"));
             info.current_text_value = Some(value.clone());
             info
         });
         let help = match (self.folder.is_some(), self.mode_port()) {
-            (true, _) => FOLDER_MODES,
-            (false, Some(port)) => &port.help,
+            (true, _) => FOLDER_MODES.tr(),
+            (false, Some(port)) => tr_in("node", &port.help),
             (false, None) => "",
         };
         combo.response.on_hover_text(help);
@@ -468,9 +481,10 @@ impl Row<'_> {
     /// Shows that the layer has a mask; a click selects it.
     fn mask(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
         let Some((id, _)) = mask::of(self.session.look(), self.id) else { return };
-        let help = "Has a mask: white shows the layer, black hides it. A click selects the mask, \
-                    to set it in the inspector; the layer's menu inverts it and takes it away.";
-        if icon(ui, Icon::Mask, true, &format!("Mask of {title}"), help).clicked() {
+        let help =
+            tr!("Has a mask: white shows the layer, black hides it. A click selects the mask, to \
+                 set it in the inspector; the layer's menu inverts it and takes it away.");
+        if icon(ui, Icon::Mask, true, &tr!("Mask of {title}"), help).clicked() {
             super::select(self.session, vec![id.clone()], out);
         }
     }
@@ -512,12 +526,13 @@ impl Row<'_> {
         let slider = Slider::new(&mut percent, 0.0..=100.0)
             .clamping(egui::SliderClamping::Edits)
             .show_value(false);
-        let name = format!("Opacity of {title}");
-        let on_slider =
-            has_slider.then(|| ui.add(slider.trailing_fill(true)).on_hover_text(&port.help));
+        let name = tr!("Opacity of {title}");
+        let on_slider = has_slider
+            .then(|| ui.add(slider.trailing_fill(true)).on_hover_text(tr_in("node", &port.help)));
         let drag = DragValue::new(&mut percent).range(0.0..=100.0).clamp_existing_to_range(false);
         let drag = drag.max_decimals(0).suffix("%").speed(0.5);
-        let on_number = ui.add_sized(vec2(number_width, 20.0), drag).on_hover_text(&port.help);
+        let on_number =
+            ui.add_sized(vec2(number_width, 20.0), drag).on_hover_text(tr_in("node", &port.help));
         let slider = on_slider.iter().map(|response| (response, Role::Slider));
         for (response, role) in slider.chain([(&on_number, Role::SpinButton)]) {
             response.widget_info(|| {

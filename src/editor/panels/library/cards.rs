@@ -6,7 +6,7 @@ use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, tr_in};
 use eframe::egui::{
     Align2, Color32, ColorImage, CornerRadius, FontId, Rect, Response, Role, Sense, Stroke,
     TextureHandle, TextureOptions, Ui, UiBuilder, WidgetInfo, pos2, vec2,
@@ -62,7 +62,7 @@ impl PaintingSummary {
         let size = format!("{} x {}", grid.size[0], grid.size[1]);
         let (lights, views) = (grid.light.distinct_count(), grid.view.distinct_count());
         let samples = grid.sample_count();
-        let about = format!(
+        let about = tr!(
             "{size} texels, {lights} lights x {views} views, {painted} of {samples} samples painted"
         );
         Self { size, about, picture, texture: OnceCell::new() }
@@ -70,7 +70,7 @@ impl PaintingSummary {
 
     /// Shows the painting's thumbnail, in its own aspect ratio.
     fn show(&self, ui: &Ui, rect: Rect) {
-        let Some(picture) = &self.picture else { return say(ui, rect, "nothing painted") };
+        let Some(picture) = &self.picture else { return say(ui, rect, tr!("nothing painted")) };
         let texture = self.texture.get_or_init(|| {
             let size = picture.size.map(|side| side as usize);
             let image = ColorImage::from_rgba_unmultiplied(size, &picture.rgba);
@@ -87,10 +87,13 @@ impl PaintingSummary {
 /// Card of a look, a scene or a painting that can be opened.
 pub(crate) struct Card {
     origin: CardOrigin,
-    pub(crate) name: String,
+    /// Name that crashes are recorded under.
+    name: String,
+    /// Name as it is shown.
+    title: String,
     /// Words that say more, to find the card by.
     tags: String,
-    /// Paragraph on what is shown; empty for none.
+    /// Paragraph on what is shown, in English; empty for none.
     about: String,
     content: CardContent,
     key: u64,
@@ -113,7 +116,7 @@ impl Card {
                 .map(|rest| rest.split_once('-').map_or(rest, |(number, _)| number));
             let called = |name: &str| match figure {
                 _ if name.is_empty() => stem.to_owned(),
-                Some(figure) => format!("{name} · Figure {figure}"),
+                Some(figure) => tr!("{name} · Figure {figure}"),
                 None => name.to_owned(),
             };
             let listed = path.to_str().and_then(|path| path.strip_prefix(PREFIX));
@@ -122,17 +125,20 @@ impl Card {
                 examples::ExampleContent::Look(look) => {
                     let mut hasher = DefaultHasher::new();
                     (key_of(&look, Shot::Whole, side), &stage).hash(&mut hasher);
-                    let (name, about) = (called(&look.name), look.about.clone());
+                    let (name, about) = (look.name.clone(), look.about.clone());
                     (name, about, CardContent::Look(Arc::new(look)), hasher.finish())
                 }
                 examples::ExampleContent::Scene(scene) => {
                     let key = key_of_scene(&path, &scene, session, side);
-                    (called(&scene.name), scene.about, CardContent::Scene, key)
+                    (scene.name, scene.about, CardContent::Scene, key)
                 }
             };
+            let title = called(tr_in("example", &name));
+            let name = called(&name);
             let tags = listing.tags(listed.unwrap_or_default());
             let origin = CardOrigin::Example(index, path);
-            Some(Self { origin, name, tags, about, content, key, stage: Some(stage), side })
+            let stage = Some(stage);
+            Some(Self { origin, name, title, tags, about, content, key, stage, side })
         };
         (0..count()).filter_map(card).collect()
     }
@@ -173,13 +179,16 @@ impl Card {
         side: f32,
     ) -> Self {
         let [tags, about] = [String::new(), String::new()];
-        Self { origin, name, tags, about, content, key, stage: None, side }
+        let title = name.clone();
+        Self { origin, name, title, tags, about, content, key, stage: None, side }
     }
 
     /// Rank of the card in a search, 0 best; `None` where a word of the query begins no word of the
     /// card, nor of `more`.
     fn rank(&self, query: &str, more: &str) -> Option<usize> {
-        words::rank(query, &[&self.name, &self.tags, more, &self.about])
+        let both = |text: &str| format!("{text} {}", tr_in("example", text));
+        let name = format!("{} {}", self.name, self.title);
+        words::rank(query, &[&name, &both(&self.tags), &both(more), &both(&self.about)])
     }
 
     /// Name of the card's example, as the gallery lists it; `None` for a file.
@@ -213,16 +222,18 @@ impl Card {
         out: &mut Vec<Command>,
     ) -> Response {
         let (rect, response) = ui.allocate_exact_size(vec2(side, side + NAME), Sense::click());
-        let what = match self.content {
-            CardContent::Scene => "scene",
-            CardContent::Painting(_) => "painting",
-            _ => "look",
-        };
         let suspect = self.suspect(&session.journals.crashes);
-        let state = suspect
-            .as_ref()
-            .map_or_else(String::new, |suspect| format!(", which was {}", undone(suspect.step)));
-        let label = format!("Open the {what} {}{state}", self.name);
+        let name = &self.title;
+        let label = match self.content {
+            CardContent::Scene => tr!("Open the scene {name}"),
+            CardContent::Painting(_) => tr!("Open the painting {name}"),
+            _ => tr!("Open the look {name}"),
+        };
+        let label = match suspect.as_ref().map(|suspect| suspect.step) {
+            None => label,
+            Some(CrashStep::Read) => tr!("{label}, which was not read"),
+            Some(_) => tr!("{label}, which was not drawn"),
+        };
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, label.clone()));
         if response.gained_focus() {
             response.scroll_to_me(None);
@@ -241,7 +252,7 @@ impl Card {
         };
         match (&self.content, thumbs.known(self.key)) {
             _ if held.is_some() => held_back(ui, picture, held.unwrap_or(CrashStep::Read)),
-            (CardContent::Unreadable, _) => say(ui, picture, "cannot be read"),
+            (CardContent::Unreadable, _) => say(ui, picture, tr!("cannot be read")),
             (CardContent::Painting(painting), _) => {
                 painting.show(ui, picture.shrink(1.0));
                 in_corner(ui, picture, &painting.size);
@@ -251,15 +262,15 @@ impl Card {
             }
             (_, None) if thumbs.is_done(self.key) || !thumbs.can_draw() => {
                 let text = if matches!(self.content, CardContent::Scene) {
-                    "a scene"
+                    tr!("a scene")
                 } else {
-                    "no picture"
+                    tr!("no picture")
                 };
                 say(ui, picture, text);
             }
             (_, None) => {
                 thumbs.look_again(ui);
-                say(ui, picture, "drawing…");
+                say(ui, picture, tr!("drawing…"));
                 self.ask(session, thumbs);
             }
         }
@@ -273,12 +284,19 @@ impl Card {
                 eframe::egui::StrokeKind::Inside,
             );
         }
-        name_below(ui, rect, picture, &self.name, theme::of(ui).text);
+        name_below(ui, rect, picture, &self.title, theme::of(ui).text);
         let (help, command) = match &self.origin {
             CardOrigin::Example(index, _) => (
                 format!(
-                    "{}\n{}\n\nOpens it as a new {what}; the example itself stays as it is",
-                    self.name, self.about
+                    "{}\n{}\n\n{}",
+                    self.title,
+                    tr_in("example", &self.about),
+                    match self.content {
+                        CardContent::Scene => {
+                            tr!("Opens it as a new scene; the example itself stays as it is")
+                        }
+                        _ => tr!("Opens it as a new look; the example itself stays as it is"),
+                    }
                 ),
                 Command::OpenExample(*index),
             ),
@@ -289,15 +307,16 @@ impl Card {
                 };
                 let help = match suspect {
                     Some(Suspect { step: CrashStep::Read, .. }) => {
-                        "Chiaro ended while reading this file the last time"
+                        tr!("Chiaro ended while reading this file the last time")
                     }
                     Some(_) => {
-                        "Chiaro ended while drawing this file the last time: it is opened without \
-                         being drawn"
+                        tr!("Chiaro ended while drawing this file the last time: it is opened \
+                             without being drawn")
                     }
                     None => "",
                 };
-                let help = format!("Opens {}{about}\n{help}", path.display());
+                let opens = tr!("Opens {file}", file = path.display());
+                let help = format!("{opens}{about}\n{help}");
                 (help.trim_end().to_owned(), Command::Open(Some(path.clone())))
             }
         };
@@ -361,21 +380,21 @@ pub(crate) fn found<'c>(cards: &'c [Card], query: &str, more: &str) -> Vec<&'c C
 pub(crate) fn show_gone(ui: &mut Ui, path: &Path, side: f32, out: &mut Vec<Command>) {
     let name = name_of(path);
     let (rect, response) = ui.allocate_exact_size(vec2(side, side + NAME), Sense::hover());
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{name} is gone")));
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, tr!("{name} is gone")));
     let picture = picture_of(rect, side);
     picture_frame(ui, picture);
-    say(ui, picture.translate(vec2(0.0, -12.0)), "gone");
+    say(ui, picture.translate(vec2(0.0, -12.0)), tr!("gone"));
     name_below(ui, rect, picture, &name, theme::of(ui).dim);
     let size = vec2(68.0, ui.spacing().interact_size.y);
     let button = Rect::from_center_size(picture.center() + vec2(0.0, 14.0), size);
     // A widget that is put into the row itself would move what comes next under this card.
     let mut inside = ui.new_child(UiBuilder::new().id_salt(path).max_rect(rect));
     let forget = inside.put(button, eframe::egui::Button::new(tr!("Forget")));
-    forget.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Forget {name}")));
+    forget.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr!("Forget {name}")));
     if forget.on_hover_text(tr!("Takes it off this list")).clicked() {
         out.push(Command::Forget(path.to_owned()));
     }
-    response.on_hover_text(format!("{} was moved or removed", path.display()));
+    response.on_hover_text(tr!("{file} was moved or removed", file = path.display()));
 }
 
 /// Name of a file as shown here.
@@ -410,7 +429,7 @@ fn held_back(ui: &Ui, picture: Rect, step: CrashStep) {
 
 /// Words for the step that is skipped for a document that the program crashed on.
 fn undone(step: CrashStep) -> &'static str {
-    if step == CrashStep::Read { "not read" } else { "not drawn" }
+    if step == CrashStep::Read { tr!("not read") } else { tr!("not drawn") }
 }
 
 /// Shows words over a picture, in its lower left corner.

@@ -1,6 +1,7 @@
 //! Parts that are dropped: on a layer, on the stack, on the canvas or a wire there, on an input of
 //! the inspector, or on an object in the picture.
 
+use chiaro_locale::tr;
 use eframe::egui::{Context, DragAndDrop, Id, Pos2, Rect, Stroke, StrokeKind, Ui};
 
 use super::part_card::DraggedPart;
@@ -42,13 +43,13 @@ pub(super) fn goal(ctx: &Context) -> Option<PartSpot> {
 pub(super) fn words(spot: &PartSpot, session: &Session) -> String {
     let title = |id| session.look_with_library().title(id);
     match spot {
-        PartSpot::Selection => "here".to_owned(),
-        PartSpot::Layer(id) => format!("onto {}", title(id)),
-        PartSpot::Top => "on top of all".to_owned(),
-        PartSpot::Canvas(_) => "onto the canvas".to_owned(),
-        PartSpot::Wire(wire) => format!("into the wire to {}", wire.to.node),
-        PartSpot::Input(port) => format!("to {port}"),
-        PartSpot::Object(object) => format!("onto {object}"),
+        PartSpot::Selection => tr!("here").to_owned(),
+        PartSpot::Layer(id) => tr!("onto {name}", name = title(id)),
+        PartSpot::Top => tr!("on top of all").to_owned(),
+        PartSpot::Canvas(_) => tr!("onto the canvas").to_owned(),
+        PartSpot::Wire(wire) => tr!("into the wire to {node}", node = wire.to.node),
+        PartSpot::Input(port) => tr!("to {port}"),
+        PartSpot::Object(object) => tr!("onto {name}", name = object),
     }
 }
 

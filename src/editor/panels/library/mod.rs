@@ -12,7 +12,7 @@ mod words;
 
 use std::path::PathBuf;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{Rect, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
@@ -27,8 +27,8 @@ pub(crate) use examples::{ExampleContent, example};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LIBRARY,
-    "Library",
-    "Nodes to drag onto the canvas, saved parts, and finished looks to begin with",
+    text!("Library"),
+    text!("Nodes to drag onto the canvas, saved parts, and finished looks to begin with"),
     PanelPlace::WITH_DOCUMENT,
     |bench, ui, PanelContext { session, safety }| {
         let library = bench.memory.of::<LibraryPanel>();
@@ -96,9 +96,9 @@ impl LibraryPanel {
             ui.selectable_value(&mut self.tab, LibraryTab::Looks, tr!("Looks"))
                 .on_hover_text(tr!("Finished looks to begin with"));
             let what = match self.tab {
-                LibraryTab::Nodes => "Search nodes",
-                LibraryTab::Parts => "Search parts",
-                LibraryTab::Looks => "Search looks",
+                LibraryTab::Nodes => tr!("Search nodes"),
+                LibraryTab::Parts => tr!("Search parts"),
+                LibraryTab::Looks => tr!("Search looks"),
             };
             let edit =
                 TextEdit::singleline(&mut self.query).hint_text(what).desired_width(f32::INFINITY);
@@ -139,7 +139,7 @@ impl LibraryPanel {
             self.looks = Card::examples(SIDE, session);
         }
         let words = self.query.trim().to_owned();
-        let groups = [("Recent", &self.recent), ("Examples", &self.looks)];
+        let groups = [(tr!("Recent"), &self.recent), (tr!("Examples"), &self.looks)];
         let groups = groups.map(|(title, cards)| (title, cards::found(cards, &words, "")));
         let mut out = Vec::new();
         if groups.iter().all(|(_, found)| found.is_empty()) {
@@ -151,12 +151,12 @@ impl LibraryPanel {
             let (columns, side) = cards::columns(ui.available_width() - 8.0, CARD, gap);
             ui.spacing_mut().item_spacing = vec2(gap, gap);
             let is_split = groups.iter().all(|(_, found)| !found.is_empty());
-            for (title, found) in &groups {
+            for (index, (title, found)) in groups.iter().enumerate() {
                 if is_split {
                     hint(ui, title);
                 }
                 // Recent files take a single row; a search finds the others.
-                let is_short = *title == "Recent" && is_split && words.is_empty();
+                let is_short = index == 0 && is_split && words.is_empty();
                 let rows = if is_short { 1 } else { usize::MAX };
                 for row in found.chunks(columns).take(rows) {
                     ui.horizontal(|ui| {

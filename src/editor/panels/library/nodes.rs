@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, tr_in};
 use eframe::egui;
 use eframe::egui::{
     Align2, Area, CollapsingHeader, CursorIcon, FontId, Id, Order, Rect, Response, Role,
@@ -51,7 +51,8 @@ pub(super) fn show(ui: &mut Ui, session: &Session, query: &str) -> Vec<Command> 
         });
         for category in categories {
             let title = capital(category);
-            let header = CollapsingHeader::new(&title)
+            let title = tr_in("node", &title);
+            let header = CollapsingHeader::new(title)
                 .id_salt(category)
                 .default_open(matches!(category, "layer" | "light" | "group"));
             header.show_unindented(ui, |ui| {
@@ -70,18 +71,22 @@ fn capital(word: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// Rank of a kind in a search, 0 best; `None` where a word is found nowhere in the kind.
+/// Rank of a kind in a search, 0 best; `None` where a word is found nowhere in the kind. Texts are
+/// searched in the user's language and in English.
 fn rank(kind: &NodeKind, query: &str) -> Option<u32> {
-    let label = kind.label.to_lowercase();
+    let both = |text: &str| [text, tr_in("node", text)].map(str::to_lowercase);
+    let (labels, helps) = (both(&kind.label), both(&kind.help));
+    let categories = both(&capital(&kind.category));
+    let has = |texts: &[String; 2], word: &str| texts.iter().any(|text| text.contains(word));
     let mut sum = 0;
     for word in query.to_lowercase().split_whitespace() {
-        sum += if label.starts_with(word) {
+        sum += if labels.iter().any(|label| label.starts_with(word)) {
             0
-        } else if label.contains(word) {
+        } else if has(&labels, word) {
             1
-        } else if kind.id.contains(word) || kind.category.contains(word) {
+        } else if kind.id.contains(word) || has(&categories, word) {
             2
-        } else if word.len() > 2 && kind.help.to_lowercase().contains(word) {
+        } else if word.len() > 2 && has(&helps, word) {
             4
         } else {
             return None;
@@ -95,7 +100,11 @@ fn row(ui: &mut Ui, kind: &Arc<NodeKind>, out: &mut Vec<Command>) {
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), ROW));
     let response = ui.interact(rect, id, Sense::click_and_drag());
     response.widget_info(|| {
-        WidgetInfo::labeled(Role::Button, true, format!("Library node {}", kind.label))
+        WidgetInfo::labeled(
+            Role::Button,
+            true,
+            tr!("Library node {name}", name = tr_in("node", &kind.label)),
+        )
     });
     let is_dragged = response.dragged();
     if ui.is_rect_visible(rect) {
@@ -124,7 +133,7 @@ fn paint(ui: &Ui, rect: Rect, kind: &NodeKind) {
     }
     let text =
         Rect::from_min_max(pos2(rect.left() + 18.0, rect.top()), pos2(x - 2.0, rect.bottom()));
-    cell(ui, text, &kind.label, FontId::proportional(theme::TEXT_SIZE), colors.text);
+    cell(ui, text, tr_in("node", &kind.label), FontId::proportional(theme::TEXT_SIZE), colors.text);
 }
 
 /// Shows a node at the pointer while the node is dragged.
@@ -144,7 +153,7 @@ fn ghost(ui: &Ui, kind: &NodeKind) {
         ui.painter().text(
             rect.left_center() + vec2(10.0, 0.0),
             Align2::LEFT_CENTER,
-            &kind.label,
+            tr_in("node", &kind.label),
             font,
             colors.text,
         );
@@ -154,8 +163,8 @@ fn ghost(ui: &Ui, kind: &NodeKind) {
 fn tell(response: Response, kind: &NodeKind) {
     response.on_hover_ui(|ui: &mut egui::Ui| {
         ui.set_max_width(320.0);
-        ui.label(egui::RichText::new(&*kind.label).strong());
-        let first = kind.help.split("\n\n").next().unwrap_or_default();
+        ui.label(egui::RichText::new(tr_in("node", &kind.label)).strong());
+        let first = tr_in("node", &kind.help).split("\n\n").next().unwrap_or_default();
         if !first.is_empty() {
             ui.label(first);
         }

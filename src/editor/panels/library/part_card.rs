@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use chiaro_locale::{tr, trn};
 use eframe::egui::{
     Area, Color32, CornerRadius, CursorIcon, FontId, Id, Order, Rect, Response, Role, Sense,
     Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
@@ -59,8 +60,8 @@ impl PartCard {
         let id = Id::unique("part").with(&self.part.path);
         let (_, rect) = ui.allocate_space(vec2(side, side + NAME));
         let response = ui.interact(rect, id, Sense::click_and_drag());
-        let word = self.part.content.as_ref().map_or("damaged", |content| content.kind.word());
-        let label = format!("Part {}, {word}", self.part.name);
+        let word = self.part.content.as_ref().map_or(tr!("damaged"), |content| content.kind.word());
+        let label = tr!("Part {name}, {word}", name = self.part.name);
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
         if response.gained_focus() {
             response.scroll_to_me(None);
@@ -101,17 +102,17 @@ impl PartCard {
         let picture = picture_of(rect, side);
         ui.painter().rect_filled(picture, 3.0, theme::of(ui).canvas);
         match (&self.part.content, &self.look) {
-            (Err(_), _) => say(ui, picture, "cannot be read"),
+            (Err(_), _) => say(ui, picture, tr!("cannot be read")),
             (Ok(_), Some((look, key))) => match thumbs.known(*key) {
                 Some(texture) => {
                     ui.painter().image(texture, picture.shrink(1.0), whole(), Color32::WHITE);
                 }
                 None if thumbs.is_done(*key) || !thumbs.can_draw() => {
-                    say(ui, picture, "no picture");
+                    say(ui, picture, tr!("no picture"));
                 }
                 None => {
                     thumbs.look_again(ui);
-                    say(ui, picture, "drawing…");
+                    say(ui, picture, tr!("drawing…"));
                     let folder = self.part.path.parent().map(PathBuf::from).unwrap_or_default();
                     let origin =
                         || DocumentOrigin::new(&self.part.name, Some(&self.part.path), look);
@@ -126,8 +127,8 @@ impl PartCard {
                 None => {
                     let nodes = content.look.graph.nodes.len();
                     let text = match content.kind {
-                        PartKind::Group => "group".to_owned(),
-                        _ => format!("{nodes} {}", if nodes == 1 { "node" } else { "nodes" }),
+                        PartKind::Group => tr!("group").to_owned(),
+                        _ => trn!(nodes, "{nodes} node", "{nodes} nodes"),
                     };
                     say(ui, picture, &text);
                 }
@@ -159,7 +160,7 @@ impl PartCard {
         }
         let tags = &self.part.tags;
         let file = match self.part.is_shipped() {
-            true => "Comes with Chiaro".to_owned(),
+            true => tr!("Comes with Chiaro").to_owned(),
             false => self.part.path.display().to_string(),
         };
         for text in [tags, &file] {

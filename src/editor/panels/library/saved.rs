@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui::{
     Button, ComboBox, Label, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2,
 };
@@ -124,7 +124,7 @@ impl SavedParts {
             for shelf in &shelves {
                 count += self.shelf(ui, session, shelf, (query, thumbs), &mut out);
             }
-            title(ui, "Comes with Chiaro", None, &mut out);
+            title(ui, tr!("Comes with Chiaro"), None, &mut out);
             count += self.grid(ui, session, None, (query, thumbs), &mut out);
             if count == 0 {
                 hint(ui, tr!("No part has these words in its name, its tags or its description"));
@@ -175,21 +175,25 @@ impl SavedParts {
                 response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, label));
                 response
             };
-            let name =
-                field(ui, &mut form.draft.look.name, "Name of the part", "What it is called");
+            let name = field(
+                ui,
+                &mut form.draft.look.name,
+                tr!("Name of the part"),
+                tr!("What it is called"),
+            );
             if std::mem::take(&mut form.is_new) {
                 name.request_focus();
             }
-            let help = "Words to find it by, apart by spaces";
-            field(ui, &mut form.draft.look.tags, "Tags of the part", help);
-            let help = "What it shows, how it is built";
-            field(ui, &mut form.draft.look.about, "About the part", help);
+            let help = tr!("Words to find it by, apart by spaces");
+            field(ui, &mut form.draft.look.tags, tr!("Tags of the part"), help);
+            let help = tr!("What it shows, how it is built");
+            field(ui, &mut form.draft.look.about, tr!("About the part"), help);
             let chosen = form
                 .folder
                 .as_ref()
                 .and_then(|folder| shelves.iter().find(|shelf| shelf.folder == *folder))
                 .or(shelves.first());
-            let text = chosen.map_or("No folder", |shelf| shelf.title.as_str());
+            let text = chosen.map_or(tr!("No folder"), |shelf| shelf.title.as_str());
             ui.horizontal_wrapped(|ui| {
                 ui.label(tr!("In"));
                 let combo =
@@ -202,9 +206,9 @@ impl SavedParts {
                             }
                         }
                     });
-                let info = || WidgetInfo::labeled(Role::ComboBox, true, "Folder of the part");
+                let info = || WidgetInfo::labeled(Role::ComboBox, true, tr!("Folder of the part"));
                 combo.response.widget_info(info);
-                let save = Button::new(tr!("Save {word}"));
+                let save = Button::new(save_label(form.draft.kind));
                 let is_ready = chosen.is_some() && !form.draft.look.name.trim().is_empty();
                 if ui.add_enabled(is_ready, save).clicked()
                     && let Some(shelf) = chosen
@@ -238,7 +242,7 @@ impl SavedParts {
             });
             menu.response
                 .on_hover_text(tr!("Saves a part of this look, so that others can have it"));
-            let text = self.kind.map_or("All kinds", PartKind::title);
+            let text = self.kind.map_or(tr!("All kinds"), PartKind::title);
             let combo = ComboBox::from_id_salt("kinds").width(84.0).selected_text(text);
             let combo = combo.show_ui(ui, |ui| {
                 ui.selectable_value(&mut self.kind, None, tr!("All kinds"));
@@ -248,8 +252,8 @@ impl SavedParts {
             });
             combo
                 .response
-                .widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Kind of parts"));
-            let help = "Reads the folders again";
+                .widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, tr!("Kind of parts")));
+            let help = tr!("Reads the folders again");
             if ui.button(tr!("Refresh")).on_hover_text(help).clicked() {
                 self.is_stale = true;
             }
@@ -294,7 +298,8 @@ impl SavedParts {
         let with_rank = |card: &'_ PartCard| {
             let part = &card.part;
             let kind = part.content.as_ref().map_or("", |content| content.kind.word());
-            words::rank(query, &[&part.name, &part.tags, kind, &part.about])
+            let kind = format!("{kind} {}", chiaro_locale::tr(kind));
+            words::rank(query, &[&part.name, &part.tags, &kind, &part.about])
         };
         let mut found: Vec<(usize, &PartCard)> = self
             .cards
@@ -326,17 +331,30 @@ impl SavedParts {
                 .desired_width(width);
             let response = ui.add(edit);
             response.widget_info(|| {
-                WidgetInfo::labeled(Role::TextInput, true, "Path of a shared folder")
+                WidgetInfo::labeled(Role::TextInput, true, tr!("Path of a shared folder"))
             });
             let path = PathBuf::from(self.typed.trim());
             let is_new = path.is_absolute() && !safety.settings.library_folders.contains(&path);
             let button = ui.add_enabled(is_new, Button::new(tr!("Add folder")));
-            let help = "A whole path, from the root on, that is not in the list yet";
+            let help = tr!("A whole path, from the root on, that is not in the list yet");
             if button.on_disabled_hover_text(help).clicked() {
                 self.typed.clear();
                 out.push(Command::Library(LibraryCommand::AddFolder(path)));
             }
         });
+    }
+}
+
+/// Text of the button that saves a part.
+fn save_label(kind: PartKind) -> &'static str {
+    match kind {
+        PartKind::Look => tr!("Save look"),
+        PartKind::Layer => tr!("Save layer"),
+        PartKind::Nodes => tr!("Save nodes"),
+        PartKind::Group => tr!("Save group"),
+        PartKind::Lights => tr!("Save lights"),
+        PartKind::Profile => tr!("Save profile"),
+        PartKind::Ramp => tr!("Save ramp"),
     }
 }
 
@@ -349,7 +367,7 @@ fn title(ui: &mut Ui, title: &str, shelf: Option<&Shelf>, out: &mut Vec<Command>
         label.on_hover_text(shelf.folder.display().to_string());
         if shelf.is_shared {
             let button = ui.small_button(tr!("Take off")).on_hover_text(tr!("Its files stay"));
-            let name = format!("Take off {}", shelf.folder.display());
+            let name = tr!("Take off {folder}", folder = shelf.folder.display());
             button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
             if button.clicked() {
                 let folder = shelf.folder.clone();
@@ -373,23 +391,23 @@ fn shelves(session: &Session, safety: &Safety) -> Vec<Shelf> {
         }
     };
     if let Some(folder) = safety.library() {
-        add("My library", folder, false);
+        add(tr!("My library"), folder, false);
     }
     let beside = |path: &Path| path.parent().map(|folder| folder.join(FOLDER));
     let scene = session.open_scene().and_then(|open_scene| open_scene.path());
     for folder in [session.path(), scene].into_iter().flatten().filter_map(beside) {
-        add("This project", folder, false);
+        add(tr!("This project"), folder, false);
     }
     for folder in &safety.settings.library_folders {
         let name = folder.file_name().unwrap_or(folder.as_os_str()).to_string_lossy();
-        add(&format!("Shared: {name}"), folder.clone(), true);
+        add(&tr!("Shared: {name}"), folder.clone(), true);
     }
     shelves
 }
 
 /// Parts of the look that can be saved now, each with a label.
 pub(crate) fn choices(session: &Session) -> Vec<(String, PartChoice)> {
-    let mut choices = vec![("This look".to_owned(), PartChoice::Look)];
+    let mut choices = vec![(tr!("This look").to_owned(), PartChoice::Look)];
     let graph = session.graph();
     let nodes: Vec<_> =
         session.selection.nodes().filter(|id| graph.nodes.contains_key(*id)).cloned().collect();
@@ -405,24 +423,27 @@ pub(crate) fn choices(session: &Session) -> Vec<(String, PartChoice)> {
         } else {
             PartChoice::Nodes(vec![id.clone()])
         };
-        choices.push((format!("{title}, with what feeds it"), choice));
+        choices.push((tr!("{title}, with what feeds it"), choice));
         if let Some(node) = graph.nodes.get(id) {
             if let Some((id, _)) = session.look().definitions.get_key_value(node.kind.as_str()) {
-                choices.push((format!("The group of {title}"), PartChoice::Group(id.clone())));
+                choices.push((tr!("The group of {title}"), PartChoice::Group(id.clone())));
             }
             let (ramps, has_profile) = keepable(&session.project.catalog, node);
             if has_profile {
-                choices.push((format!("The profile of {title}"), PartChoice::Profile(id.clone())));
+                choices.push((tr!("The profile of {title}"), PartChoice::Profile(id.clone())));
             }
             for port in ramps {
-                choices.push((format!("The ramp of {title}"), PartChoice::Ramp(id.clone(), port)));
+                choices.push((tr!("The ramp of {title}"), PartChoice::Ramp(id.clone(), port)));
             }
         }
     } else if !nodes.is_empty() {
-        choices.push((format!("{} selected nodes", nodes.len()), PartChoice::Nodes(nodes)));
+        choices.push((
+            trn!(count = nodes.len(), "{count} selected node", "{count} selected nodes"),
+            PartChoice::Nodes(nodes),
+        ));
     }
     if !session.look().lights.is_empty() {
-        choices.push(("All lights".to_owned(), PartChoice::Lights));
+        choices.push((tr!("All lights").to_owned(), PartChoice::Lights));
     }
     choices
 }

@@ -1,9 +1,10 @@
 //! Changes of many cells as edits: one of the scene, or of the look, and so one undo step.
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
-use super::column::Column;
-use super::sheet::{CellValue, Row, Sheet, exposure_form};
+use super::column::{Column, inside};
+use super::sheet::{CellValue, Row, Sheet, exposure_form, kind_name};
 use super::typed::{NumberForm, read_color, read_switch, read_word};
 use crate::commands::{Command, SceneCommand};
 use crate::document::{
@@ -63,7 +64,7 @@ impl<'s> CellChanges<'s> {
     /// Sets a cell.
     pub(super) fn set(&mut self, row: &Row, column: Column, entry: &Entry) {
         let done = match (row, column) {
-            (_, Column::Id) => Err("an id stays as it is".to_owned()),
+            (_, Column::Id) => Err(tr!("an id stays as it is").to_owned()),
             (_, Column::Shines | Column::Solo) => self.switch(row, column, entry),
             (Row::Light(id), _) => self.set_light(id, column, entry),
             (Row::Group(group), _) => self.set_master(group, column, entry),
@@ -79,9 +80,9 @@ impl<'s> CellChanges<'s> {
             Entry::Switch(is_on) => *is_on,
             Entry::Reset => column == Column::Shines,
             Entry::Text(text) => {
-                read_switch(text).ok_or_else(|| format!("\"{text}\" is neither on nor off"))?
+                read_switch(text).ok_or_else(|| tr!("\"{text}\" is neither on nor off"))?
             }
-            Entry::Color(_) => return Err("a switch has no color".to_owned()),
+            Entry::Color(_) => return Err(tr!("a switch has no color").to_owned()),
         };
         let is_in = is_on == (column == Column::Solo);
         let term = row.term();
@@ -110,12 +111,12 @@ impl<'s> CellChanges<'s> {
         let sheet = self.sheet;
         let cell = sheet.cell(&Row::Light(id.clone()), column);
         let Some((id, _)) = sheet.lights.lights().get_key_value(id) else {
-            return Err(format!("there is no light {id}"));
+            return Err(tr!("there is no light {id}"));
         };
-        let owned = sheet.light(id).ok_or_else(|| format!("there is no light {id}"))?;
+        let owned = sheet.light(id).ok_or_else(|| tr!("there is no light {id}"))?;
         let Some(value) = cell.value else {
-            let kind = owned.light.kind.word();
-            return Err(format!("{kind} lights have no {}", column.label().to_lowercase()));
+            let kind = inside(kind_name(owned.light.kind));
+            return Err(tr!("{kind} lights have no {what}", what = inside(column.label())));
         };
         let is_reset = matches!(entry, Entry::Reset);
         let light = self.lights.entry(id.clone()).or_insert_with(|| owned.light.clone());
@@ -146,7 +147,7 @@ impl<'s> CellChanges<'s> {
         column: Column,
         entry: &Entry,
     ) -> Result<(), String> {
-        let mix = self.sheet.mix().ok_or("groups have masters in scenes alone")?;
+        let mix = self.sheet.mix().ok_or(tr!("groups have masters in scenes alone"))?;
         let value = self.sheet.cell(&Row::Group(group.clone()), column).value;
         let master = self.masters.entry(group.clone()).or_insert_with(|| mix.master(group));
         if matches!(entry, Entry::Reset) {
@@ -165,14 +166,14 @@ impl<'s> CellChanges<'s> {
             master.name = if name == group.as_str() { String::new() } else { name.to_owned() };
             return Ok(());
         }
-        let what = column.label().to_lowercase();
-        let value = value.ok_or_else(|| format!("a group has no {what}"))?;
+        let what = inside(column.label());
+        let value = value.ok_or_else(|| tr!("a group has no {what}"))?;
         let numbers = new_numbers(self.sheet, column, &value, entry)?;
         match (column, numbers.as_slice()) {
             (Column::Field(LightField::Color), &[r, g, b]) => master.tint = [r, g, b],
             (Column::Field(LightField::Intensity), &[number]) => master.intensity = number,
             (_, &[number]) => master.exposure = number,
-            _ => return Err(format!("a group has no {what}")),
+            _ => return Err(tr!("a group has no {what}")),
         }
         Ok(())
     }
@@ -203,13 +204,14 @@ impl<'s> CellChanges<'s> {
         let why = self.refused.first()?;
         let mut reasons: Vec<&String> = self.refused.iter().collect();
         reasons.dedup();
-        let others = if reasons.len() > 1 { ", among others" } else { "" };
-        Some(match (self.done, self.refused.len()) {
-            (0, 1) => why.clone(),
-            (0, count) => format!("None of {count} cells is changed: {why}{others}"),
-            (done, count) => {
-                format!("{done} of {} cells are changed: {why}{others}", done + count)
-            }
+        let has_others = reasons.len() > 1;
+        let count = self.done + self.refused.len();
+        Some(match (self.done, has_others) {
+            (0, _) if count == 1 => why.clone(),
+            (0, false) => tr!("None of {count} cells is changed: {why}"),
+            (0, true) => tr!("None of {count} cells is changed: {why}, among others"),
+            (done, false) => tr!("{done} of {count} cells are changed: {why}"),
+            (done, true) => tr!("{done} of {count} cells are changed: {why}, among others"),
         })
     }
 
@@ -276,7 +278,7 @@ impl<'s> CellChanges<'s> {
 }
 
 fn takes_text(column: Column) -> String {
-    format!("{} takes a text", column.label().to_lowercase())
+    tr!("{what} takes a text", what = inside(column.label()))
 }
 
 /// Numbers that a cell has after an entry.
@@ -293,7 +295,7 @@ fn new_numbers(
         }
         (CellValue::Color(_), Entry::Color(color)) => Ok(color.to_vec()),
         (CellValue::Numbers(now, form), Entry::Text(text)) => form.read(text, now),
-        _ => Err(format!("{} takes no such value", column.label().to_lowercase())),
+        _ => Err(tr!("{what} takes no such value", what = inside(column.label()))),
     }
 }
 
@@ -317,10 +319,13 @@ fn set_word(light: &mut Light, id: &LightId, column: Column, text: &str) -> Resu
             light.name = if name == id.as_str() { String::new() } else { name.to_owned() };
         }
         Column::Kind => {
-            light.kind = read_word(text, LightKind::ALL.iter().map(|kind| (*kind, kind.word())))?;
+            light.kind = read_word(
+                text,
+                LightKind::ALL.iter().map(|kind| (*kind, [kind_name(*kind), kind.word()])),
+            )?;
         }
         Column::Space => {
-            let all = LightSpace::ALL.iter().map(|space| (*space, space_name(*space)));
+            let all = LightSpace::ALL.iter().map(|space| (*space, [space_name(*space); 2]));
             light.space = read_word(text, all)?;
         }
         Column::Groups => {
@@ -338,7 +343,7 @@ fn set_word(light: &mut Light, id: &LightId, column: Column, text: &str) -> Resu
                 light.groups = read_groups(text)?;
             }
         }
-        _ => return Err(format!("lights have no {}", column.label().to_lowercase())),
+        _ => return Err(tr!("lights have no {what}", what = inside(column.label()))),
     }
     Ok(())
 }
@@ -350,7 +355,7 @@ fn reset(light: &mut Light, source: &Light, column: Column) -> Result<(), String
         Column::Space => light.space = source.space,
         Column::Groups => light.groups.clone_from(&source.groups),
         Column::Field(field) => set_field(light, field, field.numbers(source)),
-        _ => return Err(format!("{} has no default", column.label().to_lowercase())),
+        _ => return Err(tr!("{what} has no default", what = inside(column.label()))),
     }
     Ok(())
 }

@@ -1,6 +1,8 @@
 //! Columns of the light table: what a light is called and belongs to, what the mix does, and every
 //! field that lights have.
 
+use chiaro_locale::{spoken, tr};
+
 use crate::document::{LightField, LightQuantity};
 
 /// Column of the table.
@@ -99,23 +101,23 @@ impl Column {
     /// Name of the column.
     pub(super) fn label(self) -> &'static str {
         match self {
-            Self::Shines => "Shines",
-            Self::Solo => "Solo",
-            Self::Name => "Light",
-            Self::Id => "Id",
-            Self::Kind => "Type",
-            Self::Groups => "Groups",
-            Self::Space => "Frame",
-            Self::Exposure => "Exposure",
-            Self::Field(field) => field.label(),
+            Self::Shines => tr!("Shines"),
+            Self::Solo => tr!("Solo"),
+            Self::Name => tr!("Light"),
+            Self::Id => tr!("Id"),
+            Self::Kind => tr!("Type"),
+            Self::Groups => tr!("Groups"),
+            Self::Space => tr!("light" => "Frame"),
+            Self::Exposure => tr!("Exposure"),
+            Self::Field(field) => chiaro_locale::tr(field.label()),
         }
     }
 
     /// Text of the column's head, which is short where the column is narrow.
     pub(super) fn head(self) -> &'static str {
         match self {
-            Self::Shines => "On",
-            Self::Solo => "S",
+            Self::Shines => tr!("On"),
+            Self::Solo => tr!("S"),
             _ => self.label(),
         }
     }
@@ -123,17 +125,17 @@ impl Column {
     /// Help of the column, without what a click does.
     pub(super) fn help(self) -> &'static str {
         match self {
-            Self::Shines => "Whether it shines, or is muted",
-            Self::Solo => "Whether it shines alone: a solo beats every mute",
-            Self::Name => "What you call it; without a name it is called by its id",
-            Self::Id => "What sets, looks and keys name it by",
-            Self::Kind => "Directional lights are as far away as the sun",
+            Self::Shines => tr!("Whether it shines, or is muted"),
+            Self::Solo => tr!("Whether it shines alone: a solo beats every mute"),
+            Self::Name => tr!("What you call it; without a name it is called by its id"),
+            Self::Id => tr!("What sets, looks and keys name it by"),
+            Self::Kind => tr!("Directional lights are as far away as the sun"),
             Self::Groups => {
-                "Groups that it belongs to. Type +rim to add it to one, -rim to take it out"
+                tr!("Groups that it belongs to. Type +rim to add it to one, -rim to take it out")
             }
-            Self::Space => "What its direction and its position turn with",
-            Self::Exposure => "Of a group's master, in stops: each doubles the intensity",
-            Self::Field(field) => field.help(),
+            Self::Space => tr!("What its direction and its position turn with"),
+            Self::Exposure => tr!("Of a group's master, in stops: each doubles the intensity"),
+            Self::Field(field) => chiaro_locale::tr(field.help()),
         }
     }
 
@@ -153,6 +155,11 @@ impl Column {
             },
         }
     }
+}
+
+/// Words within a sentence: small in English, where German keeps the capitals of its nouns.
+pub(super) fn inside(words: &str) -> String {
+    if spoken().tag == "en" { words.to_lowercase() } else { words.to_owned() }
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Text field over the cell that is edited.
 
+use chiaro_locale::trn;
 use eframe::egui;
 use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::{Id, Rect, Role, TextEdit, Ui, UiBuilder, WidgetInfo, vec2};
@@ -61,7 +62,7 @@ impl CellEdit {
         if count > 1 {
             let at = rect.right_center() - vec2(6.0, 0.0);
             let font = egui::FontId::proportional(theme::SMALL_TEXT);
-            let text = format!("{count} cells");
+            let text = trn!(count, "{count} cell", "{count} cells");
             let color = theme::of(ui).accent;
             ui.painter().text(at, egui::Align2::RIGHT_CENTER, text, font, color);
         }

@@ -16,12 +16,11 @@ use super::column::Column;
 use super::editing::CellEdit;
 use super::layout::{CellLayout, HEAD, ROW};
 use super::selection::{CellSelection, Place, ShownCells};
-use super::sheet::{Cell, CellValue, Sheet};
+use super::sheet::{Cell, CellValue, Sheet, kind_name};
 use super::{menu, paint};
 use crate::commands::Command;
 use crate::document::{LightKind, LightSpace};
 use crate::panels::lights::space_name;
-use crate::state::reading::spoken;
 use crate::widgets::rows::leave_with_pointer;
 use crate::widgets::text::cell as text_cell;
 use crate::widgets::{color, theme};
@@ -145,7 +144,8 @@ impl CellGrid {
         let response = ui.interact(rect, id_of(place), sense);
         let is_selected = self.selection.has(place);
         response.widget_info(|| {
-            let label = format!("{} of {}", column.label(), sheet.full_name(row));
+            let name = sheet.full_name(row);
+            let label = tr!("{label} of {name}", label = column.label());
             let mut info = WidgetInfo::selected(Role::Cell, true, is_selected, label);
             info.current_text_value = Some(sheet.words(&cell));
             info
@@ -274,19 +274,16 @@ impl CellGrid {
                     color::pick_in(ui, *now, space).map(|color| (Entry::Color(color), true))
                 }
                 Some(CellValue::Text(now)) => {
-                    let words: Vec<(&str, String)> = match place.1 {
+                    let names: Vec<&str> = match place.1 {
                         Column::Kind => {
-                            LightKind::ALL.iter().map(|k| (k.word(), spoken(k.word()))).collect()
+                            LightKind::ALL.iter().map(|kind| kind_name(*kind)).collect()
                         }
-                        _ => {
-                            let names = LightSpace::ALL.iter().map(|space| space_name(*space));
-                            names.map(|name| (name, name.to_owned())).collect()
-                        }
+                        _ => LightSpace::ALL.iter().map(|space| space_name(*space)).collect(),
                     };
                     let mut chosen = None;
-                    for (word, name) in words {
+                    for name in names {
                         if ui.selectable_label(*now == name, name).clicked() {
-                            chosen = Some((Entry::Text(word.to_owned()), false));
+                            chosen = Some((Entry::Text(name.to_owned()), false));
                         }
                     }
                     chosen
@@ -318,7 +315,8 @@ impl CellGrid {
         let row = rows.iter().position(|row| *row == edit.place.0);
         let column = columns.iter().position(|column| *column == edit.place.1);
         let (Some(row), Some(column)) = (row, column) else { return };
-        let name = format!("New {} of {}", edit.place.1.label(), sheet.full_name(&edit.place.0));
+        let name = sheet.full_name(&edit.place.0);
+        let name = tr!("New {label} of {name}", label = edit.place.1.label());
         let area = layout.area(column < layout.pinned);
         let count = self.selection.len();
         let Some(text) = edit.show(ui, layout.rect(row, column), area, &name, count) else {
@@ -347,7 +345,7 @@ impl CellGrid {
     fn head(&mut self, ui: &mut Ui, rect: Rect, column: Column, shown: ShownCells<'_>) {
         let id = Id::unique("head of the light table").with(column);
         let response = ui.interact(rect, id, Sense::click());
-        let name = format!("Sort by {}", column.label());
+        let name = tr!("Sort by {label}", label = column.label());
         response.widget_info(|| WidgetInfo::labeled(Role::ColumnHeader, true, &name));
         let colors = theme::of(ui);
         if response.hovered() || response.has_focus() {
@@ -392,7 +390,7 @@ impl CellGrid {
                 self.hidden = Some(column);
             }
         });
-        let help = "A click sorts: upward, downward, and as the documents have it";
+        let help = tr!("A click sorts: upward, downward, and as the documents have it");
         response.on_hover_text(format!("{}.\n{help}", column.help()));
     }
 

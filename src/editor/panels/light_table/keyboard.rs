@@ -1,6 +1,6 @@
 //! Keyboard of the table, while the cursor's cell has the focus: moves, edits, the clipboard, keys.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui::{Event, EventFilter, Key, Modifiers, Ui};
 
 use super::change::{CellChanges, Entry};
@@ -178,12 +178,17 @@ impl CellGrid {
             out.extend(owned.and_then(|owned| owned.once(Edit::Group { edits })));
         }
         if count == 0 {
-            let text = "None of these cells can be keyed in time: keys move lights of the scene, \
-                        and of the look that is open";
+            let text = tr!(
+                "None of these cells can be keyed in time: keys move lights of the scene, and of \
+                 the look that is open"
+            );
             return vec![Command::Tell(text.to_owned())];
         }
-        let are = if count == 1 { "value is" } else { "values are" };
-        out.push(Command::Tell(tr!("{count} {are} keyed at the playhead")));
+        out.push(Command::Tell(trn!(
+            count,
+            "{count} value is keyed at the playhead",
+            "{count} values are keyed at the playhead"
+        )));
         out
     }
 }

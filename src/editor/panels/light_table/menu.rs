@@ -1,6 +1,6 @@
 //! Menu of a cell: keys, copies, resets, and what the scene has in a look's place.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui::Ui;
 
 use super::change::Entry;
@@ -26,27 +26,25 @@ pub(super) fn show(
 ) {
     ui.set_min_width(190.0);
     let count = grid.selection.len();
-    let of = match count {
-        1 => String::new(),
-        count => format!(" {count} cells"),
-    };
+    let of = |one: &'static str, many: String| if count == 1 { one.to_owned() } else { many };
     if !place.1.is_switch() && place.1 != Column::Id {
-        let help = "Enter or a double click does, too; all selected cells take what is set";
-        if ui.button(tr!("Edit{of}")).on_hover_text(help).clicked() {
+        let help = tr!("Enter or a double click does, too; all selected cells take what is set");
+        if ui.button(of(tr!("Edit"), tr!("Edit {count} cells"))).on_hover_text(help).clicked() {
             grid.begin(ui, sheet, place, None);
             ui.close();
         }
     }
     if ui
-        .button(tr!("Copy{of}"))
+        .button(of(tr!("Copy"), tr!("Copy {count} cells")))
         .on_hover_text(tr!("As a table, for Ctrl+V here or elsewhere"))
         .clicked()
     {
         out.push(Command::Copy(grid.copied(sheet, shown)));
         ui.close();
     }
-    let help = "The value that the look's light has, or else that of a new light (Delete)";
-    if place.1 != Column::Id && ui.button(tr!("Reset{of}")).on_hover_text(help).clicked() {
+    let help = tr!("The value that the look's light has, or else that of a new light (Delete)");
+    let text = of(tr!("Reset"), tr!("Reset {count} cells"));
+    if place.1 != Column::Id && ui.button(text).on_hover_text(help).clicked() {
         grid.enter(sheet, shown, &Entry::Reset, None, out);
         ui.close();
     }
@@ -55,10 +53,10 @@ pub(super) fn show(
     if !ids.is_empty() {
         ui.separator();
         let text = match ids.as_slice() {
-            [_] => "As the look has it".to_owned(),
-            ids => format!("As the looks have them ({})", ids.len()),
+            [_] => tr!("As the look has it").to_owned(),
+            ids => tr!("As the looks have them ({count})", count = ids.len()),
         };
-        let help = "Removes the scene's light: the look's own light of this id shines again";
+        let help = tr!("Removes the scene's light: the look's own light of this id shines again");
         if ui.button(text).on_hover_text(help).clicked() {
             let edits = ids.into_iter().map(|id| SceneEdit::RemoveLight { id }).collect();
             out.push(Command::Scene(SceneCommand::Edit(SceneEdit::Group { edits })));
@@ -82,7 +80,11 @@ fn keys(
     }
     ui.separator();
     if targets.len() > 1 {
-        let text = format!("Key {} cells at the playhead", targets.len());
+        let text = trn!(
+            count = targets.len(),
+            "Key {count} cell at the playhead",
+            "Key {count} cells at the playhead"
+        );
         if ui
             .button(text)
             .on_hover_text(tr!("Each with its present value, as one step (K)"))
@@ -95,7 +97,7 @@ fn keys(
     }
     let Some((owned, target)) = sheet.target(id, field) else { return };
     let ty = Type::of_light_field(field);
-    let label = field.label();
+    let label = chiaro_locale::tr(field.label());
     let marked = FieldTarget { owned, target, ty: &ty, label, reset: None };
     marks::menu(ui, &marked, out);
 }

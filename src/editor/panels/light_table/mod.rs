@@ -20,7 +20,7 @@ mod typed;
 
 use std::collections::BTreeMap;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{Align, Id, Layout, RichText, Role, TextEdit, Ui, WidgetInfo};
 
@@ -40,8 +40,8 @@ use sheet::{Row, Sheet};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LIGHT_TABLE,
-    "Light table",
-    "All lights and groups as a table: set, key and compare any field of many at once",
+    text!("Light table"),
+    text!("All lights and groups as a table: set, key and compare any field of many at once"),
     PanelPlace::BELOW_GRAPH,
     |bench, ui, context| {
         let table = bench.memory.of::<LightTable>();
@@ -103,10 +103,10 @@ impl LightTable {
                 ui,
                 match filter {
                     Some(_) => {
-                        "No light is of this set. Sets name ids, \"names\" and group:names, with * \
-                         for any letters."
+                        tr!("No light is of this set. Sets name ids, \"names\" and group:names, \
+                             with * for any letters.")
                     }
-                    None => "There are no lights yet.",
+                    None => tr!("There are no lights yet."),
                 },
             );
             return;
@@ -161,10 +161,13 @@ impl LightTable {
                 .desired_width(FILTER)
                 .char_limit(400);
             let response = ui.add(edit);
-            response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "Filter of lights"));
-            let help = "Lists the lights of a set: * is every light. key | group:rim - \"Sun\" \
-                        says more: ids, groups and names, with | for either, - for without, & \
-                        for both, and ( )";
+            response.widget_info(|| {
+                WidgetInfo::labeled(Role::TextInput, true, tr!("Filter of lights"))
+            });
+            let help =
+                tr!("Lists the lights of a set: * is every light. key | group:rim - \"Sun\" says \
+                     more: ids, groups and names, with | for either, - for without, & for both, \
+                     and ( )");
             match wrong {
                 Some(why) => {
                     ui.label(RichText::new(why.to_string()).small().color(colors.error));
@@ -174,8 +177,8 @@ impl LightTable {
             self.columns_menu(ui, out);
             add::menus(ui, session, self.lights.shared(), out);
             for (panel, label, help) in [
-                (PanelId::MIXER, "Mixer", "The groups' masters, as faders"),
-                (PanelId::LINKS, "Links", "Which lights light which objects, and why"),
+                (PanelId::MIXER, tr!("Mixer"), tr!("The groups' masters, as faders")),
+                (PanelId::LINKS, tr!("Links"), tr!("Which lights light which objects, and why")),
             ] {
                 if is_wide && ui.button(label).on_hover_text(help).clicked() {
                     out.push(Command::ShowPanel(panel));
@@ -199,7 +202,7 @@ impl LightTable {
                 }
             }
             ui.separator();
-            let help = "Shows the columns that a light of the table has something in";
+            let help = tr!("Shows the columns that a light of the table has something in");
             if ui.button(tr!("Only what lights have")).on_hover_text(help).clicked() {
                 out.push(Command::KeepLightColumns(BTreeMap::new()));
             }

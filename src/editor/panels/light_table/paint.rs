@@ -1,5 +1,6 @@
 //! Look of a cell: its value, where that comes from and what the mix leaves of it; and its help.
 
+use chiaro_locale::{tr, trn};
 use eframe::egui;
 use eframe::egui::{Align2, Color32, FontId, Rect, Stroke, Ui, pos2, vec2};
 
@@ -79,7 +80,7 @@ pub(super) fn cell(
     let text = value.text(sheet.session);
     let beside = match effect {
         Some(Effect::Left(left)) => Some(left.text(sheet.session)),
-        Some(Effect::Objects(count)) => Some(format!("{count} own")),
+        Some(Effect::Objects(count)) => Some(tr!("{count} own")),
         _ => None,
     };
     if let Some(Effect::Left(CellValue::Color(color))) = effect {
@@ -136,12 +137,11 @@ fn switch(ui: &Ui, rect: Rect, column: Column, cell: &Cell, is_on: bool) {
 fn note(sheet: Sheet<'_>, row: &Row, column: Column) -> Option<String> {
     let Row::Group(group) = row else { return None };
     match column {
-        Column::Kind => Some("Group".to_owned()),
+        Column::Kind => Some(tr!("Group").to_owned()),
         Column::Groups => Some(match sheet.count(group) {
-            (1, 0) => "1 light".to_owned(),
-            (1, _) => "1 light, out".to_owned(),
-            (count, 0) => format!("{count} lights"),
-            (count, out) => format!("{count} lights, {out} out"),
+            (count, 0) => trn!(count, "{count} light", "{count} lights"),
+            (1, _) => tr!("1 light, out").to_owned(),
+            (count, out) => tr!("{count} lights, {out} out"),
         }),
         _ => None,
     }
@@ -164,7 +164,8 @@ fn seen(sheet: Sheet<'_>, color: [f64; 3]) -> Color32 {
 /// Shows what a cell is, where its value comes from, and how it is changed.
 pub(super) fn help(ui: &mut Ui, sheet: Sheet<'_>, (row, column): &Place, cell: &Cell) {
     ui.set_max_width(320.0);
-    ui.strong(format!("{} of {}", column.label(), sheet.full_name(row)));
+    let name = sheet.full_name(row);
+    ui.strong(tr!("{label} of {name}", label = column.label()));
     let dim = theme::of(ui).dim;
     if let (Row::Light(id), Some(field)) = (row, column.field())
         && let Some((owned, target)) = sheet.target(id, field)
@@ -176,12 +177,14 @@ pub(super) fn help(ui: &mut Ui, sheet: Sheet<'_>, (row, column): &Place, cell: &
         let text = match (row, sheet.scene()) {
             (Row::Group(group), None) => {
                 let (count, _) = sheet.count(group);
-                format!(
+                trn!(
+                    count,
+                    "{count} light. Groups have masters in scenes: add an object to begin one.",
                     "{count} lights. Groups have masters in scenes: add an object to begin one."
                 )
             }
-            (Row::Group(_), _) => "Groups have no such field".to_owned(),
-            (Row::Light(_), _) => "Lights of this type have no such field".to_owned(),
+            (Row::Group(_), _) => tr!("Groups have no such field").to_owned(),
+            (Row::Light(_), _) => tr!("Lights of this type have no such field").to_owned(),
         };
         ui.label(egui::RichText::new(text).color(dim));
         return;
@@ -192,13 +195,13 @@ pub(super) fn help(ui: &mut Ui, sheet: Sheet<'_>, (row, column): &Place, cell: &
     }
     ui.label(egui::RichText::new(column.help()).color(dim));
     let keys = match (column.is_switch(), form_of(*column).is_some()) {
-        (true, _) => "A click or Space turns all selected ones",
+        (true, _) => tr!("A click or Space turns all selected ones"),
         (_, true) => {
-            "Enter or double click to change all selected cells; or type: 0.5, *1.2, +0.1, 50%. \
-             Alt and an arrow key nudge them, K keys them, Delete resets them."
+            tr!("Enter or double click to change all selected cells; or type: 0.5, *1.2, +0.1, \
+                 50%. Alt and an arrow key nudge them, K keys them, Delete resets them.")
         }
         _ if *column == Column::Id => "",
-        _ => "Enter or double click to change all selected cells; or just type",
+        _ => tr!("Enter or double click to change all selected cells; or just type"),
     };
     if !keys.is_empty() {
         ui.label(egui::RichText::new(keys).small().color(dim));

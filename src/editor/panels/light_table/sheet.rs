@@ -3,19 +3,20 @@
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
+use chiaro_locale::{tr, trn};
 use eframe::egui::Color32;
 
 use super::column::Column;
 use super::typed::NumberForm;
-use crate::document::{GroupMaster, LightField, LightSet, MAX_EXPOSURE, Scene, SetTerm, Target};
+use crate::document::{
+    GroupMaster, LightField, LightKind, LightSet, MAX_EXPOSURE, Scene, SetTerm, Target,
+};
 use crate::fields::lighting::{OwnedKeys, OwnedLight, Owner};
 use crate::fields::mark;
 use crate::fields::mix::{MixedLights, SceneMix};
-use crate::figures;
 use crate::ids::{LightGroup, LightId};
 use crate::panels::lights::{groups_text, space_name, swatch};
 use crate::state::keying::KeyedBy;
-use crate::state::reading::spoken;
 use crate::state::session::Session;
 use crate::widgets::color;
 
@@ -95,7 +96,7 @@ impl CellValue {
     /// The value as a cell shows it, and as it is copied.
     pub(super) fn text(&self, session: &Session) -> String {
         match self {
-            Self::Switch(is_on) => if *is_on { "on" } else { "off" }.to_owned(),
+            Self::Switch(is_on) => if *is_on { tr!("on") } else { tr!("off") }.to_owned(),
             Self::Text(text) => text.clone(),
             Self::Numbers(numbers, form) => form.text(numbers),
             Self::Color(color) => color::code(*color, session.look().color_space),
@@ -159,7 +160,7 @@ impl<'s> Sheet<'s> {
     pub(super) fn full_name(self, row: &Row) -> String {
         match row {
             Row::Light(_) => self.name(row),
-            Row::Group(_) => format!("group {}", self.name(row)),
+            Row::Group(_) => tr!("group {name}", name = self.name(row)),
         }
     }
 
@@ -202,23 +203,24 @@ impl<'s> Sheet<'s> {
 
     /// A cell in words, for who cannot see how it looks.
     pub(super) fn words(self, cell: &Cell) -> String {
-        let Some(value) = &cell.value else { return "none".to_owned() };
-        let origin = match cell.origin {
-            Origin::Own => "",
-            Origin::Inherited => ", inherited",
-            Origin::Keyed => ", keyed",
+        let Some(value) = &cell.value else { return tr!("none").to_owned() };
+        let value = value.text(self.session);
+        let told = match cell.origin {
+            Origin::Own => value,
+            Origin::Inherited => tr!("{value}, inherited"),
+            Origin::Keyed => tr!("{value}, keyed"),
         };
-        let left = match &cell.overridden {
-            None => String::new(),
-            Some(Override { effect: Effect::Out, .. }) => ", out".to_owned(),
-            Some(Override { effect: Effect::Left(left), .. }) => {
-                format!(", {} by the mix", left.text(self.session))
+        match cell.overridden.as_ref().map(|overridden| &overridden.effect) {
+            None => told,
+            Some(Effect::Out) => tr!("{told}, out"),
+            Some(Effect::Left(left)) => {
+                tr!("{told}, {left} by the mix", left = left.text(self.session))
             }
-            Some(Override { effect: Effect::Objects(count), .. }) => {
-                format!(", set by {}", figures::count(*count as u64, "object"))
+            Some(Effect::Objects(count)) => {
+                let count = *count;
+                trn!(count, "{told}, set by {count} object", "{told}, set by {count} objects")
             }
-        };
-        format!("{}{origin}{left}", value.text(self.session))
+        }
     }
 
     fn light_cell(self, id: &LightId, column: Column) -> Cell {
@@ -240,7 +242,7 @@ impl<'s> Sheet<'s> {
                 CellValue::Text(light.display_name(id).to_owned())
             }
             Column::Id => CellValue::Text(id.to_string()),
-            Column::Kind => CellValue::Text(spoken(light.kind.word())),
+            Column::Kind => CellValue::Text(kind_name(light.kind).to_owned()),
             Column::Groups => CellValue::Text(groups_text(&light.groups)),
             Column::Space => CellValue::Text(space_name(light.space).to_owned()),
             Column::Exposure => return none,
@@ -299,7 +301,7 @@ impl<'s> Sheet<'s> {
 
     /// Override by what puts a light out.
     fn why_dark(self, id: &LightId) -> Option<Override> {
-        let here = self.session.view.solo.is_dark(id).then(|| "Out in this window".to_owned());
+        let here = self.session.view.solo.is_dark(id).then(|| tr!("Out in this window").to_owned());
         let by = here.or_else(|| self.lights.told(id))?;
         Some(Override { by, effect: Effect::Out })
     }
@@ -324,11 +326,14 @@ impl<'s> Sheet<'s> {
         }
         let groups = light.groups.iter().filter(|group| scene.light_groups.contains_key(*group));
         let groups: Vec<&str> = groups.map(LightGroup::as_str).collect();
-        let (is, of) = if groups.len() == 1 { ("is", "group") } else { ("are", "groups") };
         let left = field_value(field, left);
-        let text = left.text(self.session);
-        let by =
-            format!("{text} in the scene: the master of {of} {} {is} on it", groups.join(", "));
+        let by = trn!(
+            count = groups.len(),
+            "{text} in the scene: the master of group {groups} is on it",
+            "{text} in the scene: the masters of groups {groups} are on it",
+            text = left.text(self.session),
+            groups = groups.join(", ")
+        );
         Some(Override { by, effect: Effect::Left(left) })
     }
 
@@ -345,12 +350,14 @@ impl<'s> Sheet<'s> {
             .filter(|object| object.values.contains_key(&exposed.name));
         let count = own.count();
         let name = if exposed.label.is_empty() { exposed.name.as_str() } else { &exposed.label };
-        let whose = match count {
-            0 => return None,
-            1 => "1 object has its own".to_owned(),
-            _ => format!("{count} objects have their own"),
-        };
-        let by = format!("{whose} in its place: the parameter \"{name}\" in Objects");
+        if count == 0 {
+            return None;
+        }
+        let by = trn!(
+            count,
+            "{count} object has its own in its place: the parameter \"{name}\" in Objects",
+            "{count} objects have their own in its place: the parameter \"{name}\" in Objects"
+        );
         Some(Override { by, effect: Effect::Objects(count) })
     }
 
@@ -371,35 +378,44 @@ impl<'s> Sheet<'s> {
     pub(super) fn origin_words(self, row: &Row, column: Column, cell: &Cell) -> String {
         let looks = |id: &LightId| self.lights.shared().get(id).map_or(0, |shared| shared.looks);
         match (row, cell.origin, column) {
-            (_, _, Column::Id) => "An id stays as it is: sets and looks name it".to_owned(),
+            (_, _, Column::Id) => tr!("An id stays as it is: sets and looks name it").to_owned(),
             (_, _, Column::Shines | Column::Solo) => match self.scene() {
-                Some(_) => "Saved with the scene".to_owned(),
-                None => "Only in this window: nothing of it is saved".to_owned(),
+                Some(_) => tr!("Saved with the scene").to_owned(),
+                None => tr!("Only in this window: nothing of it is saved").to_owned(),
             },
             (Row::Group(group), ..) => {
                 let names = self.lights.names(&self.lights.of_term(&row.term()));
-                let set = match cell.origin {
-                    Origin::Own => "Set here, in the scene",
-                    _ => "The scene has no master of it yet: an edit makes one",
-                };
-                format!("{set}.\nLights of {group}: {names}")
+                match cell.origin {
+                    Origin::Own => tr!("Set here, in the scene.\nLights of {group}: {names}"),
+                    _ => tr!("The scene has no master of it yet: an edit makes one.\nLights of \
+                              {group}: {names}"),
+                }
             }
             (Row::Light(id), Origin::Keyed, Column::Field(field)) => self
                 .target(id, field)
                 .map_or_else(String::new, |(owned, target)| mark::help(owned.keys, &target)),
-            (Row::Light(id), Origin::Inherited, _) => format!(
-                "Inherited: {} the light {id}. An edit puts a light of the scene in its place.",
-                match looks(id) {
-                    1 => "a look has".to_owned(),
-                    count => format!("{count} looks have"),
-                }
+            (Row::Light(id), Origin::Inherited, _) => trn!(
+                count = looks(id),
+                "Inherited: a look has the light {id}. An edit puts a light of the scene in its \
+                 place.",
+                "Inherited: {count} looks have the light {id}. An edit puts a light of the scene \
+                 in its place."
             ),
             (Row::Light(id), ..) if self.scene().is_some() => match looks(id) {
-                0 => "Set here, in the scene. No look has a light of this id.".to_owned(),
-                _ => "Set here, in the scene, in place of the look's light.".to_owned(),
+                0 => tr!("Set here, in the scene. No look has a light of this id.").to_owned(),
+                _ => tr!("Set here, in the scene, in place of the look's light.").to_owned(),
             },
-            (Row::Light(_), ..) => "Set here, in the look.".to_owned(),
+            (Row::Light(_), ..) => tr!("Set here, in the look.").to_owned(),
         }
+    }
+}
+
+/// Name of a kind of lights.
+pub(super) fn kind_name(kind: LightKind) -> &'static str {
+    match kind {
+        LightKind::Directional => tr!("Directional"),
+        LightKind::Point => tr!("Point"),
+        LightKind::Spot => tr!("Spot"),
     }
 }
 

@@ -1,5 +1,7 @@
 //! Texts that are typed or pasted into cells: a value, or a change of the values that are there.
 
+use chiaro_locale::{Text, text, tr};
+
 use crate::document::{ColorSpace, LightField, LightQuantity};
 use crate::values;
 use crate::widgets::color;
@@ -21,7 +23,7 @@ pub(super) struct NumberForm {
     /// Count of the numbers.
     pub(super) count: usize,
     /// Text for 0.
-    pub(super) zero: Option<&'static str>,
+    pub(super) zero: Option<Text>,
     pub(super) decimals: usize,
     pub(super) suffix: &'static str,
 }
@@ -39,7 +41,7 @@ impl NumberForm {
             scale: if is_angle { 180.0 / std::f64::consts::PI } else { 1.0 },
             range: field.range().unwrap_or([least, f64::MAX]),
             count,
-            zero: (field.quantity() == LightQuantity::Distance).then_some("off"),
+            zero: (field.quantity() == LightQuantity::Distance).then_some(text!("off")),
             decimals: if is_angle { 1 } else { 3 },
             suffix: if is_angle { "°" } else { "" },
         }
@@ -53,7 +55,7 @@ impl NumberForm {
     /// The numbers as a cell shows them.
     pub(super) fn text(self, numbers: &[f64]) -> String {
         if let (Some(zero), [0.0]) = (self.zero, numbers) {
-            return zero.to_owned();
+            return zero.tr().to_owned();
         }
         let of = |number: &f64| values::number_text(number * self.scale, self.decimals);
         let all: Vec<String> = numbers.iter().map(of).collect();
@@ -74,15 +76,16 @@ impl NumberForm {
             });
             return Ok(changed.collect());
         }
-        if self.zero.is_some_and(|zero| text.trim().eq_ignore_ascii_case(zero)) {
+        let is_typed = |word: &str| text.trim().to_lowercase() == word.to_lowercase();
+        if self.zero.is_some_and(|zero| is_typed(zero.tr()) || is_typed(zero.english())) {
             return Ok(vec![0.0]);
         }
         let numbers = numbers(text).filter(|numbers| numbers.len() == self.count);
         let numbers = numbers.ok_or_else(|| match self.count {
-            1 => format!("\"{}\" is no number: type 0.5, *1.2, +0.1 or 50%", text.trim()),
-            count => format!(
-                "\"{}\" is not {count} numbers: type 0 1 0.5, or *1.2 or +0.1 for all of them",
-                text.trim()
+            1 => tr!("\"{text}\" is no number: type 0.5, *1.2, +0.1 or 50%", text = text.trim()),
+            count => tr!(
+                "\"{text}\" is not {count} numbers: type 0 1 0.5, or *1.2 or +0.1 for all of them",
+                text = text.trim()
             ),
         })?;
         Ok(numbers.into_iter().map(|number| within(number / self.scale)).collect())
@@ -133,33 +136,38 @@ pub(super) fn read_color(text: &str, now: [f64; 3], space: ColorSpace) -> Result
     }
     let numbers = form.read(text, &now).ok();
     numbers.and_then(|numbers| <[f64; 3]>::try_from(numbers).ok()).ok_or_else(|| {
-        format!("\"{}\" is no color: type #ffd080, three numbers, or *1.2", text.trim())
+        tr!("\"{text}\" is no color: type #ffd080, three numbers, or *1.2", text = text.trim())
     })
 }
 
 /// True or false as people write it; `None` for another word.
 pub(super) fn read_switch(text: &str) -> Option<bool> {
-    match text.trim().to_lowercase().as_str() {
+    let typed = text.trim().to_lowercase();
+    match typed.as_str() {
+        word if word == tr!("on") => Some(true),
+        word if word == tr!("off") => Some(false),
         "on" | "yes" | "true" | "1" | "x" => Some(true),
         "off" | "no" | "false" | "0" | "" | "-" => Some(false),
         _ => None,
     }
 }
 
-/// The one of several words that a text begins, whatever its capitals.
+/// The one of several words that a text begins, whatever its capitals. Each has its word as it is
+/// shown, and as files have it.
 ///
 /// # Errors
 /// All the words.
 pub(super) fn read_word<T: Copy>(
     text: &str,
-    all: impl Iterator<Item = (T, &'static str)> + Clone,
+    all: impl Iterator<Item = (T, [&'static str; 2])> + Clone,
 ) -> Result<T, String> {
     let typed = text.trim().to_lowercase();
     let is_it = |word: &str| word.to_lowercase().starts_with(&typed);
-    let found = all.clone().find(|(_, word)| !typed.is_empty() && is_it(word));
+    let found =
+        all.clone().find(|(_, words)| !typed.is_empty() && words.iter().any(|word| is_it(word)));
     found.map(|(value, _)| value).ok_or_else(|| {
-        let words: Vec<String> = all.map(|(_, word)| word.to_lowercase()).collect();
-        format!("\"{}\" is none of {}", text.trim(), words.join(", "))
+        let words: Vec<String> = all.map(|(_, [shown, _])| shown.to_lowercase()).collect();
+        tr!("\"{text}\" is none of {words}", text = text.trim(), words = words.join(", "))
     })
 }
 
@@ -228,7 +236,7 @@ mod tests {
         assert_eq!(read("0.5 0.25 1"), Ok([0.5, 0.25, 1.0]));
         assert_eq!(read("50%"), Ok([0.5; 3]));
         assert!(read("warm").is_err());
-        let words = [(1, "Directional"), (2, "Point"), (3, "Spot")];
+        let words = [(1, ["Directional"; 2]), (2, ["Point"; 2]), (3, ["Spot"; 2])];
         assert_eq!(read_word("sp", words.into_iter()), Ok(3));
         assert!(read_word("area", words.into_iter()).unwrap_err().contains("directional, point"));
         assert_eq!(

@@ -1,11 +1,12 @@
 //! Menus that add lights: to the look, and to the scene around it, new ones or in place of lights
 //! that its looks have.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, tr_in, trn};
 use eframe::egui::Ui;
 use glam::DVec3;
 use indexmap::IndexMap;
 
+use super::edit::kind_name;
 use crate::commands::{Command, PanelId};
 use crate::document::{Light, LightKind, LightSpace};
 use crate::fields::lighting::{Change, OwnedLight, Owner, SharedLight, lights_of_looks};
@@ -67,12 +68,14 @@ pub(in crate::panels) fn menus(
 fn kinds(ui: &mut Ui, session: &Session, owner: Owner, out: &mut Vec<Command>) {
     for &kind in LightKind::ALL {
         let help = spoken(kind.help());
-        let button = ui.button(spoken(kind.word()));
+        let help = tr_in("light", &help);
+        let button = ui.button(kind_name(kind));
         let button = match owner {
             Owner::Look => button.on_hover_text(help),
-            Owner::Scene => button.on_hover_text(tr!(
-                "{help}.\nA new light, which every group draws that runs for each light"
-            )),
+            Owner::Scene => {
+                let of_scene = tr!("A new light, which every group draws that runs for each light");
+                button.on_hover_text(format!("{help}.\n{of_scene}"))
+            }
         };
         if button.clicked() {
             let (id, light) = new_light(session, owner, kind);
@@ -121,9 +124,9 @@ fn new_light(session: &Session, owner: Owner, kind: LightKind) -> (LightId, Ligh
 /// Shows the buttons that lead to the other panels about lights.
 pub(in crate::panels) fn panels(ui: &mut Ui, out: &mut Vec<Command>) {
     let all = [
-        (PanelId::LIGHT_TABLE, "Light table", "All lights and groups, field by field"),
-        (PanelId::MIXER, "Mixer", "The groups' masters, as faders"),
-        (PanelId::LINKS, "Links", "Which lights light which objects, and why"),
+        (PanelId::LIGHT_TABLE, tr!("Light table"), tr!("All lights and groups, field by field")),
+        (PanelId::MIXER, tr!("Mixer"), tr!("The groups' masters, as faders")),
+        (PanelId::LINKS, tr!("Links"), tr!("Which lights light which objects, and why")),
     ];
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
@@ -148,8 +151,9 @@ pub(super) fn scene_menu(
         return;
     }
     if owned_light.owner == Owner::Look {
-        let help =
-            "Adds the same to the scene, where it stands in place of every look's light of this id";
+        let help = tr!(
+            "Adds the same to the scene, where it stands in place of every look's light of this id"
+        );
         if session.keys().light_of_scene(owned_light.id).is_none()
             && ui.button(tr!("Light the scene with it")).on_hover_text(help).clicked()
         {
@@ -160,7 +164,7 @@ pub(super) fn scene_menu(
         return;
     }
     for (id, shared) in free(session, shared) {
-        let text = format!("Stand in for {}", light_name(id, &shared.light));
+        let text = tr!("Stand in for {light}", light = light_name(id, &shared.light));
         if ui.button(text).on_hover_text(help_for(id, shared)).clicked() {
             out.extend(owned_light.stand_in_for(session, id).map(Change::once));
         }
@@ -176,8 +180,9 @@ fn free<'s>(
 }
 
 fn help_for(id: &LightId, shared: &SharedLight) -> String {
-    match shared.looks {
-        1 => format!("One look has the light {id}"),
-        looks => format!("{looks} looks have the light {id}: all are lit by this one then"),
-    }
+    trn!(
+        looks = shared.looks,
+        "One look has the light {id}",
+        "{looks} looks have the light {id}: all are lit by this one then"
+    )
 }

@@ -1,5 +1,6 @@
 //! Fields of a light: its type, its frame, and the fields that lights of its type have.
 
+use chiaro_locale::{Text, text, tr, tr_in};
 use eframe::egui;
 use eframe::egui::{
     Color32, ComboBox, DragValue, Id, Pos2, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2,
@@ -12,7 +13,6 @@ use crate::fields::marks::FieldTarget;
 use crate::fields::row::{self, labelled};
 use crate::ids::{LightGroup, ObjectId, is_slug, make_slug};
 use crate::library::Type;
-use crate::state::reading::spoken;
 use crate::state::session::Session;
 use crate::widgets::color;
 use crate::widgets::text;
@@ -25,11 +25,13 @@ const LEAST_ABOVE: f64 = 1e-3;
 /// Largest factor on a slider; larger ones can be typed.
 const MOST_BY_SLIDER: f64 = 4.0;
 /// Text for a light that is aimed at no object.
-const NOTHING: &str = "Nothing";
-const AIM_HELP: &str = "An object that it shines at from its position, wherever either goes. \
-                        Point lights shine everywhere";
+const NOTHING: Text = text!("Nothing");
+const AIM_HELP: Text = text!(
+    "An object that it shines at from its position, wherever either goes. Point lights shine \
+     everywhere"
+);
 /// Text for a distance of 0.
-const OFF: &str = "Off";
+const OFF: Text = text!("Off");
 
 /// Shows all fields of a light but its name.
 pub(crate) fn edit(
@@ -44,21 +46,27 @@ pub(crate) fn edit(
         let mut new = light.clone();
         let mut widget = None;
         let mut asked = Vec::new();
-        labelled(ui, "Type", "Directional lights are as far away as the sun", |ui, label| {
-            widget = widget.or(kind(ui, label, &mut new));
-        });
-        labelled(ui, "Frame", "What its direction turns with", |ui, label| {
+        labelled(
+            ui,
+            tr!("Type"),
+            tr!("Directional lights are as far away as the sun"),
+            |ui, label| {
+                widget = widget.or(kind(ui, label, &mut new));
+            },
+        );
+        labelled(ui, tr!("light" => "Frame"), tr!("What its direction turns with"), |ui, label| {
             widget = widget.or(space(ui, label, &mut new));
         });
         if session.open_scene().is_some() || light.aimed_at.is_some() {
-            labelled(ui, "Aim at", AIM_HELP, |ui, label| {
+            labelled(ui, tr!("Aim at"), AIM_HELP.tr(), |ui, label| {
                 widget = widget.or(aimed_at(ui, label, session, &mut new));
             });
         }
         let fields: Vec<LightField> = new.fields().collect();
         for field in fields {
             let ty = Type::of_light_field(field);
-            let (target, label) = (owned_light.target(field.name()), field.label());
+            let target = owned_light.target(field.name());
+            let label = tr_in("light", field.label());
             let owned = OwnedKeys::of(session, owned_light.owner);
             let marked = owned.map(|owned| {
                 let target = target.clone();
@@ -66,13 +74,14 @@ pub(crate) fn edit(
             });
             let text = egui::RichText::new(label).color(theme::of(ui).text);
             let help = marked.as_ref().map(FieldTarget::help).unwrap_or_default();
-            let help = format!("{}\n{help}", field.help());
+            let help = format!("{}\n{help}", tr_in("light", field.help()));
             row::marked(ui, text, help.trim_end(), marked.as_ref(), &mut asked, |ui, label, _| {
                 widget = widget.or(value(ui, label, field, &mut new, session.look().color_space));
             });
         }
-        let help = "Groups that it belongs to, with commas between them; sets of lights name them";
-        labelled(ui, "Groups", help, |ui, label| {
+        let help =
+            tr!("Groups that it belongs to, with commas between them; sets of lights name them");
+        labelled(ui, tr!("Groups"), help, |ui, label| {
             let found =
                 text::formed(ui, label, &light.groups, |groups| groups_text(groups), read_groups);
             if let Some((changed, groups)) = found {
@@ -100,7 +109,10 @@ pub(crate) fn read_groups(text: &str) -> Result<Vec<LightGroup>, String> {
     let mut groups: Vec<LightGroup> = Vec::new();
     for word in text.split(',').map(str::trim).filter(|word| !word.is_empty()) {
         if !is_slug(word) {
-            return Err(format!("`{word}` is no group: write {}", make_slug(word, |_| false)));
+            return Err(tr!(
+                "`{word}` is no group: write {slug}",
+                slug = make_slug(word, |_| false)
+            ));
         }
         if !groups.iter().any(|group| group.as_str() == word) {
             groups.push(LightGroup::new(word));
@@ -185,11 +197,12 @@ fn distance(ui: &mut Ui, label: Id, field: LightField, length: &mut f64) -> Opti
         .speed(0.02)
         .max_decimals(3)
         .custom_formatter(|length, decimals| match length {
-            0.0 => OFF.to_owned(),
+            0.0 => OFF.tr().to_owned(),
             _ => egui::emath::format_with_decimals_in_range(length, decimals),
         })
         .custom_parser(|text| match text.trim() {
-            text if text.eq_ignore_ascii_case(OFF) => Some(0.0),
+            text if text.eq_ignore_ascii_case(OFF.english()) => Some(0.0),
+            text if text.to_lowercase() == OFF.tr().to_lowercase() => Some(0.0),
             text => text.parse().ok(),
         });
     let response = ui.add_sized([66.0, ui.spacing().interact_size.y], drag).labelled_by(label);
@@ -201,24 +214,33 @@ fn distance(ui: &mut Ui, label: Id, field: LightField, length: &mut f64) -> Opti
 }
 
 fn kind(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
-    let name = |kind: LightKind| spoken(kind.word());
     let before = light.kind;
-    let combo = ComboBox::from_id_salt("kind").selected_text(name(light.kind)).show_ui(ui, |ui| {
-        for &kind in LightKind::ALL {
-            ui.selectable_value(&mut light.kind, kind, name(kind));
-        }
-    });
+    let combo =
+        ComboBox::from_id_salt("kind").selected_text(kind_name(light.kind)).show_ui(ui, |ui| {
+            for &kind in LightKind::ALL {
+                ui.selectable_value(&mut light.kind, kind, kind_name(kind));
+            }
+        });
     let id = combo.response.labelled_by(label).id;
     (light.kind != before).then_some(id)
+}
+
+/// Display name of a type of lights.
+pub(super) fn kind_name(kind: LightKind) -> &'static str {
+    match kind {
+        LightKind::Directional => tr!("light" => "Directional"),
+        LightKind::Point => tr!("light" => "Point"),
+        LightKind::Spot => tr!("light" => "Spot"),
+    }
 }
 
 /// Display name of a frame.
 pub(crate) fn space_name(space: LightSpace) -> &'static str {
     match space {
-        LightSpace::Illumination => "Illumination frame",
-        LightSpace::World => "World",
-        LightSpace::Camera => "Camera",
-        LightSpace::Object => "Object",
+        LightSpace::Illumination => tr!("Illumination frame"),
+        LightSpace::World => tr!("World"),
+        LightSpace::Camera => tr!("Camera"),
+        LightSpace::Object => tr!("Object"),
     }
 }
 
@@ -236,11 +258,11 @@ fn space(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
 
 /// Shows the object that a light is aimed at, among those of the scene.
 fn aimed_at(ui: &mut Ui, label: Id, session: &Session, light: &mut Light) -> Option<Id> {
-    let name = |id: Option<&ObjectId>| id.map_or(NOTHING, ObjectId::as_str).to_owned();
+    let name = |id: Option<&ObjectId>| id.map_or(NOTHING.tr(), ObjectId::as_str).to_owned();
     let before = light.aimed_at.clone();
     let combo =
         ComboBox::from_id_salt("aim").selected_text(name(before.as_ref())).show_ui(ui, |ui| {
-            ui.selectable_value(&mut light.aimed_at, None, NOTHING);
+            ui.selectable_value(&mut light.aimed_at, None, NOTHING.tr());
             let objects = session.open_scene().into_iter().flat_map(|open| &open.scene().objects);
             for (id, _) in objects {
                 ui.selectable_value(&mut light.aimed_at, Some(id.clone()), id.as_str());
@@ -285,7 +307,7 @@ fn angle(ui: &mut Ui, label: Id, radians: &mut f64, max: f64) -> Option<Id> {
 /// Shows all directions on a disc: the distance from its center is the angle from the viewer.
 fn ball(ui: &mut Ui, direction: &mut [f64; 3]) -> Option<Id> {
     let (rect, response) = ui.allocate_exact_size(vec2(BALL, BALL), Sense::click_and_drag());
-    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Direction of the light"));
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, tr!("Direction of the light")));
     let (center, radius) = (rect.center(), BALL / 2.0 - 3.0);
     let painter = ui.painter_at(rect);
     painter.circle(center, radius, theme::of(ui).canvas, Stroke::new(1.0, theme::of(ui).grid));

@@ -20,9 +20,11 @@ pub(super) fn show(ui: &mut Ui, mix: SceneMix<'_>, space: ColorSpace, out: &mut 
     ui.add_space(6.0);
     super::section(
         ui,
-        "Groups",
-        "Masters: every light of a group is multiplied by them. A light tells its groups below \
-         its other fields",
+        tr!("Groups"),
+        tr!(
+            "Masters: every light of a group is multiplied by them. A light tells its groups below \
+             its other fields"
+        ),
     );
     for group in &groups {
         ui.push_id(group, |ui| ui.horizontal(|ui| row(ui, mix, group, space, out)));
@@ -40,22 +42,22 @@ fn row(
     let name = if master.name.is_empty() { group.as_str() } else { &master.name };
     let term = SetTerm::Group(group.to_string());
     ui.spacing_mut().item_spacing.x = 4.0;
-    mix.mute(ui, &format!("Group {name} shines"), &term, out);
-    mix.solo(ui, &format!("Solo group {name}"), &term, out);
+    mix.mute(ui, &tr!("Group {name} shines"), &term, out);
+    mix.solo(ui, &tr!("Solo group {name}"), &term, out);
     let mut new = master.clone();
     let mut widget = None;
     let intensity = DragValue::new(&mut new.intensity).prefix("×").speed(0.01);
     let response = ui.add(intensity.range(0.0..=1e6).max_decimals(2));
     let response = response.on_hover_text(tr!("Intensity: a factor on each light of the group"));
-    response.widget_info(|| number(format!("Intensity of group {name}"), new.intensity));
+    response.widget_info(|| number(tr!("Intensity of group {name}"), new.intensity));
     widget = widget.or(response.changed().then_some(response.id));
     let exposure = DragValue::new(&mut new.exposure).suffix(" EV").speed(0.02);
     let response = ui.add(exposure.range(-MAX_EXPOSURE..=MAX_EXPOSURE).max_decimals(2));
     let response = response.on_hover_text(tr!("Exposure in stops: each doubles the intensity"));
-    response.widget_info(|| number(format!("Exposure of group {name}"), new.exposure));
+    response.widget_info(|| number(tr!("Exposure of group {name}"), new.exposure));
     widget = widget.or(response.changed().then_some(response.id));
     let [r, g, b] = new.tint;
-    let tint = format!("Tint of group {name}");
+    let tint = tr!("Tint of group {name}");
     if let Some((id, [r, g, b, _])) = color::named_swatch(ui, &tint, [r, g, b, 1.0], space, false) {
         new.tint = [r, g, b];
         widget = widget.or(Some(id));
@@ -66,7 +68,7 @@ fn row(
     let text = if is_out { text.strikethrough() } else { text };
     let lights = mix.lights.of_term(&term);
     let names = match lights.is_empty() {
-        true => "No light is of this group".to_owned(),
+        true => tr!("No light is of this group").to_owned(),
         false => mix.lights.names(&lights),
     };
     ui.add(Label::new(text).truncate()).on_hover_text(names);
@@ -79,8 +81,8 @@ fn row(
 pub(super) fn menu(ui: &mut Ui, mix: SceneMix<'_>, id: &LightId, out: &mut Vec<Command>) {
     let term = SetTerm::Id(id.to_string());
     let entries = [
-        ("Mute in the scene", "Light in the scene", &mix.scene.muted, mix.muting(&term)),
-        ("Solo in the scene", "End its solo", &mix.scene.soloed, mix.soloing(&term)),
+        (tr!("Mute in the scene"), tr!("Light in the scene"), &mix.scene.muted, mix.muting(&term)),
+        (tr!("Solo in the scene"), tr!("End its solo"), &mix.scene.soloed, mix.soloing(&term)),
     ];
     for (begin, end, set, command) in entries {
         let text = if mix.lights.has(set, &term) { end } else { begin };

@@ -7,7 +7,7 @@ mod mixer;
 
 use std::collections::{BTreeSet, HashMap};
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr, trn};
 use eframe::egui;
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{
@@ -37,8 +37,8 @@ pub(crate) use edit::{edit, groups_text, keep_within, read_groups, space_name, s
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LIGHTS,
-    "Lights",
-    "The lights that layers name: which shine, from where, how bright",
+    text!("Lights"),
+    text!("The lights that layers name: which shine, from where, how bright"),
     PanelPlace::WITH_DOCUMENT,
     |bench, ui, context| bench.memory.of::<Lights>().show(ui, context.session),
 );
@@ -90,11 +90,12 @@ impl Lights {
             // The margin is room for the scroll bar.
             ui.set_max_width(ui.available_width() - 8.0);
             if of_scene.is_some() {
-                let help = "Each stands in place of the light of its id in every look of the scene";
-                section(ui, "Of the scene", help);
+                let help =
+                    tr!("Each stands in place of the light of its id in every look of the scene");
+                section(ui, tr!("Of the scene"), help);
                 self.list(ui, session, Owner::Scene, out);
                 ui.add_space(6.0);
-                section(ui, "Of the look", "What it has for itself, wherever it is worn");
+                section(ui, tr!("Of the look"), tr!("What it has for itself, wherever it is worn"));
             }
             if session.look().lights.is_empty() {
                 hint(ui, tr!("The look has no lights. Layers need one each."));
@@ -187,9 +188,10 @@ impl Lights {
         let solo = &session.view.solo;
         ui.spacing_mut().item_spacing.x = 4.0;
         let is_muted = solo.muted.contains(owned_light.id);
-        let help =
-            "Puts the light out, or lights it again.\nOnly in this window: nothing of it is saved.";
-        if icon(ui, Icon::Bulb, !is_muted, &format!("Light {title} shines"), help).clicked() {
+        let help = tr!(
+            "Puts the light out, or lights it again.\nOnly in this window: nothing of it is saved."
+        );
+        if icon(ui, Icon::Bulb, !is_muted, &tr!("Light {title} shines"), help).clicked() {
             out.push(Command::Solo(solo.toggle_mute(owned_light.id)));
         }
         let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
@@ -203,21 +205,24 @@ impl Lights {
             let at = rect.right_bottom() - vec2(1.0, 1.0);
             mark::diamond(ui, at, 4.5, theme::of(ui).accent, theme::of(ui).panel);
             let mark = ui.interact(rect, ui.scope_id().with(("keyed", &title)), Sense::hover());
-            mark.widget_info(|| {
-                WidgetInfo::labeled(Role::Label, true, format!("{title} is keyed"))
-            });
+            mark.widget_info(|| WidgetInfo::labeled(Role::Label, true, tr!("{title} is keyed")));
             mark.on_hover_text(tr!("Keyed: {fields}"));
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let more = icon(
-                ui, Icon::More, true, &format!("More of {title}"), "Rename, duplicate, remove"
+                ui,
+                Icon::More,
+                true,
+                &tr!("More of {title}"),
+                tr!("Rename, duplicate, remove"),
             );
             Popup::menu(&more).show(|ui| self.menu(ui, session, owned_light, out));
             let is_alone = solo.lights.contains(owned_light.id);
-            let help =
+            let help = tr!(
                 "Lets this light shine alone; Ctrl-click adds to others.\nOnly in this window: \
-                 nothing of it is saved.";
-            if icon(ui, Icon::Solo, is_alone, &format!("Solo {title}"), help).clicked() {
+                 nothing of it is saved."
+            );
+            if icon(ui, Icon::Solo, is_alone, &tr!("Solo {title}"), help).clicked() {
                 let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
                 out.push(Command::Solo(solo.toggle_light(owned_light.id, adds)));
             }
@@ -230,7 +235,8 @@ impl Lights {
             intensity(ui, session, owned_light, out);
             ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                 ui.set_min_height(ICON);
-                let here = solo.is_dark(owned_light.id).then(|| "Out in this window".to_owned());
+                let here =
+                    solo.is_dark(owned_light.id).then(|| tr!("Out in this window").to_owned());
                 let why_dark = here.or_else(|| self.mixed.told(owned_light.id));
                 let is_at_hand = layer::light_at_hand(session).as_ref() == Some(owned_light.id);
                 self.title(ui, owned_light, (why_dark, is_replaced, is_at_hand), &changed, out);
@@ -241,38 +247,40 @@ impl Lights {
     /// Shows the number of users of a light: nodes for a look's light, looks for a scene's.
     fn users(&self, ui: &mut Ui, owned_light: &OwnedLight<'_>, is_replaced: bool) {
         let colors = theme::of(ui);
-        let (count, what, none, help) = match owned_light.owner {
+        let (count, counted, none, help) = match owned_light.owner {
             Owner::Look => {
                 let count = self.users.get(owned_light.id).copied().unwrap_or(0);
+                let nodes = trn!(count, "{count} node", "{count} nodes");
                 (
                     count,
-                    "node",
-                    "No node names this light, so it lights nothing",
-                    "So many nodes name it",
+                    nodes,
+                    tr!("No node names this light, so it lights nothing"),
+                    tr!("So many nodes name it"),
                 )
             }
             Owner::Scene => {
                 let count =
                     self.mixed.shared().get(owned_light.id).map_or(0, |shared| shared.looks);
-                let none = "No look of the scene has a light of this id, or runs for each light, \
-                            so it lights nothing: let it stand in for one";
+                let none =
+                    tr!("No look of the scene has a light of this id, or runs for each light, \
+                            so it lights nothing: let it stand in for one");
                 let drawn = self.drawn.get(owned_light.id).copied().unwrap_or(0);
                 let help = match count {
-                    0 => "So many looks run for each light, and for this one among them",
-                    _ => "So many looks have a light of this id, in whose place it stands",
+                    0 => tr!("So many looks run for each light, and for this one among them"),
+                    _ => tr!("So many looks have a light of this id, in whose place it stands"),
                 };
-                (if count == 0 { drawn } else { count }, "look", none, help)
+                let count = if count == 0 { drawn } else { count };
+                (count, trn!(count, "{count} look", "{count} looks"), none, help)
             }
         };
         let (text, color, help) = match count {
             _ if is_replaced => (
-                "scene's".to_owned(),
+                tr!("scene's").to_owned(),
                 colors.dim,
-                "In this scene the scene's light of this id stands in its place",
+                tr!("In this scene the scene's light of this id stands in its place"),
             ),
-            0 => ("unused".to_owned(), colors.warning, none),
-            1 => (format!("1 {what}"), colors.dim, help),
-            count => (format!("{count} {what}s"), colors.dim, help),
+            0 => (tr!("light" => "unused").to_owned(), colors.warning, none),
+            _ => (counted, colors.dim, help),
         };
         let size = vec2(USERS, ui.available_height());
         // The width does not depend on the number, so that the widgets beside it form a column.
@@ -298,7 +306,7 @@ impl Lights {
             if let Some(new) = field.show(
                 ui,
                 owned_light.id.as_str(),
-                &format!("New name of {}", owned_light.full_name()),
+                &tr!("New name of {light}", light = owned_light.full_name()),
             ) {
                 self.renaming = None;
                 if let Some(name) = new.filter(|name| *name != owned_light.light.name) {
@@ -326,10 +334,11 @@ impl Lights {
         if !changed.is_empty() {
             why += &format!("{}\n", changed.help());
         }
-        response.on_hover_text(tr!(
-            "{why}A click chooses it: its handles, placing and looking through are of it then. \
-             Double click to rename"
-        ));
+        why += tr!(
+            "A click chooses it: its handles, placing and looking through are of it then. Double \
+             click to rename"
+        );
+        response.on_hover_text(why);
     }
 
     fn rename(&mut self, owned_light: &OwnedLight<'_>) {
@@ -357,22 +366,26 @@ impl Lights {
         let users = self.users.get(owned_light.id).copied().unwrap_or(0);
         let (copy, removal) = match (owned_light.owner, users) {
             (Owner::Scene, _) => (
-                "Adds a copy, which stands in for nothing yet",
-                "Each look has its own light again".to_owned(),
+                tr!("Adds a copy, which stands in for nothing yet"),
+                tr!("Each look has its own light again").to_owned(),
             ),
             (Owner::Look, 0) => {
-                ("Adds a copy, which no node names yet", "No node names it".to_owned())
+                (tr!("Adds a copy, which no node names yet"), tr!("No node names it").to_owned())
             }
             (Owner::Look, users) => (
-                "Adds a copy, which no node names yet",
-                format!("{users} of the look's nodes name it, and will have to name another one"),
+                tr!("Adds a copy, which no node names yet"),
+                trn!(
+                    users,
+                    "{users} of the look's nodes names it, and will have to name another one",
+                    "{users} of the look's nodes name it, and will have to name another one"
+                ),
             ),
         };
         if ui.button(tr!("Duplicate light")).on_hover_text(copy).clicked() {
             out.push(owned_light.duplicate(session).once());
         }
         if owned_light.owner == Owner::Look {
-            let help = "All lights of the look as one rig, for other looks";
+            let help = tr!("All lights of the look as one rig, for other looks");
             if ui.button(tr!("Save all to the library…")).on_hover_text(help).clicked() {
                 out.push(Command::Library(LibraryCommand::Offer(PartChoice::Lights)));
             }
@@ -408,7 +421,7 @@ fn intensity(ui: &mut Ui, session: &Session, owned_light: &OwnedLight<'_>, out: 
         let mut info = WidgetInfo::labeled(
             Role::SpinButton,
             true,
-            format!("Intensity of {}", owned_light.full_name()),
+            tr!("Intensity of {light}", light = owned_light.full_name()),
         );
         info.value = Some(value);
         info

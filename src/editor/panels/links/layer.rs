@@ -3,6 +3,7 @@
 
 use std::collections::HashMap;
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use super::matrix::LinkState;
@@ -22,13 +23,18 @@ pub(super) struct LayerRow {
 }
 
 impl LayerRow {
-    /// Words for the layer and a light in the relation, or not.
-    pub(super) fn verb(&self, is_so: bool) -> &'static str {
+    /// The layer, called by its name, and a light in the relation, or not, as a sentence.
+    pub(super) fn sentence(
+        &self,
+        is_so: bool,
+        [name, light]: [&str; 2],
+        object: &ObjectId,
+    ) -> String {
         match (self.is_filter, is_so) {
-            (false, true) => "is reached by",
-            (false, false) => "is not reached by",
-            (true, true) => "filters",
-            (true, false) => "lets pass",
+            (false, true) => tr!("{name} of {object} is reached by {light}"),
+            (false, false) => tr!("{name} of {object} is not reached by {light}"),
+            (true, true) => tr!("{name} of {object} filters {light}"),
+            (true, false) => tr!("{name} of {object} lets pass {light}"),
         }
     }
 }

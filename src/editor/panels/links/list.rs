@@ -64,8 +64,8 @@ impl RowStanding {
                 ObjectRow::Object(object) => object,
                 ObjectRow::Layer(object, layer) => {
                     let name = context.matrix.layer_name(object, layer);
-                    let (verb, rule) = (layer.verb(state.is_so), &state.rule);
-                    found.tell(format!("{name} of {object} {verb} {light_name}: {rule}"));
+                    let told = layer.sentence(state.is_so, [name, light_name], object);
+                    found.tell(format!("{told}: {}", state.rule));
                     continue;
                 }
             };
@@ -80,30 +80,35 @@ impl RowStanding {
             };
             let count = casters.len();
             let casters: Vec<&str> = casters.into_iter().map(ObjectId::as_str).collect();
-            let shadows = match casters.as_slice() {
-                [] => "no shadows there".to_owned(),
-                casters => format!("shadows of {}", casters.join(", ")),
-            };
+            let casters = (!casters.is_empty()).then(|| casters.join(", "));
+            let dark = (!dark.is_empty()).then(|| tr!("not {layers}", layers = dark.join(", ")));
+            let mut told = context.relation.sentence(state.is_so, object, light_name);
+            told += &format!(": {}", state.rule);
+            if let Some(dark) = &dark {
+                told += &format!(", {dark}");
+            }
             let tells = state.is_so && is_light;
-            let dark = (!dark.is_empty()).then(|| format!("not {}", dark.join(", ")));
-            let verb = context.relation.verb(state.is_so);
-            let shadows_told = if tells { format!(", with {shadows}") } else { String::new() };
-            let dark_told = dark.as_ref().map(|dark| format!(", {dark}")).unwrap_or_default();
-            found.tell(format!(
-                "{object} {verb} {light_name}: {}{dark_told}{shadows_told}",
-                state.rule
-            ));
+            if tells {
+                told = match &casters {
+                    None => tr!("{told}, with no shadows there"),
+                    Some(casters) => tr!("{told}, with shadows of {casters}"),
+                };
+            }
+            found.tell(told);
             // A row has room only for what the links of shadows change.
             let is_plain = count == context.matrix.object_count();
             found.dark = dark;
-            found.aside.extend((tells && !is_plain).then_some(shadows));
+            found.aside.extend((tells && !is_plain).then(|| match &casters {
+                None => tr!("no shadows there").to_owned(),
+                Some(casters) => tr!("shadows of {casters}"),
+            }));
         }
         if found.all > 1 {
-            found.rule = format!("{} of {}", found.yes, found.all);
+            found.rule = tr!("{yes} of {all}", yes = found.yes, all = found.all);
             (found.dark, found.aside) = (None, Vec::new());
         }
         if found.all > found.rules.len() {
-            found.rules.push(format!("and {} more", found.all - found.rules.len()));
+            found.rules.push(tr!("and {count} more", count = found.all - found.rules.len()));
         }
         found
     }
@@ -138,7 +143,7 @@ fn names_in(rule: &str, context: &PaneContext<'_>) -> Option<String> {
         .iter()
         .filter(|(id, light)| words.contains(id.as_str()) && light.display_name(id) != id.as_str());
     let named: Vec<String> =
-        named.map(|(id, light)| format!("{id} is {}", light.display_name(id))).collect();
+        named.map(|(id, light)| tr!("{id} is {name}", name = light.display_name(id))).collect();
     (!named.is_empty()).then(|| named.join(", "))
 }
 
@@ -157,12 +162,13 @@ pub(super) fn lights(
     out: &mut Vec<Command>,
 ) -> Option<MarkedChange> {
     let asked = match (objects.len(), objects.first()) {
-        (1, Some(ObjectRow::Object(object))) => format!("Lights of {object}"),
+        (1, Some(ObjectRow::Object(object))) => tr!("Lights of {object}"),
         (1, Some(ObjectRow::Layer(object, layer))) => {
-            format!("Lights of {} of {object}", context.matrix.layer_name(object, layer))
+            let layer = context.matrix.layer_name(object, layer);
+            tr!("Lights of {layer} of {object}")
         }
-        (0, _) => "Lights".to_owned(),
-        (count, _) => format!("Lights of {count} rows of objects"),
+        (0, _) => tr!("Lights").to_owned(),
+        (count, _) => tr!("Lights of {count} rows of objects"),
     };
     let linked: Vec<ObjectId> = objects.iter().filter_map(ObjectRow::object).cloned().collect();
     head(ui, &asked);
@@ -176,9 +182,9 @@ pub(super) fn lights(
         let all = lights_of(context, row);
         let pairs = all.iter().flat_map(|light| objects.iter().map(move |object| (light, object)));
         let standing = (!objects.is_empty()).then(|| RowStanding::of(context, pairs));
-        let (name, of) = match row {
-            LightRow::Group(group) => (format!("group {group}"), "group"),
-            LightRow::Light(id) => (context.mix.lights.name(id).to_owned(), "light"),
+        let (name, kind) = match row {
+            LightRow::Group(group) => (tr!("group {name}", name = group), LineKind::Group),
+            LightRow::Light(id) => (context.mix.lights.name(id).to_owned(), LineKind::Light),
         };
         let color = match row {
             LightRow::Light(id) => context.mix.lights.lights().get(id),
@@ -188,7 +194,7 @@ pub(super) fn lights(
         let is_out = !context.mix.shines(&row.term());
         let line = PaneLine {
             name: &name,
-            of,
+            kind,
             color,
             is_quiet: is_out,
             standing: standing.as_ref(),
@@ -219,10 +225,12 @@ pub(super) fn objects(
     out: &mut Vec<Command>,
 ) -> Option<MarkedChange> {
     let asked = match (lights.len(), lights.first()) {
-        (1, Some(LightRow::Light(id))) => format!("Objects and {}", context.mix.lights.name(id)),
-        (1, Some(LightRow::Group(group))) => format!("Objects and group {group}"),
-        (0, _) => "Objects".to_owned(),
-        (count, _) => format!("Objects and {count} rows of lights"),
+        (1, Some(LightRow::Light(id))) => {
+            tr!("Objects and {light}", light = context.mix.lights.name(id))
+        }
+        (1, Some(LightRow::Group(group))) => tr!("Objects and group {group}"),
+        (0, _) => tr!("Objects").to_owned(),
+        (count, _) => tr!("Objects and {count} rows of lights"),
     };
     head(ui, &asked);
     let rows: Vec<&ObjectRow> = rows.iter().collect();
@@ -242,21 +250,21 @@ pub(super) fn objects(
         let standing = (!lights.is_empty()).then(|| RowStanding::of(context, pairs));
         let (ObjectRow::Object(id) | ObjectRow::Layer(id, _)) = row;
         let is_hidden = objects.get(id).is_some_and(|object| !object.visible);
-        let (name, of, fold) = match row {
+        let (name, kind, fold) = match row {
             ObjectRow::Object(_) if has_layers(id) => {
                 let is_open = unfolded.contains(id);
-                (id.to_string(), "object", FoldMark::Triangle { is_open })
+                (id.to_string(), LineKind::Object, FoldMark::Triangle { is_open })
             }
-            ObjectRow::Object(_) if has_folds => (id.to_string(), "object", FoldMark::Room),
-            ObjectRow::Object(_) => (id.to_string(), "object", FoldMark::Absent),
+            ObjectRow::Object(_) if has_folds => (id.to_string(), LineKind::Object, FoldMark::Room),
+            ObjectRow::Object(_) => (id.to_string(), LineKind::Object, FoldMark::Absent),
             ObjectRow::Layer(_, layer) => {
-                let of = if layer.is_filter { "filter" } else { "layer" };
-                (layer_text(context, id, layer), of, FoldMark::Below)
+                let kind = if layer.is_filter { LineKind::Filter } else { LineKind::Layer };
+                (layer_text(context, id, layer), kind, FoldMark::Below)
             }
         };
         let line = PaneLine {
             name: &name,
-            of,
+            kind,
             color: None,
             is_quiet: is_hidden,
             standing: standing.as_ref(),
@@ -283,7 +291,7 @@ pub(super) fn objects(
 /// Name of a layer, with the word for one that filters.
 fn layer_text(context: &PaneContext<'_>, object: &ObjectId, layer: &LayerRow) -> String {
     let name = context.matrix.layer_name(object, layer);
-    if layer.is_filter { format!("{name}, as a filter") } else { name.to_owned() }
+    if layer.is_filter { tr!("{name}, as a filter") } else { name.to_owned() }
 }
 
 fn head(ui: &mut Ui, text: &str) {
@@ -354,11 +362,21 @@ struct ShownLine {
     is_folded: bool,
 }
 
+/// Kind of a pane's row.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum LineKind {
+    Group,
+    Light,
+    Object,
+    Layer,
+    /// Layer that filters lights.
+    Filter,
+}
+
 /// Row of a pane.
 struct PaneLine<'l> {
     name: &'l str,
-    /// Word for what the row is.
-    of: &'l str,
+    kind: LineKind,
     color: Option<eframe::egui::Color32>,
     /// True for a light that is out, and for an object that is hidden.
     is_quiet: bool,
@@ -371,10 +389,14 @@ struct PaneLine<'l> {
 impl PaneLine<'_> {
     /// Name of the row with the word for what it is.
     fn full_name(&self) -> String {
-        match self.of {
+        let name = self.name;
+        match self.kind {
             // A group's name begins with the word.
-            "group" => self.name.to_owned(),
-            of => format!("{of} {}", self.name),
+            LineKind::Group => name.to_owned(),
+            LineKind::Light => tr!("light {name}"),
+            LineKind::Object => tr!("object {name}"),
+            LineKind::Layer => tr!("layer {name}"),
+            LineKind::Filter => tr!("filter {name}"),
         }
     }
 
@@ -384,7 +406,7 @@ impl PaneLine<'_> {
         let (rect, response) = ui.allocate_exact_size(vec2(width, ROW), Sense::click());
         let rule = self.standing.map(RowStanding::told).unwrap_or_default();
         response.widget_info(|| {
-            let label = format!("Link {}", self.full_name());
+            let label = tr!("Link {row}", row = self.full_name());
             let mut info = WidgetInfo::selected(Role::ListItem, true, is_chosen, label);
             info.current_text_value = Some(rule.clone());
             info
@@ -417,11 +439,13 @@ impl PaneLine<'_> {
         if let Some(standing) = self.standing {
             let small = FontId::proportional(theme::SMALL_TEXT);
             let place = Rect::from_min_max(pos2(split, rect.top()), rect.max - vec2(4.0, 0.0));
-            let text = match (standing.all, self.of) {
-                (0, "group") => "no light of it".to_owned(),
-                (0, "layer" | "filter") => "not about it".to_owned(),
-                (0, "light") if self.is_fixed => "the layer is not about it".to_owned(),
-                (0, _) => "no look has it".to_owned(),
+            let text = match (standing.all, self.kind) {
+                (0, LineKind::Group) => tr!("no light of it").to_owned(),
+                (0, LineKind::Layer | LineKind::Filter) => tr!("not about it").to_owned(),
+                (0, LineKind::Light) if self.is_fixed => {
+                    tr!("the layer is not about it").to_owned()
+                }
+                (0, _) => tr!("no look has it").to_owned(),
                 _ => standing.told(),
             };
             cell(ui, place, &text, small, colors.dim);
@@ -429,10 +453,10 @@ impl PaneLine<'_> {
         let help = self.standing.map(|standing| standing.rules.join("\n")).unwrap_or_default();
         let click = match self.fold {
             FoldMark::Below => {
-                "A click selects: the lights' marks are its own then. Its sets are changed in \
-                 Objects, under Lights of its layers, or at the node itself"
+                tr!("A click selects: the lights' marks are its own then. Its sets are changed in \
+                     Objects, under Lights of its layers, or at the node itself")
             }
-            _ => "A click selects; Ctrl adds, Shift selects all between",
+            _ => tr!("A click selects; Ctrl adds, Shift selects all between"),
         };
         let help = if help.is_empty() { click.to_owned() } else { format!("{help}\n{click}") };
         ShownLine { response: response.on_hover_text(help), is_marked, is_folded }
@@ -449,10 +473,10 @@ impl PaneLine<'_> {
         };
         let FoldMark::Triangle { is_open } = self.fold else { return false };
         let response = ui.interact(at, ui.scope_id().with("fold"), Sense::click());
-        let label = format!("Layers of {}", self.name);
+        let label = tr!("Layers of {object}", object = self.name);
         response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_open, &label));
         collapsing_header::paint_default_icon(ui, f32::from(u8::from(is_open)), &response);
-        let help = "Layers of its looks that are about lights";
+        let help = tr!("Layers of its looks that are about lights");
         response.on_hover_text(help).clicked()
     }
 
@@ -462,7 +486,7 @@ impl PaneLine<'_> {
         let sense = if self.is_fixed { Sense::hover() } else { Sense::click() };
         let response = ui.interact(at, id, sense);
         let is_all = standing.is_all();
-        let label = format!("{} is linked", self.full_name());
+        let label = tr!("{row} is linked", row = self.full_name());
         let is_on = !self.is_fixed;
         response.widget_info(|| WidgetInfo::selected(Role::CheckBox, is_on, is_all, &label));
         let colors = theme::of(ui);
@@ -487,10 +511,10 @@ impl PaneLine<'_> {
         }
         let clicked = response.clicked();
         response.on_hover_text(match (self.is_fixed, is_all) {
-            (true, true) => "It is reached",
-            (true, false) => "It is not reached, or not by all",
-            (false, true) => "Linked: a click unlinks it",
-            (false, false) => "Not linked, or not all: a click links it",
+            (true, true) => tr!("It is reached"),
+            (true, false) => tr!("It is not reached, or not by all"),
+            (false, true) => tr!("Linked: a click unlinks it"),
+            (false, false) => tr!("Not linked, or not all: a click links it"),
         });
         clicked
     }

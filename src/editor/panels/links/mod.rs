@@ -10,7 +10,7 @@ mod relation;
 
 use std::collections::BTreeSet;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{
     Button, Id, Label, Layout, RichText, Role, TextEdit, Ui, UiBuilder, WidgetInfo, vec2,
@@ -32,8 +32,11 @@ use relation::{LinkChange, Relation};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LINKS,
-    "Links",
-    "Which lights light which objects and cast their shadows, by which rule: link and unlink them",
+    text!("Links"),
+    text!(
+        "Which lights light which objects and cast their shadows, by which rule: link and unlink \
+         them"
+    ),
     PanelPlace::BELOW_GRAPH,
     |bench, ui, context| bench.links.show(ui, context.session),
 )
@@ -146,8 +149,8 @@ impl Links {
         let Some(open_scene) = session.open_scene() else {
             hint(
                 ui,
-                "A scene links its lights to its objects: add an object beside this one, and there \
-                 is a scene. Until then every light lights the object.",
+                tr!("A scene links its lights to its objects: add an object beside this one, and \
+                     there is a scene. Until then every light lights the object."),
             );
             return out;
         };
@@ -157,8 +160,8 @@ impl Links {
         let rows: Vec<LightRow> = self.rows(open_scene);
         self.chosen_lights.retain(|row| rows.contains(row));
         if matrix.is_too_large {
-            let text = "There are too many lights and objects to list what lights what here: \
-                        chiaro lights --matrix does. Links can be changed.";
+            let text = tr!("There are too many lights and objects to list what lights what here: \
+                            chiaro lights --matrix does. Links can be changed.");
             ui.label(RichText::new(text).color(theme::of(ui).warning));
         } else if matrix.has_no_layers {
             hint(
@@ -265,7 +268,9 @@ impl Links {
         self.lights.sync(session);
         let tell = |text: &str| vec![Command::Tell(text.to_owned())];
         let Some(open_scene) = session.open_scene() else {
-            return tell("Lights are linked to objects of a scene: add an object to begin one");
+            return tell(tr!(
+                "Lights are linked to objects of a scene: add an object to begin one"
+            ));
         };
         let mut terms = self.terms();
         if terms.is_empty() {
@@ -273,16 +278,16 @@ impl Links {
             terms.extend(light_at_hand(session).map(|id| SetTerm::Id(id.to_string())));
         }
         if terms.is_empty() {
-            let mut out = tell("Select lights in Links first: then this links them to the object");
+            let mut out =
+                tell(tr!("Select lights in Links first: then this links them to the object"));
             out.push(Command::ShowPanel(PanelId::LINKS));
             return out;
         }
         let Some(object) = self.pointed_object(open_scene) else {
-            return tell("Point at an object in the picture, or select one");
+            return tell(tr!("Point at an object in the picture, or select one"));
         };
         let names: Vec<String> = terms.iter().map(ToString::to_string).collect();
-        let told = self.relation.verb(is_linked);
-        let text = format!("{object} {told} {}", names.join(", "));
+        let text = self.relation.sentence(is_linked, &object, &names.join(", "));
         let change = match is_linked {
             true => LinkChange::Link(terms),
             false => LinkChange::Unlink(terms),
@@ -306,16 +311,16 @@ impl Links {
                 response.on_hover_text(relation.help());
             }
             ui.separator();
-            let missing = "Select lights at the left and objects at the right first";
+            let missing = tr!("Select lights at the left and objects at the right first");
             for (label, help, change) in [
                 (
-                    "Link",
-                    "Adds the selected lights to the sets of the selected objects",
+                    tr!("Link"),
+                    tr!("Adds the selected lights to the sets of the selected objects"),
                     LinkChange::Link(terms.clone()),
                 ),
                 (
-                    "Unlink",
-                    "Takes the selected lights out of the sets of the selected objects",
+                    tr!("Unlink"),
+                    tr!("Takes the selected lights out of the sets of the selected objects"),
                     LinkChange::Unlink(terms.clone()),
                 ),
             ] {
@@ -355,31 +360,31 @@ impl Links {
             .desired_width(130.0)
             .char_limit(400);
         let response = ui.add(edit);
-        response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "Set of lights"));
+        response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, tr!("Set of lights")));
         response.on_hover_text(match &set {
             Err(why) => why.to_string(),
             Ok(_) => {
-                "A set of lights, for Append and Replace; without a text the selected lights. \
-                      * is every light. key | group:rim - \"Sun\" says more."
-                    .to_owned()
+                tr!("A set of lights, for Append and Replace; without a text the selected lights. \
+                     * is every light. key | group:rim - \"Sun\" says more.")
+                .to_owned()
             }
         });
         let is_ready = self.objects_in_hand().next().is_some() && !text.is_empty();
         for (label, help, make) in [
             (
-                "Append",
-                "Adds this expression to the sets of the selected objects, as it is written",
+                tr!("Append"),
+                tr!("Adds this expression to the sets of the selected objects, as it is written"),
                 LinkChange::Append as fn(LightSet) -> LinkChange,
             ),
             (
-                "Replace",
-                "Puts this expression in place of the sets of the selected objects, and of their \
-                 exceptions",
+                tr!("Replace"),
+                tr!("Puts this expression in place of the sets of the selected objects, and of \
+                     their exceptions"),
                 LinkChange::Replace as fn(LightSet) -> LinkChange,
             ),
         ] {
             let button = ui.add_enabled(is_ready && set.is_ok(), Button::new(label));
-            let missing = "Select objects at the right, and lights at the left or a set here";
+            let missing = tr!("Select objects at the right, and lights at the left or a set here");
             let button = button.on_hover_text(help).on_disabled_hover_text(missing);
             if let (true, Ok(set)) = (button.clicked(), &set) {
                 let change = make(set.clone());
@@ -403,10 +408,12 @@ impl Links {
             "The object of the picture that the pointer was last at, or the selected one. Over the \
              picture J links the selected lights to it, Shift+J unlinks them."
         ));
-        for (label, is_linked) in [("Link it", true), ("Unlink it", false)] {
+        for (label, is_linked) in [(tr!("Link it"), true), (tr!("Unlink it"), false)] {
             let help = match is_linked {
-                true => "Links the selected lights to this object (J over the picture)",
-                false => "Unlinks the selected lights from this object (Shift+J over the picture)",
+                true => tr!("Links the selected lights to this object (J over the picture)"),
+                false => {
+                    tr!("Unlinks the selected lights from this object (Shift+J over the picture)")
+                }
             };
             let button = ui.add_enabled(!terms.is_empty(), Button::new(label));
             let button = button.on_hover_text(help);

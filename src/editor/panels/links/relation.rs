@@ -3,10 +3,11 @@
 
 use std::collections::BTreeSet;
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use crate::document::{Light, LightLink, LightRelation, LightSet, LinkRule, Object, SetTerm};
-use crate::ids::LightId;
+use crate::ids::{LightId, ObjectId};
 
 /// Relation between lights and objects.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,27 +24,29 @@ impl Relation {
 
     pub(super) fn label(self) -> &'static str {
         match self {
-            Self::Light => "Light",
-            Self::Shadow => "Shadows",
+            Self::Light => tr!("Light"),
+            Self::Shadow => tr!("Shadows"),
         }
     }
 
     pub(super) fn help(self) -> &'static str {
         match self {
-            Self::Light => "Which lights reach which objects: `linked` and `unlinked` of an object",
+            Self::Light => {
+                tr!("Which lights reach which objects: `linked` and `unlinked` of an object")
+            }
             Self::Shadow => {
-                "Whose shadows the objects cast: `shadowed` and `unshadowed` of an object"
+                tr!("Whose shadows the objects cast: `shadowed` and `unshadowed` of an object")
             }
         }
     }
 
-    /// Words for an object and a light in the relation, or not.
-    pub(super) fn verb(self, is_so: bool) -> &'static str {
+    /// An object and lights in the relation, or not, as a sentence.
+    pub(super) fn sentence(self, is_so: bool, object: &ObjectId, lights: &str) -> String {
         match (self, is_so) {
-            (Self::Light, true) => "is lit by",
-            (Self::Light, false) => "is not lit by",
-            (Self::Shadow, true) => "casts the shadow of",
-            (Self::Shadow, false) => "casts no shadow of",
+            (Self::Light, true) => tr!("{object} is lit by {lights}"),
+            (Self::Light, false) => tr!("{object} is not lit by {lights}"),
+            (Self::Shadow, true) => tr!("{object} casts the shadow of {lights}"),
+            (Self::Shadow, false) => tr!("{object} casts no shadow of {lights}"),
         }
     }
 
@@ -70,7 +73,7 @@ impl Relation {
     pub(super) fn words(self, link: &LightLink, rule: LinkRule) -> String {
         match self {
             Self::Light => link.words(LightRelation::Linked, rule),
-            Self::Shadow if link.is_all() => "it casts the shadows of all lights".to_owned(),
+            Self::Shadow if link.is_all() => tr!("it casts the shadows of all lights").to_owned(),
             Self::Shadow => link.words(LightRelation::Shadowed, rule),
         }
     }

@@ -69,8 +69,8 @@ pub(super) fn show(
             title(ui, mix, name, &term);
             ui.horizontal(|ui| {
                 ui.spacing_mut().item_spacing.x = 3.0;
-                mix.mute(ui, &format!("Group {name} shines"), &term, out);
-                mix.solo(ui, &format!("Solo group {name}"), &term, out);
+                mix.mute(ui, &tr!("Group {name} shines"), &term, out);
+                mix.solo(ui, &tr!("Solo group {name}"), &term, out);
                 let mut new = master.clone();
                 if let Some(widget) = tint(ui, name, &mut new, space) {
                     set(group, &master, new, widget, out);
@@ -105,7 +105,7 @@ fn title(ui: &mut Ui, mix: SceneMix<'_>, name: &str, term: &SetTerm) {
     let text = if is_out { text.strikethrough() } else { text };
     let lights = mix.lights.of_term(term);
     let names = match lights.is_empty() {
-        true => "No light is of this group".to_owned(),
+        true => tr!("No light is of this group").to_owned(),
         false => mix.lights.names(&lights),
     };
     ui.add(Label::new(text).truncate()).on_hover_text(names);
@@ -114,7 +114,7 @@ fn title(ui: &mut Ui, mix: SceneMix<'_>, name: &str, term: &SetTerm) {
 fn tint(ui: &mut Ui, name: &str, master: &mut GroupMaster, space: ColorSpace) -> Option<egui::Id> {
     ui.spacing_mut().interact_size.x = 22.0;
     let [r, g, b] = master.tint;
-    let label = format!("Tint of group {name}");
+    let label = tr!("Tint of group {name}");
     let (id, [r, g, b, _]) = color::named_swatch(ui, &label, [r, g, b, 1.0], space, false)?;
     master.tint = [r, g, b];
     Some(id)
@@ -129,12 +129,13 @@ fn slide(ui: &mut Ui, name: &str, master: &mut GroupMaster, height: f32) -> Opti
         let mut place = place_of(master.intensity);
         let slider = Slider::new(&mut place, 0.0..=1.0).vertical().show_value(false);
         let response = ui.add(slider);
-        let label = format!("Fader of group {name}");
+        let label = tr!("Fader of group {name}");
         response.widget_info(|| WidgetInfo::slider(true, master.intensity, &label));
         marks(ui, response.rect);
         let twice = response.interact(Sense::click()).double_clicked();
-        let help = "Intensity of the group: drag, or use the arrow keys. A double click puts it \
-                    back to 1.";
+        let help = tr!(
+            "Intensity of the group: drag, or use the arrow keys. A double click puts it back to 1."
+        );
         let id = response.id;
         let is_moved = response.changed();
         response.on_hover_text(help);
@@ -174,12 +175,12 @@ fn numbers(ui: &mut Ui, name: &str, master: &mut GroupMaster) -> Option<egui::Id
     let intensity = DragValue::new(&mut master.intensity).prefix("×").speed(0.01);
     let response = ui.add_sized(size, intensity.range(0.0..=1e6).max_decimals(3));
     let response = response.on_hover_text(tr!("Intensity: a factor on each light of the group"));
-    response.widget_info(|| number(format!("Intensity of group {name}"), master.intensity));
+    response.widget_info(|| number(tr!("Intensity of group {name}"), master.intensity));
     let by_intensity = response.changed().then_some(response.id);
     let exposure = DragValue::new(&mut master.exposure).suffix(" EV").speed(0.02);
     let response = ui.add_sized(size, exposure.range(-MAX_EXPOSURE..=MAX_EXPOSURE).max_decimals(2));
     let response = response.on_hover_text(tr!("Exposure in stops: each doubles the intensity"));
-    response.widget_info(|| number(format!("Exposure of group {name}"), master.exposure));
+    response.widget_info(|| number(tr!("Exposure of group {name}"), master.exposure));
     by_intensity.or(response.changed().then_some(response.id))
 }
 

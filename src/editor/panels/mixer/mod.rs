@@ -3,7 +3,7 @@
 
 mod channel;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui::{Align, Layout, ScrollArea, Ui};
 
 use super::lights::add;
@@ -16,8 +16,8 @@ use crate::widgets::text::hint;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::MIXER,
-    "Mixer",
-    "The masters of the scene's groups of lights, as faders: dim, tint, mute and solo them",
+    text!("Mixer"),
+    text!("The masters of the scene's groups of lights, as faders: dim, tint, mute and solo them"),
     PanelPlace::BELOW_GRAPH,
     |bench, ui, context| bench.memory.of::<Mixer>().show(ui, context.session),
 );
@@ -43,8 +43,8 @@ impl Mixer {
             mix.solo_note(ui, &mut out);
             hint(
                 ui,
-                "No light is of a group yet. Give lights groups in the light table, and each \
-                 group has a channel here.",
+                tr!("No light is of a group yet. Give lights groups in the light table, and each \
+                     group has a channel here."),
             );
             add::panels(ui, &mut out);
             return out;

@@ -1,6 +1,6 @@
 //! Fields of an object: mesh, looks by material, position, rotation and scale.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, tr_in};
 use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Ui};
 
@@ -69,39 +69,46 @@ impl Details {
     pub(super) fn show(&mut self, ui: &mut Ui, fields: &mut Fields<'_>) {
         let Fields { open_scene, id, object, .. } = *fields;
         ui.push_id(id, |ui| {
-            labelled(ui, "Mesh", "What it is made of", |ui, label| {
+            labelled(ui, tr!("Mesh"), tr!("What it is made of"), |ui, label| {
                 mesh(ui, label, open_scene, id, object, fields.out);
             });
             looks(ui, open_scene, id, object, fields.out);
             super::motion::animation(ui, fields);
             let mut new = object.transform;
             let mut widget = None;
-            let help = "Where it stands, in scene units: to the right, up, toward the viewer";
-            fields.row(ui, ("Place", help), &["transform.translate"], |ui, _| {
-                widget = widget.or(xyz(ui, "Place", &mut new.translate, 0.01, ""));
+            let help = tr!("Where it stands, in scene units: to the right, up, toward the viewer");
+            fields.row(ui, (tr!("Place"), help), &["transform.translate"], |ui, _| {
+                widget = widget.or(xyz(ui, tr!("Place"), &mut new.translate, 0.01, ""));
             });
-            let help = "How it is turned: around the axis to the right, around the vertical one, \
-                        around the one toward the viewer";
-            fields.row(ui, ("Turn", help), &["transform.rotate"], |ui, _| {
+            let help =
+                tr!("How it is turned: around the axis to the right, around the vertical one, \
+                        around the one toward the viewer");
+            fields.row(ui, (tr!("object" => "Turn"), help), &["transform.rotate"], |ui, _| {
                 widget = widget.or(self.turn(ui, id, &mut new));
             });
-            fields.row(ui, ("Scale", "How large it is"), &["transform.scale"], |ui, _| {
-                widget = widget.or(self.scale(ui, &mut new));
-            });
+            fields.row(
+                ui,
+                (tr!("object" => "Scale"), tr!("How large it is")),
+                &["transform.scale"],
+                |ui, _| {
+                    widget = widget.or(self.scale(ui, &mut new));
+                },
+            );
             handles(ui, fields);
             labelled(
                 ui,
-                "Fit",
-                "Brings the mesh to the middle, and its sphere to radius 1, before \
-                                 all else",
+                tr!("object" => "Fit"),
+                tr!("Brings the mesh to the middle, and its sphere to radius 1, before \
+                                 all else"),
                 |ui, _| {
                     let fit = ui.add(Checkbox::without_text(&mut new.fit));
-                    ui.ctx().accesskit_node_builder(fit.id, |node| node.set_label("Fit the mesh"));
+                    ui.ctx()
+                        .accesskit_node_builder(fit.id, |node| node.set_label(tr!("Fit the mesh")));
                     if fit.changed() {
                         widget = Some(fit.id);
                     }
                     let help =
-                        "Turns a mesh whose z axis points up, as in many scans, by a quarter";
+                        tr!("Turns a mesh whose z axis points up, as in many scans, by a quarter");
                     if ui.small_button(tr!("Stand up")).on_hover_text(help).clicked() {
                         new.rotate = stood_up(new.rotate);
                         widget = Some(ui.scope_id().with("stand up"));
@@ -119,7 +126,7 @@ impl Details {
         let known =
             self.turned.as_ref().filter(|(of, rotation, _)| of == id && *rotation == new.rotate);
         let mut degrees = known.map_or_else(|| to_degrees(new.rotate), |(_, _, degrees)| *degrees);
-        let widget = xyz(ui, "Turn", &mut degrees, 0.5, "°");
+        let widget = xyz(ui, tr!("object" => "Turn"), &mut degrees, 0.5, "°");
         if widget.is_some() {
             new.rotate = from_degrees(degrees);
             self.turned = Some((id.clone(), new.rotate, degrees));
@@ -132,9 +139,9 @@ impl Details {
         let is_even = x == y && y == z;
         let mut widget = None;
         if self.is_uneven || !is_even {
-            widget = xyz(ui, "Scale", &mut new.scale, 0.01, "");
+            widget = xyz(ui, tr!("object" => "Scale"), &mut new.scale, 0.01, "");
         } else {
-            let response = number(ui, "Scale", &mut new.scale[0], 0.01, "", "×");
+            let response = number(ui, tr!("object" => "Scale"), &mut new.scale[0], 0.01, "", "×");
             if response.changed() {
                 new.scale = [new.scale[0]; 3];
                 widget = Some(response.id);
@@ -155,8 +162,8 @@ impl Details {
 
 /// Shows the switches of the handles in the picture.
 fn handles(ui: &mut Ui, fields: &mut Fields<'_>) {
-    let help = "Handles on the object in the picture, to drag it by";
-    labelled(ui, "Handles", help, |ui, _| {
+    let help = tr!("Handles on the object in the picture, to drag it by");
+    labelled(ui, tr!("Handles"), help, |ui, _| {
         for part in TransformPart::ALL {
             let command = Command::View(ViewCommand::ToggleTransform(part));
             let is_on = fields.session.view.handled == Some(part);
@@ -182,8 +189,8 @@ fn mesh(
     let combo = combo.show_ui(ui, |ui| {
         for shape in SHAPES {
             let is_it = object.mesh.strip_prefix(SHAPE_PREFIX) == Some(shape.name);
-            if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() && !is_it
-            {
+            let shown = ui.selectable_label(is_it, tr_in("shape", shape.label));
+            if shown.on_hover_text(tr_in("shape", shape.help)).clicked() && !is_it {
                 let mesh = format!("{SHAPE_PREFIX}{}", shape.name);
                 out.extend(
                     open_scene.change(id, |object| object.mesh = mesh).map(SceneCommand::Edit),
@@ -223,16 +230,16 @@ fn looks(
         }
     }
     let help = if materials.is_empty() {
-        "What it wears"
+        tr!("What it wears")
     } else {
-        "What all materials wear that have no look of their own"
+        tr!("What all materials wear that have no look of their own")
     };
-    labelled(ui, "Look", help, |ui, label| {
+    labelled(ui, tr!("Look"), help, |ui, label| {
         look(ui, label, open_scene, id, object, ANY_MATERIAL, out);
     });
     for material in materials {
-        let shown = if material.is_empty() { "(no name)" } else { material };
-        labelled(ui, shown, "What this material wears", |ui, label| {
+        let shown = if material.is_empty() { tr!("(no name)") } else { material };
+        labelled(ui, shown, tr!("What this material wears"), |ui, label| {
             look(ui, label, open_scene, id, object, material, out);
         });
     }
@@ -247,7 +254,10 @@ fn look(
     material: &str,
     out: &mut Vec<SceneCommand>,
 ) {
-    let nothing = if material == ANY_MATERIAL { "None" } else { "As the others" };
+    let nothing = match material {
+        ANY_MATERIAL => tr!("look" => "None"),
+        _ => tr!("As the others"),
+    };
     let worn = object.looks.get(material);
     let text = worn.map_or_else(|| nothing.to_owned(), |name| look_label(open_scene, name));
     let combo = ComboBox::from_id_salt(("look", material))

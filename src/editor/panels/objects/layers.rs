@@ -1,7 +1,7 @@
 //! Lights of single nodes of an object's looks: which reach them there, and which they filter. A
 //! row says so for this object alone; without one a node is as its look has it.
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr, tr_in};
 use eframe::egui::{CollapsingHeader, Id, RichText, Role, ScrollArea, Ui, WidgetInfo};
 
 use crate::commands::SceneCommand;
@@ -14,38 +14,40 @@ use crate::state::session::Session;
 use crate::widgets::text::{self, hint};
 
 /// Words on how such a set is written, for tooltips.
-const SETS: &str = "{source} is what the look says: {source} - group:rim takes lights away, \
-                    {source} | eye adds one. * is every light";
+const SETS: Text = text!(
+    "{source} is what the look says: {source} - group:rim takes lights away, {source} | eye adds \
+     one. * is every light"
+);
 
 /// Row for a set of lights of a node.
 struct LayerRow {
-    label: &'static str,
-    help: &'static str,
+    label: Text,
+    help: Text,
     set: fn(&mut LayerLink) -> &mut LightSet,
 }
 
 const REACH: [LayerRow; 2] = [
     LayerRow {
-        label: "Reached by",
-        help: "Lights that reach it on this object.",
+        label: text!("Reached by"),
+        help: text!("Lights that reach it on this object."),
         set: |row| &mut row.layered,
     },
     LayerRow {
-        label: "Not reached by",
-        help: "Lights that do not reach it here all the same.",
+        label: text!("Not reached by"),
+        help: text!("Lights that do not reach it here all the same."),
         set: |row| &mut row.unlayered,
     },
 ];
 
 const FILTER: [LayerRow; 2] = [
     LayerRow {
-        label: "Filters lights",
-        help: "Lights that it filters on this object; others pass as if it were not there.",
+        label: text!("Filters lights"),
+        help: text!("Lights that it filters on this object; others pass as if it were not there."),
         set: |row| &mut row.filtered,
     },
     LayerRow {
-        label: "Lets pass by",
-        help: "Lights that it does not filter here all the same.",
+        label: text!("Lets pass by"),
+        help: text!("Lights that it does not filter here all the same."),
         set: |row| &mut row.unfiltered,
     },
 ];
@@ -63,7 +65,7 @@ fn lit_nodes(session: &Session) -> impl Iterator<Item = LitNode> {
         let kind = session.project.catalog.of(node)?;
         let (is_lit, is_filter) = (is_lit(kind, node), is_filter(kind, node));
         let name = match node.name.as_str() {
-            "" => format!("{} ({id})", kind.label),
+            "" => format!("{} ({id})", tr_in("node", &kind.label)),
             name => name.to_owned(),
         };
         (is_lit || is_filter).then(|| LitNode { id: id.clone(), name, is_lit, is_filter })
@@ -131,8 +133,8 @@ fn block(
     let name = node.map_or_else(|| row.node.to_string(), |node| node.name.clone());
     ui.horizontal(|ui| {
         ui.label(RichText::new(&name).strong());
-        let label = format!("{name} as the look has it");
-        let help = "Takes these sets away: the layer's lights are as the look says";
+        let label = tr!("{name} as the look has it");
+        let help = tr!("Takes these sets away: the layer's lights are as the look says");
         let button = ui.small_button(tr!("As the look has it")).on_hover_text(help);
         button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
         if button.clicked() {
@@ -145,7 +147,7 @@ fn block(
     for LayerRow { label, help, set } in rows {
         let mut now = row.clone();
         let shown = set(&mut now).clone();
-        labelled(ui, label, &format!("{help} {SETS}"), |ui, label| {
+        labelled(ui, label.tr(), &format!("{help} {SETS}"), |ui, label| {
             let read = |text: &str| LightSet::parse(text).map_err(|why| why.to_string());
             let found = text::formed(ui, label, &shown, |set| set.text().to_owned(), read);
             if let Some((widget, changed)) = found {

@@ -1,7 +1,7 @@
 //! Links of an object: the set of lights that reach it, and of those that do not all the same;
 //! whose shadows it casts, and onto what.
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr};
 use eframe::egui::{CollapsingHeader, Id, Ui};
 
 use crate::commands::SceneCommand;
@@ -12,26 +12,34 @@ use crate::state::scene::OpenScene;
 use crate::widgets::text;
 
 /// Words on how a set is written, for tooltips.
-const SETS: &str = "* is every light. key | group:rim - group:set says more: ids, \"names\" and \
-                    groups, with | for either, - for without, & for both, and ( )";
+const SETS: Text = text!(
+    "* is every light. key | group:rim - group:set says more: ids, \"names\" and groups, with | \
+     for either, - for without, & for both, and ( )"
+);
 
 /// Words on how a set of objects is written, for tooltips.
-const OBJECTS: &str = "* is every object. floor | wall-* says more: ids, with | for either, - for \
-                       without, & for both, and ( )";
+const OBJECTS: Text = text!(
+    "* is every object. floor | wall-* says more: ids, with | for either, - for without, & for \
+     both, and ( )"
+);
 
 /// Row for a set of an object.
 struct SetRow<M: SetMember> {
-    label: &'static str,
-    help: &'static str,
+    label: Text,
+    help: Text,
     set: fn(&mut Object) -> &mut MemberSet<M>,
 }
 
 /// Lights that reach an object.
 const REACH: [SetRow<Light>; 2] = [
-    SetRow { label: "Lit by", help: "Lights that reach it.", set: |object| &mut object.linked },
     SetRow {
-        label: "Not lit by",
-        help: "Lights that do not reach it all the same; {source} is Lit by.",
+        label: text!("Lit by"),
+        help: text!("Lights that reach it."),
+        set: |object| &mut object.linked,
+    },
+    SetRow {
+        label: text!("Not lit by"),
+        help: text!("Lights that do not reach it all the same; {source} is Lit by."),
         set: |object| &mut object.unlinked,
     },
 ];
@@ -39,13 +47,13 @@ const REACH: [SetRow<Light>; 2] = [
 /// Lights whose shadows an object casts.
 const SHADOWS_OF: [SetRow<Light>; 2] = [
     SetRow {
-        label: "Of lights",
-        help: "Lights whose shadows it casts, where looks ask for shadows.",
+        label: text!("Of lights"),
+        help: text!("Lights whose shadows it casts, where looks ask for shadows."),
         set: |object| &mut object.shadowed,
     },
     SetRow {
-        label: "Not of lights",
-        help: "Lights whose shadows it does not cast all the same; {source} is Of lights.",
+        label: text!("Not of lights"),
+        help: text!("Lights whose shadows it does not cast all the same; {source} is Of lights."),
         set: |object| &mut object.unshadowed,
     },
 ];
@@ -53,13 +61,13 @@ const SHADOWS_OF: [SetRow<Light>; 2] = [
 /// Objects that the shadows of an object fall on.
 const SHADOWS_ON: [SetRow<Object>; 2] = [
     SetRow {
-        label: "Onto",
-        help: "Objects that its shadows fall on, itself among them.",
+        label: text!("Onto"),
+        help: text!("Objects that its shadows fall on, itself among them."),
         set: |object| &mut object.shadows_on,
     },
     SetRow {
-        label: "Not onto",
-        help: "Objects that they do not fall on all the same; {source} is Onto.",
+        label: text!("Not onto"),
+        help: text!("Objects that they do not fall on all the same; {source} is Onto."),
         set: |object| &mut object.no_shadows_on,
     },
 ];
@@ -101,10 +109,10 @@ struct ObjectRows<'a> {
 
 impl ObjectRows<'_> {
     /// Shows a row for each set; `words` say how such a set is written.
-    fn show<M: SetMember>(&mut self, ui: &mut Ui, rows: [SetRow<M>; 2], words: &str) {
+    fn show<M: SetMember>(&mut self, ui: &mut Ui, rows: [SetRow<M>; 2], words: Text) {
         for SetRow { label, help, set } in rows {
             let now = &*set(self.now);
-            labelled(ui, label, &format!("{help} {words}"), |ui, label| {
+            labelled(ui, label.tr(), &format!("{help} {words}"), |ui, label| {
                 let edit = field(ui, label, now).and_then(|(widget, changed)| {
                     let edit = self.open_scene.change(self.id, |object| *set(object) = changed)?;
                     Some(SceneCommand::EditHeld(widget, edit))

@@ -8,7 +8,7 @@ mod outlines;
 mod parameters;
 mod words;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr, tr_in};
 use eframe::egui;
 use eframe::egui::{
     Button, Id, Key, Label, Layout, Modifiers, Popup, Rect, RichText, Role, ScrollArea, Sense, Ui,
@@ -29,8 +29,8 @@ use crate::widgets::theme;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::OBJECTS,
-    "Objects",
-    "The objects of the scene: their meshes, their looks, where they stand",
+    text!("Objects"),
+    text!("The objects of the scene: their meshes, their looks, where they stand"),
     PanelPlace::WITH_DOCUMENT,
     |bench, ui, context| bench.memory.of::<Objects>().show(ui, context.session),
 );
@@ -54,7 +54,9 @@ impl Objects {
         let Some(open_scene) = session.open_scene() else {
             hint(
                 ui,
-                "The look is on one object. Add another, and both are a scene that can be saved.",
+                tr!(
+                    "The look is on one object. Add another, and both are a scene that can be saved."
+                ),
             );
             hint(ui, tr!("Open shows the objects of a scene file, each in its own look."));
             return out.into_iter().map(Command::Scene).collect();
@@ -113,7 +115,7 @@ impl Objects {
         let (rect, response) =
             ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
         response.widget_info(|| {
-            let name = format!("Object {id}{}", changed.word());
+            let name = tr!("Object {id}{changed}", changed = changed.word());
             WidgetInfo::selected(Role::ListItem, true, is_selected, name)
         });
         card_ground(ui, rect, &response, is_selected);
@@ -141,7 +143,7 @@ impl Objects {
         }
         let mut help = changed.help();
         help += if help.is_empty() { "" } else { "\n" };
-        help += "A click selects it and opens its look; a double click renames it";
+        help += tr!("A click selects it and opens its look; a double click renames it");
         Popup::context_menu(&response.on_hover_text(help)).show(|ui| {
             changed.menu(ui, commands);
             self.menu(ui, open_scene, id, out);
@@ -159,8 +161,8 @@ impl Objects {
     ) {
         let Some(open_scene) = session.open_scene() else { return };
         ui.spacing_mut().item_spacing.x = 6.0;
-        let help = "Shows the object, or hides it";
-        if icon(ui, Icon::Eye, object.visible, &format!("Object {id} is seen"), help).clicked() {
+        let help = tr!("Shows the object, or hides it");
+        if icon(ui, Icon::Eye, object.visible, &tr!("Object {id} is seen"), help).clicked() {
             out.extend(
                 open_scene
                     .change(id, |object| object.visible = !object.visible)
@@ -168,8 +170,8 @@ impl Objects {
             );
         }
         ui.with_layout(Layout::right_to_left(egui::Align::Center), |ui| {
-            let help = "Frame, duplicate, rename, remove";
-            let more = icon(ui, Icon::More, true, &format!("More of {id}"), help);
+            let help = tr!("Frame, duplicate, rename, remove");
+            let more = icon(ui, Icon::More, true, &tr!("More of {id}"), help);
             Popup::menu(&more).show(|ui| {
                 ChangedRow::of_object(session, id).menu(ui, commands);
                 self.menu(ui, open_scene, id, out);
@@ -191,7 +193,7 @@ impl Objects {
         out: &mut Vec<SceneCommand>,
     ) {
         if let Some(field) = self.renaming.as_mut().filter(|field| field.id == *id) {
-            if let Some(new) = field.show(ui, id.as_str(), &format!("New name of {id}")) {
+            if let Some(new) = field.show(ui, id.as_str(), &tr!("New name of {id}")) {
                 self.renaming = None;
                 let renamed = new
                     .filter(|name| !name.is_empty())
@@ -214,7 +216,7 @@ impl Objects {
     fn about(&self, ui: &mut Ui, open_scene: &OpenScene, object: &Object) {
         let looks: Vec<String> =
             object.looks.values().map(|name| details::look_label(open_scene, name)).collect();
-        let looks = if looks.is_empty() { "no look".to_owned() } else { looks.join(", ") };
+        let looks = if looks.is_empty() { tr!("no look").to_owned() } else { looks.join(", ") };
         let is_open = open_scene.wears_open(object);
         let colors = theme::of(ui);
         let color = if is_open { colors.accent } else { colors.dim };
@@ -272,7 +274,8 @@ fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<SceneCommand>) {
     ui.horizontal(|ui| {
         let menu = ui.menu_button(tr!("Add an object"), |ui| {
             for shape in SHAPES {
-                if ui.button(shape.label).on_hover_text(shape.help).clicked() {
+                let button = ui.button(tr_in("shape", shape.label));
+                if button.on_hover_text(tr_in("shape", shape.help)).clicked() {
                     out.push(SceneCommand::Add(Some(format!(
                         "{}{}",
                         crate::frame::SHAPE_PREFIX,
@@ -282,8 +285,9 @@ fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<SceneCommand>) {
                 }
             }
             ui.separator();
-            let help =
-                "OBJ, PLY, STL or glTF; it can also be dropped here, or on the picture with Shift";
+            let help = tr!(
+                "OBJ, PLY, STL or glTF; it can also be dropped here, or on the picture with Shift"
+            );
             if ui.button(tr!("Mesh from a file...")).on_hover_text(help).clicked() {
                 out.push(SceneCommand::Add(None));
                 ui.close();
@@ -294,14 +298,15 @@ fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<SceneCommand>) {
         ));
         let Some(open_scene) = session.open_scene() else { return };
         ui.with_layout(Layout::right_to_left(egui::Align::Center), |ui| {
-            let more = icon(ui, Icon::More, true, "More of the scene", "Save, camera, close");
+            let more =
+                icon(ui, Icon::More, true, tr!("More of the scene"), tr!("Save, camera, close"));
             Popup::menu(&more).id(Id::unique("scene menu")).show(|ui| scene_menu(ui, out));
             let text = RichText::new(open_scene.name()).color(theme::of(ui).dim);
             let path = open_scene.path().map(|path| path.display().to_string());
-            let help =
-                path.unwrap_or_else(|| "No file has it yet: save the scene to keep it".to_owned());
+            let help = path
+                .unwrap_or_else(|| tr!("No file has it yet: save the scene to keep it").to_owned());
             if open_scene.is_dirty() {
-                let help = "Saves the scene to its file";
+                let help = tr!("Saves the scene to its file");
                 if ui.button(tr!("Save scene")).on_hover_text(help).clicked() {
                     out.push(SceneCommand::Save);
                 }
@@ -320,7 +325,7 @@ fn scene_menu(ui: &mut Ui, out: &mut Vec<SceneCommand>) {
     {
         out.push(SceneCommand::SaveAs);
     }
-    let help = "The scene's camera, lights and backdrop become what the picture shows now";
+    let help = tr!("The scene's camera, lights and backdrop become what the picture shows now");
     if ui.button(tr!("Keep this view")).on_hover_text(help).clicked() {
         out.push(SceneCommand::KeepView);
     }

@@ -25,17 +25,17 @@ pub(super) fn animation(ui: &mut Ui, fields: &mut Fields<'_>) {
     }
     let mut new = played.clone();
     let mut widget = None;
-    let help = "The animation of the mesh's file that it plays";
-    fields.row(ui, ("Animation", help), &ANIMATION[..1], |ui, label| {
-        let first = names.first().map_or("the first", String::as_str);
+    let help = tr!("The animation of the mesh's file that it plays");
+    fields.row(ui, (tr!("Animation"), help), &ANIMATION[..1], |ui, label| {
+        let first = names.first().map_or(tr!("the first"), String::as_str);
         let shown = |animation: &MeshAnimation| match animation.name.as_str() {
             "" => first.to_owned(),
             name => name.to_owned(),
         };
-        let text = new.as_ref().map_or_else(|| "None".to_owned(), shown);
+        let text = new.as_ref().map_or_else(|| tr!("animation" => "None").to_owned(), shown);
         let combo = ComboBox::from_id_salt("animation").selected_text(text);
         let combo = combo.width(ui.available_width() - 12.0).show_ui(ui, |ui| {
-            if ui.selectable_label(new.is_none(), tr!("None")).clicked() {
+            if ui.selectable_label(new.is_none(), tr!("animation" => "None")).clicked() {
                 new = None;
             }
             for name in names {
@@ -49,21 +49,21 @@ pub(super) fn animation(ui: &mut Ui, fields: &mut Fields<'_>) {
         widget = Some(combo.response.labelled_by(label).id);
     });
     if let Some(animation) = &mut new {
-        let help = "Seconds of the animation in a second of the scene; below 0 backwards";
-        fields.row(ui, ("Speed", help), &ANIMATION[1..2], |ui, _| {
+        let help = tr!("Seconds of the animation in a second of the scene; below 0 backwards");
+        fields.row(ui, (tr!("Speed"), help), &ANIMATION[1..2], |ui, _| {
             let drag = DragValue::new(&mut animation.speed).speed(0.01).range(-1000.0..=1000.0);
             let response = ui.add(drag.max_decimals(3).suffix(" ×"));
-            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Speed"));
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Speed")));
             widget = Some(response.id).filter(|_| response.changed()).or(widget);
         });
-        let help = "The time in the animation at the scene's time 0, in seconds";
-        fields.row(ui, ("Offset", help), &ANIMATION[2..], |ui, _| {
+        let help = tr!("The time in the animation at the scene's time 0, in seconds");
+        fields.row(ui, (tr!("Offset"), help), &ANIMATION[2..], |ui, _| {
             let drag = DragValue::new(&mut animation.offset).speed(0.02);
             let response = ui.add(drag.max_decimals(3).suffix(" s"));
-            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Offset"));
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Offset")));
             widget = Some(response.id).filter(|_| response.changed()).or(widget);
             let loops = ui.checkbox(&mut animation.loops, tr!("Loops"));
-            let help = "Begins anew after its last key; else what it ends with holds";
+            let help = tr!("Begins anew after its last key; else what it ends with holds");
             widget = Some(loops.on_hover_text(help).id).or(widget);
         });
     }
@@ -93,16 +93,17 @@ pub(super) fn camera(
         return;
     }
     let targets = ["file_camera.object", "file_camera.name"].map(str::to_owned);
-    let help = "Whose camera pictures of the scene are drawn from: its own, or one that a mesh's \
-                file brings";
+    let help =
+        tr!("Whose camera pictures of the scene are drawn from: its own, or one that a mesh's \
+                file brings");
     let text = RichText::new(tr!("Camera")).color(theme::of(ui).text);
-    let slot = |ui: &mut Ui, size| shot::mark(ui, size, session, &targets, "Camera", commands);
+    let slot = |ui: &mut Ui, size| shot::mark(ui, size, session, &targets, tr!("Camera"), commands);
     row::with_slot(ui, text, help, slot, |ui, label| {
         let shown = |camera: &FileCamera| match camera.name.as_str() {
-            "" => format!("the first of {}", camera.object),
-            name => format!("{name} of {}", camera.object),
+            "" => tr!("the first of {object}", object = camera.object),
+            name => tr!("{name} of {object}", object = camera.object),
         };
-        let now = own.as_ref().map_or_else(|| "The scene's own".to_owned(), shown);
+        let now = own.as_ref().map_or_else(|| tr!("The scene's own").to_owned(), shown);
         let combo = ComboBox::from_id_salt("file camera").selected_text(now);
         let combo = combo.width(ui.available_width() - 12.0).show_ui(ui, |ui| {
             let mut choose = |ui: &mut Ui, text: String, camera: Option<FileCamera>| {
@@ -111,7 +112,7 @@ pub(super) fn camera(
                     out.push(SceneCommand::Edit(SceneEdit::SetFileCamera { camera }));
                 }
             };
-            choose(ui, "The scene's own".to_owned(), None);
+            choose(ui, tr!("The scene's own").to_owned(), None);
             for camera in of_files {
                 choose(ui, shown(&camera), Some(camera));
             }

@@ -1,5 +1,6 @@
 //! Lines over the whole picture, which a scene draws after the looks.
 
+use chiaro_locale::{Text, text, tr};
 use eframe::egui::{Id, Slider, Ui};
 
 use crate::commands::SceneCommand;
@@ -12,36 +13,36 @@ const NUMBER: f32 = 66.0;
 
 /// Share of the width that a kind of line has.
 struct Kind {
-    label: &'static str,
-    help: &'static str,
+    label: Text,
+    help: Text,
     share: fn(&mut SceneOutlines) -> &mut f64,
 }
 
 /// All kinds of lines.
 const KINDS: [Kind; 5] = [
     Kind {
-        label: "Silhouettes",
-        help: "Share of the width where a form ends in front of something else",
+        label: text!("Silhouettes"),
+        help: text!("Share of the width where a form ends in front of something else"),
         share: |outlines| &mut outlines.silhouettes,
     },
     Kind {
-        label: "Creases",
-        help: "Share of the width where a surface folds by 30 degrees or more",
+        label: text!("Creases"),
+        help: text!("Share of the width where a surface folds by 30 degrees or more"),
         share: |outlines| &mut outlines.creases,
     },
     Kind {
-        label: "Objects",
-        help: "Share of the width where two objects meet",
+        label: text!("Objects"),
+        help: text!("Share of the width where two objects meet"),
         share: |outlines| &mut outlines.borders,
     },
     Kind {
-        label: "Materials",
-        help: "Share of the width where two materials of an object meet",
+        label: text!("Materials"),
+        help: text!("Share of the width where two materials of an object meet"),
         share: |outlines| &mut outlines.material_borders,
     },
     Kind {
-        label: "Ids",
-        help: "Share of the width where the Id of a look's Output changes within a material",
+        label: text!("Ids"),
+        help: text!("Share of the width where the Id of a look's Output changes within a material"),
         share: |outlines| &mut outlines.id_borders,
     },
 ];
@@ -49,15 +50,16 @@ const KINDS: [Kind; 5] = [
 /// Shows the lines of the scene, a row each; those of their kinds where there are any.
 pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<SceneCommand>) {
     let mut edit = Edit { outlines: scene.outlines, out };
-    let help = "Lines over the whole picture, drawn after the looks, beside objects too: their \
+    let help =
+        tr!("Lines over the whole picture, drawn after the looks, beside objects too: their \
                 width in thousandths of the picture's height, 0 for none. For lines that belong \
-                to a look, wire the node Outline";
+                to a look, wire the node Outline");
     let range = 0.0..=SceneOutlines::MOST_WIDTH;
-    edit.slider(ui, ("Outlines", help), range, |outlines| &mut outlines.width);
+    edit.slider(ui, (tr!("Outlines"), help), range, |outlines| &mut outlines.width);
     if scene.outlines.width == 0.0 {
         return;
     }
-    labelled(ui, "Color", "Of all lines; what is below shows through", |ui, label| {
+    labelled(ui, tr!("Color"), tr!("Of all lines; what is below shows through"), |ui, label| {
         let edited = color::edit(ui, label, scene.outlines.color, ColorSpace::Display, true);
         if let Some((id, color)) = edited {
             edit.outlines.color = color;
@@ -65,7 +67,7 @@ pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<SceneCommand>) {
         }
     });
     for Kind { label, help, share } in &KINDS {
-        edit.slider(ui, (label, help), 0.0..=1.0, share);
+        edit.slider(ui, (label.tr(), help.tr()), 0.0..=1.0, share);
     }
 }
 

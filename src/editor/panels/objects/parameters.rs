@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, tr_in};
 use eframe::egui::{Id, RichText, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
 
 use super::details::look_label;
@@ -38,7 +38,7 @@ pub(super) fn show(
         if new.is_empty() {
             continue;
         }
-        heading(ui, &format!("Parameters of {}", look_label(open_scene, name)));
+        heading(ui, &tr!("Parameters of {look}", look = look_label(open_scene, name)));
         for parameter in new {
             known.push(parameter.name.clone());
             ui.push_id(&parameter.name, |ui| setter.row(ui, parameter));
@@ -46,7 +46,7 @@ pub(super) fn show(
     }
     let unknown: Vec<_> = object.values.iter().filter(|(name, _)| !known.contains(name)).collect();
     if !unknown.is_empty() {
-        heading(ui, "Set, and exposed by none of its looks");
+        heading(ui, tr!("Set, and exposed by none of its looks"));
         for (name, value) in unknown {
             ui.push_id(name, |ui| setter.unknown(ui, name, value));
         }
@@ -90,26 +90,28 @@ struct Setter<'a> {
 
 impl Setter<'_> {
     fn row(&mut self, ui: &mut Ui, parameter: &Parameter) {
-        let Parameter { name, label, port, .. } = parameter;
+        let Parameter { name, port, .. } = parameter;
+        let label = tr_in("node", &parameter.label);
         let own = self.object.values.get(name);
         let of_look = parameter.value.as_ref().map(|value| values::short(port, value));
         let colors = theme::of(ui);
         let (color, more) = match (own, of_look) {
             (Some(_), Some(of_look)) => {
-                (colors.accent, format!("Set by this object; its look has {of_look}"))
+                (colors.accent, tr!("Set by this object; its look has {of_look}"))
             }
-            (Some(_), None) => (colors.accent, "Set by this object".to_owned()),
-            (None, _) => (colors.text, "As its look has it, until it is set here".to_owned()),
+            (Some(_), None) => (colors.accent, tr!("Set by this object").to_owned()),
+            (None, _) => (colors.text, tr!("As its look has it, until it is set here").to_owned()),
         };
         let text = RichText::new(label).color(color);
         let text = if own.is_some() { text.strong() } else { text };
-        let help = format!("{}\n{more}", parameter.help);
+        let help = format!("{}\n{more}", tr_in("node", &parameter.help));
         let mut is_taken_back = false;
         let slot = |ui: &mut Ui, size: Vec2| match own {
             Some(_) => {
-                let help =
-                    "Set by this object. A press takes that back, and it is as its look has it.";
-                is_taken_back = mark(ui, size, &format!("Back to the look's {label}"), help);
+                let help = tr!(
+                    "Set by this object. A press takes that back, and it is as its look has it."
+                );
+                is_taken_back = mark(ui, size, &tr!("Back to the look's {label}"), help);
             }
             None => drop(ui.allocate_exact_size(size, Sense::hover())),
         };
@@ -142,14 +144,13 @@ impl Setter<'_> {
     fn unknown(&mut self, ui: &mut Ui, name: &PortName, value: &Value) {
         let port = Port::named(name.as_str());
         let text = RichText::new(name.as_str()).color(theme::of(ui).warning);
-        let help = "No look of this object exposes it under this name, so it changes nothing";
+        let help = tr!("No look of this object exposes it under this name, so it changes nothing");
         let slot = |ui: &mut Ui, size: Vec2| drop(ui.allocate_exact_size(size, Sense::hover()));
         row::with_slot(ui, text, help, slot, |ui, _| {
             ui.label(RichText::new(values::short(&port, value)).color(theme::of(ui).dim));
             let take_out = ui.small_button(tr!("Take out"));
-            take_out.widget_info(|| {
-                WidgetInfo::labeled(Role::Button, true, format!("Take out {name}"))
-            });
+            take_out
+                .widget_info(|| WidgetInfo::labeled(Role::Button, true, tr!("Take out {name}")));
             if take_out.on_hover_text(tr!("Takes the value out of the scene")).clicked() {
                 self.clear(name);
             }

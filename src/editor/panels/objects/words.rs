@@ -10,10 +10,10 @@ use crate::fields::row::labelled;
 
 /// Shows all fields, in a collapsible section.
 pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<SceneCommand>) {
-    let unnamed = "Name, about, outlines";
+    let unnamed = tr!("Name, about, outlines");
     let title = if scene.name.is_empty() { unnamed.to_owned() } else { scene.name.clone() };
     let section = CollapsingHeader::new(title).id_salt("words of the scene").show(ui, |ui| {
-        labelled(ui, "Scene name", "What you call this scene", |ui, label| {
+        labelled(ui, tr!("Scene name"), tr!("What you call this scene"), |ui, label| {
             let mut name = scene.name.clone();
             let response = ui
                 .add(TextEdit::singleline(&mut name).desired_width(f32::INFINITY))
@@ -22,7 +22,7 @@ pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<SceneCommand>) {
                 out.push(SceneCommand::EditHeld(response.id, SceneEdit::SetSceneName { name }));
             }
         });
-        labelled(ui, "About", "What it shows, for who finds it", |ui, label| {
+        labelled(ui, tr!("About"), tr!("What it shows, for who finds it"), |ui, label| {
             let mut about = scene.about.clone();
             let field =
                 TextEdit::multiline(&mut about).desired_width(f32::INFINITY).desired_rows(2);

@@ -11,6 +11,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use chiaro_locale::tr;
 use eframe::egui::{self, ColorImage, TextureHandle, TextureId, Ui};
 
 use crate::compile::Live;
@@ -95,11 +96,14 @@ impl ThumbObject {
 
     pub(crate) fn help(self) -> &'static str {
         match self {
-            Self::Mesh => "It is on the mesh in the picture.",
+            Self::Mesh => tr!("It is on the mesh in the picture."),
             Self::Heavy => {
-                "It is on the creature: the mesh in the picture is too heavy for small pictures."
+                tr!("It is on the creature: the mesh in the picture is too heavy for small \
+                     pictures.")
             }
-            Self::Scene => "It is on the creature: objects of a scene have meshes of their own.",
+            Self::Scene => {
+                tr!("It is on the creature: objects of a scene have meshes of their own.")
+            }
         }
     }
 }

@@ -6,7 +6,7 @@ mod varied;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr};
 use eframe::egui::{
     Button, Color32, ColorImage, Image, Rect, Response, RichText, Role, ScrollArea, Sense, Stroke,
     StrokeKind, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
@@ -28,8 +28,8 @@ use varied::{DrawnWedge, color_of};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::WEDGE,
-    "Wedge",
-    "Values tried side by side on a sheet; a click takes the values of a cell",
+    text!("Wedge"),
+    text!("Values tried side by side on a sheet; a click takes the values of a cell"),
     PanelPlace::WITH_DOCUMENT.closed(),
     |bench, ui, context| bench.wedge.show(ui, context.session),
 )
@@ -151,8 +151,11 @@ impl Wedge {
             return out;
         };
         let name = sheet.path.file_stem().unwrap_or_default().to_string_lossy();
-        let to = if session.shot().is_some() { "the shot" } else { "what is open" };
-        let text = format!("{name} of {}: a click takes it into {to}", sheet.document.display());
+        let document = sheet.document.display();
+        let text = match session.shot() {
+            Some(_) => tr!("{name} of {document}: a click takes it into the shot"),
+            None => tr!("{name} of {document}: a click takes it into what is open"),
+        };
         ui.label(RichText::new(text).small().color(theme::of(ui).dim));
         let mut clicked = None;
         ScrollArea::vertical().auto_shrink([false, false]).id_salt("wedge").show(ui, |ui| {
@@ -161,7 +164,7 @@ impl Wedge {
                 None if self.is_blind => {
                     let file = sheet.picture();
                     let file = file.file_name().unwrap_or_default().to_string_lossy();
-                    hint(ui, &format!("{file}, the sheet, is not there or cannot be read."));
+                    hint(ui, &tr!("{file}, the sheet, is not there or cannot be read."));
                 }
                 None => {}
             }
@@ -170,7 +173,7 @@ impl Wedge {
                     swatches(ui, cell);
                     let text = format!("{}  {}", number + 1, cell.label());
                     let button = Button::selectable(self.taken == Some(number), text);
-                    if ui.add(button.wrap()).on_hover_text(HELP).clicked() {
+                    if ui.add(button.wrap()).on_hover_text(HELP.tr()).clicked() {
                         clicked = Some(number);
                     }
                 });
@@ -184,7 +187,7 @@ impl Wedge {
     }
 }
 
-const HELP: &str = "Sets these values, as one step that can be undone";
+const HELP: Text = text!("Sets these values, as one step that can be undone");
 
 /// Shows the sheet as wide as there is room; the cell under the pointer is framed, and tells its
 /// values. Returns the cell that is clicked.
@@ -217,7 +220,7 @@ fn show_picture(
             continue;
         }
         let response = ui.interact(place, ui.scope_id().with(("cell", number)), Sense::click());
-        let label = format!("Cell {}: {}", number + 1, cell.label());
+        let label = tr!("Cell {number}: {values}", number = number + 1, values = cell.label());
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
         let is_hot = response.hovered() || response.has_focus();
         let stroke = match (is_hot, taken == Some(number)) {
@@ -263,7 +266,7 @@ fn enlarge(response: Response, shown: &ShownSheet, cell: &WedgeCell, (part, size
         if let Some(frame) = cell.frame {
             ui.label(tr!("frame {frame}"));
         }
-        ui.label(RichText::new(HELP).small().color(theme::of(ui).dim));
+        ui.label(RichText::new(HELP.tr()).small().color(theme::of(ui).dim));
     });
 }
 

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui::{
     self, Button, CollapsingHeader, DragValue, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
 };
@@ -128,8 +128,8 @@ impl DrawnWedge {
     pub(super) fn show(&mut self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         let count = self.count();
         let head = match self.varied.is_empty() {
-            true => "Vary values".to_owned(),
-            false => format!("Vary values: {count} cells"),
+            true => tr!("Vary values").to_owned(),
+            false => trn!(count, "Vary values: {count} cell", "Vary values: {count} cells"),
         };
         let closes = std::mem::take(&mut self.makes_room).then_some(false);
         let part = CollapsingHeader::new(head).id_salt("varied").default_open(true).open(closes);
@@ -147,8 +147,8 @@ impl DrawnWedge {
             if self.varied.is_empty() {
                 hint(
                     ui,
-                    "Each combination of the values is a picture on one sheet. The diamond beside \
-                     a value has \"Wedge this value\", too.",
+                    tr!("Each combination of the values is a picture on one sheet. The diamond \
+                         beside a value has \"Wedge this value\", too."),
                 );
                 return;
             }
@@ -165,17 +165,18 @@ impl DrawnWedge {
         let line = self.line(session);
         let is_going_on = self.run.as_ref().is_some_and(|run| run.end.is_none());
         ui.horizontal_wrapped(|ui| {
-            let text = RichText::new(tr!("Draw {count} cells")).strong();
+            let text =
+                RichText::new(trn!(count, "Draw {count} cell", "Draw {count} cells")).strong();
             let button = ui.add_enabled(line.is_ok() && !is_going_on, Button::new(text));
             let help =
-                "Draws the pictures beside the window, which stays free, and shows the sheet";
+                tr!("Draws the pictures beside the window, which stays free, and shows the sheet");
             if button.on_hover_text(help).clicked() {
                 out.push(Command::Film(FilmCommand::DrawWedge));
             }
             ui.spacing_mut().item_spacing.x = 2.0;
             for width in WIDTHS {
                 let response = ui.selectable_label(self.width == width, width.to_string());
-                let name = format!("Cells {width} pixels wide");
+                let name = tr!("Cells {width} pixels wide");
                 response.widget_info(|| {
                     WidgetInfo::selected(Role::RadioButton, true, self.width == width, &name)
                 });
@@ -186,12 +187,12 @@ impl DrawnWedge {
         });
         let colors = theme::of(ui);
         if count > MANY {
-            let text = "These are many: it takes its time.";
+            let text = tr!("These are many: it takes its time.");
             ui.label(RichText::new(text).color(colors.warning));
         }
         if is_unsaved(session) {
             ui.horizontal_wrapped(|ui| {
-                let text = "What you changed is not saved, and not in the pictures.";
+                let text = tr!("What you changed is not saved, and not in the pictures.");
                 ui.label(RichText::new(text).color(colors.warning));
                 if ui.small_button(tr!("Save now")).clicked() {
                     out.push(Command::Save);
@@ -199,7 +200,9 @@ impl DrawnWedge {
             });
         }
         match line {
-            Ok((line, _)) => command_text(ui, &line, "Copy the command that draws the wedge", out),
+            Ok((line, _)) => {
+                command_text(ui, &line, tr!("Copy the command that draws the wedge"), out)
+            }
             Err(reason) => {
                 ui.label(RichText::new(reason).color(colors.error));
             }
@@ -215,8 +218,12 @@ impl DrawnWedge {
             None => {
                 let done = run.messages.iter().filter(|text| text.contains(" of ")).count();
                 ui.horizontal(|ui| {
-                    let text =
-                        format!("{done} of {} cells, {:.0} s", run.count, run.clock.seconds());
+                    let text = trn!(
+                        all = run.count,
+                        "{done} of {all} cell, {seconds:.0} s",
+                        "{done} of {all} cells, {seconds:.0} s",
+                        seconds = run.clock.seconds()
+                    );
                     ui.label(text);
                     if ui.small_button(tr!("Stop")).clicked() {
                         out.push(Command::Film(FilmCommand::StopWedge));
@@ -291,7 +298,11 @@ fn row(ui: &mut Ui, index: usize, varied: &mut Variation) -> bool {
             let width = (ui.available_width() - 30.0).max(60.0);
             let field = ui.add(TextEdit::singleline(&mut varied.target).desired_width(width));
             field.widget_info(|| {
-                WidgetInfo::labeled(Role::TextInput, true, format!("Value {}", index + 1))
+                WidgetInfo::labeled(
+                    Role::TextInput,
+                    true,
+                    tr!("Value {number}", number = index + 1),
+                )
             });
             field.on_hover_text(tr!(
                 "Name of the value: a field of a light (key.intensity), an input of a node \
@@ -299,7 +310,7 @@ fn row(ui: &mut Ui, index: usize, varied: &mut Variation) -> bool {
             ));
             let remove = ui.small_button("×").on_hover_text(tr!("Does not vary it"));
             remove.widget_info(|| {
-                WidgetInfo::labeled(Role::Button, true, format!("Do not vary {target}"))
+                WidgetInfo::labeled(Role::Button, true, tr!("Do not vary {target}"))
             });
             is_removed = remove.clicked();
         });
@@ -320,7 +331,7 @@ fn row(ui: &mut Ui, index: usize, varied: &mut Variation) -> bool {
 /// Shows both ends of numbers, and how many there are.
 fn numbers(ui: &mut Ui, target: &str, ends: [&mut f64; 2], count: &mut u32, is_angle: bool) {
     let (scale, suffix) = if is_angle { (1.0_f64.to_degrees(), "°") } else { (1.0, "") };
-    for (value, name) in ends.into_iter().zip(["from", "to"]) {
+    for (value, name) in ends.into_iter().zip([tr!("from"), tr!("to")]) {
         ui.label(RichText::new(name).color(theme::of(ui).dim));
         let mut shown = *value * scale;
         let drag = DragValue::new(&mut shown).speed(0.01 * scale).max_decimals(3).suffix(suffix);
@@ -332,10 +343,10 @@ fn numbers(ui: &mut Ui, target: &str, ends: [&mut f64; 2], count: &mut u32, is_a
             *value = (shown / scale * 1e6).round() / 1e6;
         }
     }
-    let drag = DragValue::new(count).range(1..=480).speed(0.05).suffix(" values");
+    let drag = DragValue::new(count).range(1..=480).speed(0.05).suffix(tr!(" values"));
     let response = ui.add(drag);
     response.widget_info(|| {
-        WidgetInfo::labeled(Role::SpinButton, true, format!("Number of values of {target}"))
+        WidgetInfo::labeled(Role::SpinButton, true, tr!("Number of values of {target}"))
     });
 }
 
@@ -344,7 +355,7 @@ fn swatches(ui: &mut Ui, target: &str, colors: &mut Vec<[f64; 3]>) {
     for (index, color) in colors.iter_mut().enumerate() {
         let [r, g, b] = *color;
         ui.push_id(index, |ui| {
-            let name = format!("Color {} of {target}", index + 1);
+            let name = tr!("Color {number} of {target}", number = index + 1);
             let space = ColorSpace::Display;
             let picked = color::named_swatch(ui, &name, [r, g, b, 1.0], space, false);
             if let Some((_, [r, g, b, _])) = picked {

@@ -1,5 +1,6 @@
 //! Controls of the brushes, above the picture.
 
+use chiaro_locale::tr;
 use eframe::egui::{self, DragValue, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::FitTool;
@@ -15,8 +16,9 @@ const PERCENT: f32 = 110.0;
 impl FitTool {
     /// Shows the button that turns painting on and off.
     pub(crate) fn toggle(&self, ui: &mut Ui, out: &mut Vec<Command>) {
-        let help = "Paint on the picture where it should be lighter or darker, and fit the look to \
-                    that (L)";
+        let help =
+            tr!("Paint on the picture where it should be lighter or darker, and fit the look to \
+                 that (L)");
         if sun(ui, self.is_on).on_hover_text(help).clicked() {
             out.push(Command::Fit(FitCommand::Turn(Switch::Toggle)));
         }
@@ -32,7 +34,7 @@ impl FitTool {
             for kind in LightBrush::ALL {
                 let is_it = self.tools.kind == kind;
                 let response = ui.selectable_label(is_it, kind.label()).on_hover_text(kind.help());
-                let name = format!("Brush: {}", kind.label());
+                let name = tr!("Brush: {brush}", brush = kind.label());
                 response
                     .widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
                 if response.clicked() {
@@ -42,7 +44,7 @@ impl FitTool {
             let [r, g, b] = self.tools.color;
             let swatch = color::named_swatch(
                 ui,
-                "Color to paint",
+                tr!("Color to paint"),
                 [r, g, b, 1.0],
                 ColorSpace::Display,
                 false,
@@ -52,32 +54,32 @@ impl FitTool {
                 self.tools.kind = LightBrush::Color;
             }
             ui.separator();
-            let help = "The brush's diameter, in percent of the picture's height ([ and ] change \
-                        it)";
-            percent(ui, true, "Size", help, &mut self.tools.size, SIZES);
+            let help =
+                tr!("The brush's diameter, in percent of the picture's height ([ and ] change it)");
+            percent(ui, true, tr!("Size"), help, &mut self.tools.size, SIZES);
             percent(
                 ui,
                 true,
-                "Hardness",
-                "How sharp the brush's edge is",
+                tr!("Hardness"),
+                tr!("How sharp the brush's edge is"),
                 &mut self.tools.hardness,
                 0.0..=1.0,
             );
             // All tools show all controls: a bar that changed its height would resize the picture,
             // which would then be read anew.
             let has_amount = matches!(self.tools.kind, LightBrush::Light | LightBrush::Dark);
-            let help = "How much lighter or darker Light and Dark make it, as an eye sees it: from \
-                        black to white is 100%. A \
-                        stroke that crosses itself makes no more of it; another stroke goes on \
-                        from there";
-            percent(ui, has_amount, "Amount", help, &mut self.tools.amount, 0.01..=1.0);
+            let help =
+                tr!("How much lighter or darker Light and Dark make it, as an eye sees it: from \
+                     black to white is 100%. A stroke that crosses itself makes no more of it; \
+                     another stroke goes on from there");
+            percent(ui, has_amount, tr!("Amount"), help, &mut self.tools.amount, 0.01..=1.0);
         });
     }
 }
 
 /// Shows a button with a half-painted sun.
 fn sun(ui: &mut Ui, is_on: bool) -> Response {
-    icon_toggle(ui, is_on, "Paint light", |painter, at, stroke| {
+    icon_toggle(ui, is_on, tr!("Paint light"), |painter, at, stroke| {
         painter.circle_stroke(at, 3.6, stroke);
         let right = Rect::everything_right_of(at.x);
         painter.with_clip_rect(right).circle_filled(at, 3.6, stroke.color);

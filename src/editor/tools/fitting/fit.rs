@@ -2,6 +2,9 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::{Text, text, tr};
+
+use super::panel::told_of;
 use super::work::FitRequest;
 use super::work::FitResult;
 use super::{ENOUGH, FitTool, LEAST_PAINTED};
@@ -40,7 +43,7 @@ impl Strokes {
 /// figure.
 const LEAST_GAIN: f64 = 0.05 / 255.0;
 /// Message on a fit that was stopped before it gained anything.
-const STOPPED: &str = "The fit was stopped before it came nearer: the look is as it was";
+const STOPPED: Text = text!("The fit was stopped before it came nearer: the look is as it was");
 
 pub(super) struct FitRun {
     pub(super) of: FittedState,
@@ -67,20 +70,20 @@ impl FitTool {
 
     fn try_fit(&mut self, what: FitGoal, session: &Session) -> Result<(), &'static str> {
         if session.sketchbook.sketch().is_empty() {
-            return Err("Nothing is painted yet: take Light or Dark and drag on the object");
+            return Err(tr!("Nothing is painted yet: take Light or Dark and drag on the object"));
         }
         if let Some(obstacle) = self.obstacle(session) {
             return Err(obstacle);
         }
         let Some(ground) = self.ground() else {
-            return Err("The picture is still being read: fit in a moment");
+            return Err(tr!("The picture is still being read: fit in a moment"));
         };
         let painted = match self.goals() {
-            [] => return Err("No stroke lies well inside of an object that wears this look"),
+            [] => return Err(tr!("No stroke lies well inside of an object that wears this look")),
             few if few.len() < LEAST_PAINTED => {
-                return Err(
-                    "Too little is painted to tell anything of lights: paint a larger spot",
-                );
+                return Err(tr!(
+                    "Too little is painted to tell anything of lights: paint a larger spot"
+                ));
             }
             goals => goals.to_vec(),
         };
@@ -109,10 +112,10 @@ impl FitTool {
         let Some(running) = &self.running else { return };
         if running.progress.is_stopped() {
             self.give_up();
-            self.told = Some(STOPPED.to_owned());
+            self.told = Some(STOPPED.tr().to_owned());
         } else {
             running.progress.stop();
-            self.told = Some("Stopping".to_owned());
+            self.told = Some(tr!("Stopping").to_owned());
         }
     }
 
@@ -133,29 +136,30 @@ impl FitTool {
         match done.result {
             Err(problems) => self.told = Some(why(&problems)),
             Ok(_) if running.is_some_and(|running| running.of != of(session)) => {
-                self.told = Some("The look was changed while it was fitted: fit again".to_owned());
+                self.told =
+                    Some(tr!("The look was changed while it was fitted: fit again").to_owned());
             }
             Ok(fitted)
                 if done.what == FitGoal::Local
                     && (fitted.look == *done.look || gains_nothing(&fitted.report)) =>
             {
                 self.told = Some(
-                    "No light of its own brings it nearer where you painted: paint larger spots, \
-                     or fit the whole look"
-                        .to_owned(),
+                    tr!("No light of its own brings it nearer where you painted: paint larger \
+                         spots, or fit the whole look")
+                    .to_owned(),
                 );
             }
             Ok(fitted) if fitted.look == *done.look || gains_nothing(&fitted.report) => {
-                let tried = fitted.report.tried.told().unwrap_or_else(|| "nothing".to_owned());
+                let tried = told_of(&fitted.report.tried);
                 let help = self.advice(done.what, &fitted.report);
-                self.told = Some(format!(
+                self.told = Some(tr!(
                     "Nothing was turned: {tried} of this look bring it no nearer to the strokes. \
                      {help}"
                 ));
             }
             Ok(FittedLook { look, edit, report, .. }) => {
                 self.told =
-                    report.is_stopped.then(|| "Stopped: this is the best so far".to_owned());
+                    report.is_stopped.then(|| tr!("Stopped: this is the best so far").to_owned());
                 let strokes = Strokes::of(session);
                 self.outcome =
                     Some(FitOutcome { what: done.what, strokes, edit, report, applied: None });
@@ -200,16 +204,17 @@ fn gains_nothing(report: &FitReport) -> bool {
 
 /// Reason why a fit failed, for the user.
 fn why(problems: &[Diagnostic]) -> String {
-    let Some(first) = problems.first() else { return "Nothing could be fitted".to_owned() };
+    let Some(first) = problems.first() else { return tr!("Nothing could be fitted").to_owned() };
     match first.code {
-        "stopped" => STOPPED.to_owned(),
+        "stopped" => STOPPED.tr().to_owned(),
         "fit-nothing" => {
-            "The look has no light, profile or color that may change: keep less, or fit new \
-             layers. What is \
-                          wired or keyed stays as it is."
-                .to_owned()
+            tr!("The look has no light, profile or color that may change: keep less, or fit new \
+                 layers. What is wired or keyed stays as it is.")
+            .to_owned()
         }
-        "fit-target" => "No stroke lies well inside of an object that wears this look".to_owned(),
+        "fit-target" => {
+            tr!("No stroke lies well inside of an object that wears this look").to_owned()
+        }
         _ => sentence(first),
     }
 }

@@ -21,6 +21,7 @@ mod work;
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::{self, Rect, Ui};
 
 use crate::commands::{Command, LightBrush, SketchCommand};
@@ -226,7 +227,7 @@ impl FitTool {
             Vec::new()
         } else if self.awaits() {
             let out = self.discard();
-            self.told = Some("What was fitted is discarded: the look is as it was".to_owned());
+            self.told = Some(tr!("What was fitted is discarded: the look is as it was").to_owned());
             out
         } else {
             self.turn(false, session)
@@ -249,24 +250,24 @@ impl FitTool {
         }
         if self.running.as_ref().is_some_and(|running| running.of != of(session)) {
             self.give_up();
-            self.told = Some("The look was changed while it was fitted: fit again".to_owned());
+            self.told = Some(tr!("The look was changed while it was fitted: fit again").to_owned());
         }
         if self.running.as_ref().is_some_and(|running| !running.strokes.are(session)) {
             self.give_up();
             self.told =
-                Some("The strokes were changed while they were fitted: fit again".to_owned());
+                Some(tr!("The strokes were changed while they were fitted: fit again").to_owned());
         }
         if self.outcome.as_ref().is_some_and(|outcome| !outcome.strokes.are(session)) {
             let awaited = self.awaits();
             self.outcome = None;
             previews = false;
             out.push(preview(None));
-            self.told = awaited.then(|| "The strokes were changed: fit again".to_owned());
+            self.told = awaited.then(|| tr!("The strokes were changed: fit again").to_owned());
         }
         if self.awaits() && !previews {
             self.outcome = None;
             self.told = Some(
-                "The look was changed, and what was fitted to it before is gone: fit again"
+                tr!("The look was changed, and what was fitted to it before is gone: fit again")
                     .to_owned(),
             );
         }
@@ -346,17 +347,17 @@ impl FitTool {
     /// Reason why painting or fitting is not possible now.
     fn obstacle(&self, session: &Session) -> Option<&'static str> {
         if session.view.wire.is_some() {
-            Some("A wire is shown in place of the look: show the look first")
+            Some(tr!("A wire is shown in place of the look: show the look first"))
         } else if !session.view.solo.is_empty() {
-            Some("Layers or lights are shown alone or muted: show the whole look first")
+            Some(tr!("Layers or lights are shown alone or muted: show the whole look first"))
         } else if !Self::is_at_view(session) {
-            Some("The strokes belong to another view: go back to it, or clear them")
+            Some(tr!("The strokes belong to another view: go back to it, or clear them"))
         } else if has_errors(session.compilation().problems()) || self.grounds.problem().is_some() {
-            Some("The look cannot be drawn: Problems tells why")
+            Some(tr!("The look cannot be drawn: Problems tells why"))
         } else if self.running.is_some() {
-            Some("A fit is going on: stop it first")
+            Some(tr!("A fit is going on: stop it first"))
         } else if self.awaits() {
-            Some("Apply or discard what was fitted first")
+            Some(tr!("Apply or discard what was fitted first"))
         } else {
             None
         }
@@ -369,7 +370,7 @@ impl FitTool {
             return Vec::new();
         }
         let from = Box::new(Standpoint::new(&session.view.orbit, session.view.time));
-        let label = "clear the strokes";
+        let label = tr!("clear the strokes");
         vec![Command::Sketch(SketchCommand::Paint { label, from, tile: None })]
     }
 

@@ -92,9 +92,9 @@ impl FitTool {
         }
         let shows_misses = self.shows.misses && is_here && !self.goals().is_empty();
         let tags = [
-            (shows_misses, "Black: as painted. Red to white: off by up to 25/255 and more"),
-            (self.awaits(), "Preview of the fit: apply or discard it"),
-            (self.waiting.is_some(), "Reading the picture: the stroke comes with it"),
+            (shows_misses, tr!("Black: as painted. Red to white: off by up to 25/255 and more")),
+            (self.awaits(), tr!("Preview of the fit: apply or discard it")),
+            (self.waiting.is_some(), tr!("Reading the picture: the stroke comes with it")),
         ];
         let mut corner = rect.left_bottom() + vec2(8.0, -8.0);
         for (_, text) in tags.into_iter().filter(|(is_seen, _)| *is_seen) {
@@ -103,7 +103,7 @@ impl FitTool {
         self.hint = "";
         if !is_here {
             elsewhere(ui, rect, out);
-            self.hint = "The strokes belong to another view";
+            self.hint = tr!("The strokes belong to another view");
             return;
         }
         let pointer = response
@@ -118,10 +118,10 @@ impl FitTool {
         };
         let is_reading = self.ground().is_none() && self.going.is_none();
         self.hint = match is_reading {
-            true => "Reading the picture: a stroke waits until it is read",
+            true => tr!("Reading the picture: a stroke waits until it is read"),
             _ => {
-                "Drag to paint · [ and ] change the brush · Ctrl-click takes a color · Alt-drag \
-                 turns the camera · Esc ends it"
+                tr!("Drag to paint · [ and ] change the brush · Ctrl-click takes a color · \
+                     Alt-drag turns the camera · Esc ends it")
             }
         };
         if self.obstacle(session).is_some() {
@@ -223,7 +223,7 @@ fn elsewhere(ui: &mut Ui, rect: Rect, out: &mut Vec<Command>) {
             ui.horizontal(|ui| {
                 let button = ui.button(tr!("Back to the painted view"));
                 button.widget_info(|| {
-                    WidgetInfo::labeled(Role::Button, true, "Back to the painted view")
+                    WidgetInfo::labeled(Role::Button, true, tr!("Back to the painted view"))
                 });
                 if button.clicked() {
                     out.push(Command::Fit(FitCommand::Back));

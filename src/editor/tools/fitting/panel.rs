@@ -1,6 +1,6 @@
 //! Panel of painted light: the painting, the settings of the fit, and its result.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui;
 use eframe::egui::{
     Button, Color32, DragValue, ProgressBar, RichText, Role, ScrollArea, Slider, Ui, WidgetInfo,
@@ -11,7 +11,7 @@ use super::fit::FitOutcome;
 use super::{FitTool, target};
 use crate::commands::{Command, FitCommand, FitGoal, Switch};
 use crate::document::parse_hex;
-use crate::fit::{FitReport, LookChange};
+use crate::fit::{FitReport, KnobCounts, LookChange};
 use crate::state::problem_text::sentence;
 use crate::state::session::Session;
 use crate::widgets::text::hint;
@@ -25,15 +25,15 @@ impl FitTool {
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut out = Vec::new();
         if !self.is_on {
-            let help = "Paint on the picture where it should be lighter or darker (L)";
+            let help = tr!("Paint on the picture where it should be lighter or darker (L)");
             if ui.button(tr!("Paint light on the picture")).on_hover_text(help).clicked() {
                 out.push(Command::Fit(FitCommand::Turn(Switch::On)));
             }
             hint(
                 ui,
-                "Paint on the picture where it should be lighter, darker or of a color (L). The \
-                 lights, profiles and \
-                 colors of the look are then fitted to that, and stay an ordinary look.",
+                tr!("Paint on the picture where it should be lighter, darker or of a color (L). \
+                     The lights, profiles and colors of the look are then fitted to that, and stay \
+                     an ordinary look."),
             );
             return out;
         }
@@ -66,28 +66,32 @@ impl FitTool {
                 return;
             }
             let text = match (is_empty, ground) {
-                (true, _) => "Nothing is painted yet: drag on the object".to_owned(),
+                (true, _) => tr!("Nothing is painted yet: drag on the object").to_owned(),
                 (false, Some(ground)) => {
                     let off = target::off(self.goals(), |pixel| Some(target::shown(ground, pixel)));
-                    format!("{} pixels painted, off by {}", self.goals().len(), steps(off))
+                    trn!(
+                        count = self.goals().len(),
+                        "{count} pixel painted, off by {off}",
+                        "{count} pixels painted, off by {off}",
+                        off = steps(off)
+                    )
                 }
-                (false, None) => "Reading the picture".to_owned(),
+                (false, None) => tr!("Reading the picture").to_owned(),
             };
             let [width, height] = self.size(session);
-            let help = format!(
+            let help = tr!(
                 "It is fitted at {width} by {height} pixels. Errors are RMS of a channel over what \
-                 is painted, as the \
-                 picture shows it now"
+                 is painted, as the picture shows it now"
             );
             ui.label(text).on_hover_text(help);
         });
         ui.horizontal_wrapped(|ui| {
             ui.toggle_value(&mut self.shows.strokes, tr!("Strokes"))
                 .on_hover_text(tr!("Shows what the strokes wish"));
-            let help = "Where the picture is not as painted: black where it is, over red and \
-                        yellow to white";
+            let help = tr!("Where the picture is not as painted: black where it is, over red and \
+                            yellow to white");
             ui.toggle_value(&mut self.shows.misses, tr!("Misses")).on_hover_text(help);
-            let help = "Takes all strokes away; undo brings them back";
+            let help = tr!("Takes all strokes away; undo brings them back");
             if ui.add_enabled(!is_empty, Button::new(tr!("Clear"))).on_hover_text(help).clicked() {
                 out.push(Command::Fit(FitCommand::Clear));
             }
@@ -97,23 +101,29 @@ impl FitTool {
     fn how_rows(&mut self, ui: &mut Ui) {
         ui.horizontal_wrapped(|ui| {
             ui.label(tr!("Keep"))
-                .on_hover_text(tr!("FitGoal of this look stays as it is; all else is turned"));
+                .on_hover_text(tr!("What of this look stays as it is; all else is turned"));
             let keep = &mut self.how.keep;
             for (kept, label, help) in [
-                (&mut keep.lights, "Lights", "Directions of directional lights stay"),
-                (&mut keep.profiles, "Profiles", "Offsets, fall-offs and cut-offs stay"),
-                (&mut keep.colors, "Colors", "Colors stay: of layers, ramps and the base"),
-                (&mut keep.base, "Base", "The color of the base stays"),
+                (&mut keep.lights, tr!("Lights"), tr!("Directions of directional lights stay")),
+                (&mut keep.profiles, tr!("Profiles"), tr!("Offsets, fall-offs and cut-offs stay")),
+                (
+                    &mut keep.colors,
+                    tr!("Colors"),
+                    tr!("Colors stay: of layers, ramps and the base"),
+                ),
+                (&mut keep.base, tr!("Base"), tr!("The color of the base stays")),
             ] {
-                let name = format!("Keep: {label}");
+                let name = tr!("Keep: {label}");
                 let response = ui.checkbox(kept, label).on_hover_text(help);
                 response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, *kept, &name));
             }
         });
         ui.horizontal_wrapped(|ui| {
-            let help = "How far what is not painted stays as it is: at 0% only strokes count, and \
-                        the rest becomes what it \
-                        will; at 100% it moves only where strokes cannot be met otherwise";
+            let help = tr!(
+                "How far what is not painted stays as it is: at 0% only strokes count, and the \
+                 rest becomes what it will; at 100% it moves only where strokes cannot be met \
+                 otherwise"
+            );
             let label = ui.label(tr!("Keep the rest")).on_hover_text(help);
             let mut percent = self.how.keep_rest * 100.0;
             let slider = Slider::new(&mut percent, 0.0..=100.0).max_decimals(0).suffix("%");
@@ -128,15 +138,17 @@ impl FitTool {
         let report = &outcome.report;
         errors(ui, report);
         if outcome.applied.is_none() && report.is_far_off() {
-            let tried = report.tried.told().unwrap_or_else(|| "nothing".to_owned());
-            let tried = match outcome.what {
-                FitGoal::Local => "Layers over the look".to_owned(),
-                FitGoal::ThisLook | FitGoal::Layers(_) => format!("Turning {tried}"),
+            let advice = self.advice(outcome.what, report);
+            let text = match outcome.what {
+                FitGoal::Local => {
+                    tr!("Layers over the look found nothing nearer: Misses shows where it is off. \
+                         {advice}")
+                }
+                FitGoal::ThisLook | FitGoal::Layers(_) => tr!(
+                    "Turning {tried} found nothing nearer: Misses shows where it is off. {advice}",
+                    tried = told_of(&report.tried)
+                ),
             };
-            let text = format!(
-                "{tried} found nothing nearer: Misses shows where it is off. {}",
-                self.advice(outcome.what, report)
-            );
             ui.label(RichText::new(text).color(theme::of(ui).accent));
         }
         choice(ui, outcome, out);
@@ -146,39 +158,50 @@ impl FitTool {
     /// Advice on what else may bring a look nearer to the strokes.
     pub(super) fn advice(&self, what: FitGoal, report: &FitReport) -> String {
         let mut ways = Vec::new();
-        if let Some(kept) = report.kept.told().filter(|_| what == FitGoal::ThisLook) {
-            ways.push(format!("keep less ({kept} did not take part)"));
+        if report.kept.told().is_some() && what == FitGoal::ThisLook {
+            let kept = told_of(&report.kept);
+            ways.push(tr!("keep less ({kept} did not take part)"));
         }
         if self.how.keep_rest > 0.0 && what != FitGoal::Local {
-            ways.push("keep less of the rest".to_owned());
+            ways.push(tr!("keep less of the rest").to_owned());
         }
         ways.push(match what {
-            FitGoal::Local => "fit the whole look".to_owned(),
-            FitGoal::ThisLook => "fit new layers".to_owned(),
-            FitGoal::Layers(_) => "allow more layers".to_owned(),
+            FitGoal::Local => tr!("fit the whole look").to_owned(),
+            FitGoal::ThisLook => tr!("fit new layers").to_owned(),
+            FitGoal::Layers(_) => tr!("allow more layers").to_owned(),
         });
         let last = ways.pop().unwrap_or_default();
-        let ways = if ways.is_empty() { last } else { format!("{}, or {last}", ways.join(", ")) };
-        let wired =
-            if what == FitGoal::ThisLook { " What is wired or keyed stays as it is." } else { "" };
-        format!("What may help: {ways}.{wired}")
+        let ways = match ways.is_empty() {
+            true => last,
+            false => tr!("{ways}, or {last}", ways = ways.join(", ")),
+        };
+        match what {
+            FitGoal::ThisLook => {
+                tr!("What may help: {ways}. What is wired or keyed stays as it is.")
+            }
+            FitGoal::Local | FitGoal::Layers(_) => tr!("What may help: {ways}."),
+        }
     }
 
     fn fit_row(&mut self, ui: &mut Ui, out: &mut Vec<Command>) {
         if let Some(running) = &self.running {
             let share = running.progress.share() as f32;
             ui.horizontal(|ui| {
-                let help = "Ends the fit, and shows the best that it has come to (Esc)";
+                let help = tr!("Ends the fit, and shows the best that it has come to (Esc)");
                 if ui.button(tr!("Stop")).on_hover_text(help).clicked() {
                     out.push(Command::Fit(FitCommand::Stop));
                 }
-                ui.add(ProgressBar::new(share).text(format!("fitting, {:.0} %", 100.0 * share)));
+                ui.add(
+                    ProgressBar::new(share)
+                        .text(tr!("fitting, {percent:.0} %", percent = 100.0 * share)),
+                );
             });
             return;
         }
         ui.horizontal_wrapped(|ui| {
-            let help = "Lays new layers over the look, with lights of their own, where you painted \
-                        (Ctrl+Enter). All else stays as it is";
+            let help =
+                tr!("Lays new layers over the look, with lights of their own, where you painted \
+                     (Ctrl+Enter). All else stays as it is");
             if ui.button(tr!("Light it there")).on_hover_text(help).clicked() {
                 out.push(Command::Fit(FitCommand::Fit(FitGoal::Local)));
             }
@@ -187,13 +210,15 @@ impl FitTool {
         hint(ui, tr!("Or the whole look is turned, as far as it may be:"));
         self.how_rows(ui);
         ui.horizontal_wrapped(|ui| {
-            let help = "Turns lights, profiles and colors of this look until it shows what is \
-                        painted. Its nodes and wires stay";
+            let help =
+                tr!("Turns lights, profiles and colors of this look until it shows what is \
+                     painted. Its nodes and wires stay");
             if ui.button(tr!("Fit this look")).on_hover_text(help).clicked() {
                 out.push(Command::Fit(FitCommand::Fit(FitGoal::ThisLook)));
             }
-            let help = "Begins from nothing: light layers over a base, as many as help, in place \
-                        of all nodes of this look";
+            let help =
+                tr!("Begins from nothing: light layers over a base, as many as help, in place of \
+                     all nodes of this look");
             if ui.button(tr!("Fit new layers")).on_hover_text(help).clicked() {
                 out.push(Command::Fit(FitCommand::Fit(FitGoal::Layers(self.how.layers))));
             }
@@ -207,13 +232,17 @@ impl FitTool {
 /// Shows the errors before and after the fit.
 fn errors(ui: &mut Ui, report: &FitReport) {
     ui.horizontal_wrapped(|ui| {
-        let text = format!("Off by {}, before {}", steps(report.after), steps(report.before));
-        let help = "RMS of a channel over what is painted, in steps of eight bits";
+        let text = tr!(
+            "Off by {after}, before {before}",
+            after = steps(report.after),
+            before = steps(report.before)
+        );
+        let help = tr!("RMS of a channel over what is painted, in steps of eight bits");
         ui.label(RichText::new(text).strong()).on_hover_text(help);
         if let Some(rest) = report.rest {
-            let help = "How far what is not painted went off, though it was to stay";
+            let help = tr!("How far what is not painted went off, though it was to stay");
             ui.label(
-                RichText::new(format!("the rest moved by {}", steps(rest)))
+                RichText::new(tr!("the rest moved by {error}", error = steps(rest)))
                     .color(theme::of(ui).dim),
             )
             .on_hover_text(help);
@@ -257,7 +286,8 @@ fn changes(ui: &mut Ui, report: &FitReport, session: &Session) {
             ui.add_space(10.0);
             ui.label(what);
             if change.what == "light" {
-                ui.label(turned(change)).on_hover_text(format!("Toward {}", change.to));
+                ui.label(turned(change))
+                    .on_hover_text(tr!("Toward {direction}", direction = change.to));
             } else {
                 value(ui, &change.from);
                 if !change.from.is_empty() {
@@ -275,17 +305,18 @@ fn named(change: &LookChange, session: &Session) -> (String, String) {
         let light = session.look().lights.get(change.place.as_str());
         let name = light.map(|light| light.name.clone()).filter(|name| !name.is_empty());
         return (
-            format!("Light {}", name.unwrap_or_else(|| change.place.clone())),
-            "direction".to_owned(),
+            tr!("Light {name}", name = name.unwrap_or_else(|| change.place.clone())),
+            tr!("direction").to_owned(),
         );
     }
     let (node, port) = match change.what {
         "color" => change.place.rsplit_once('.').unwrap_or((change.place.as_str(), "color")),
-        _ => (change.place.as_str(), "profile"),
+        _ => (change.place.as_str(), tr!("profile")),
     };
     let port = match port.strip_suffix(']').and_then(|port| port.split_once('[')) {
         Some((ramp, index)) => {
-            format!("{ramp}, stop {}", index.parse::<usize>().unwrap_or_default() + 1)
+            let number = index.parse::<usize>().unwrap_or_default() + 1;
+            tr!("{ramp}, stop {number}")
         }
         None => port.to_owned(),
     };
@@ -309,8 +340,10 @@ fn turned(change: &LookChange) -> String {
         <[f64; 3]>::try_from(numbers).ok().map(glam::DVec3::from)?.try_normalize()
     };
     match (direction(&change.from), direction(&change.to)) {
-        (Some(from), Some(to)) => format!("turned by {:.0}°", from.angle_between(to).to_degrees()),
-        _ => format!("from {}", change.to),
+        (Some(from), Some(to)) => {
+            tr!("turned by {angle:.0}°", angle = from.angle_between(to).to_degrees())
+        }
+        _ => tr!("from {direction}", direction = change.to),
     }
 }
 
@@ -325,6 +358,23 @@ fn value(ui: &mut Ui, text: &str) {
         response.on_hover_text(text);
     } else if !text.is_empty() {
         ui.label(text);
+    }
+}
+
+/// Parts of a look in words: "1 light, 2 profiles and 7 colors".
+pub(super) fn told_of(parts: &KnobCounts) -> String {
+    let KnobCounts { lights, profiles, colors } = *parts;
+    let each = [
+        (lights, trn!(lights, "{lights} light", "{lights} lights")),
+        (profiles, trn!(profiles, "{profiles} profile", "{profiles} profiles")),
+        (colors, trn!(colors, "{colors} color", "{colors} colors")),
+    ];
+    let each = each.into_iter().filter(|(count, _)| *count > 0);
+    let mut named: Vec<String> = each.map(|(_, text)| text).collect();
+    match named.pop() {
+        Some(last) if named.is_empty() => last,
+        Some(last) => tr!("{parts} and {last}", parts = named.join(", ")),
+        None => tr!("nothing").to_owned(),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::{Event, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
 use glam::DVec2;
 
@@ -148,7 +149,7 @@ impl FitTool {
         if modifiers.command {
             let Some(ground) = self.ground() else {
                 return Some(Command::Tell(
-                    "The picture is being read: take the color in a moment".to_owned(),
+                    tr!("The picture is being read: take the color in a moment").to_owned(),
                 ));
             };
             let place = on_sketch(at, ground.size);
@@ -184,7 +185,8 @@ impl FitTool {
 
     fn end(&self, going: LightStroke, session: &Session) -> Option<Command> {
         if !going.meets {
-            let told = "That stroke met no object that wears this look: only strokes on it count";
+            let told =
+                tr!("That stroke met no object that wears this look: only strokes on it count");
             return Some(Command::Tell(told.to_owned()));
         }
         if going.now != going.before {

@@ -1,5 +1,6 @@
 //! Difference of two frames.
 
+use chiaro_locale::tr;
 use eframe::egui::{Color32, ColorImage};
 
 use crate::tools::playback::cache::PictureKey;
@@ -58,13 +59,13 @@ impl DeltaKind {
     /// The difference in words.
     pub(crate) fn text(self) -> String {
         match self {
-            Self::Compared { greatest: 0, .. } => "no difference".to_owned(),
+            Self::Compared { greatest: 0, .. } => tr!("no difference").to_owned(),
             Self::Compared { greatest, pixel: [x, y], .. } => {
-                format!("differs by {greatest}/255, most at pixel {x}, {y}")
+                tr!("differs by {greatest}/255, most at pixel {x}, {y}")
             }
-            Self::OtherSize([[width, height], [other_width, other_height]]) => format!(
-                "is {width}×{height}, and in the other version {other_width}×{other_height}"
-            ),
+            Self::OtherSize([[width, height], [other_width, other_height]]) => {
+                tr!("is {width}×{height}, and in the other version {other_width}×{other_height}")
+            }
         }
     }
 }

@@ -4,6 +4,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use super::version::KeyedPicture;
 use crate::compile::Live;
 use crate::diag::{Diagnostic, WithWarnings};
@@ -118,7 +120,7 @@ impl DocumentDrawer {
                 is_look,
             });
         }
-        let nothing = || vec![Diagnostic::error("cannot-read", "nothing is there")];
+        let nothing = || vec![Diagnostic::error("cannot-read", tr!("nothing is there"))];
         self.read.as_ref().ok_or_else(nothing)
     }
 
@@ -130,8 +132,9 @@ impl DocumentDrawer {
         let file = frame.path.display().to_string();
         self.try_draw(frame).await.map_err(|problems| {
             let first = problems.into_iter().find(Diagnostic::is_error);
-            let mut first = first
-                .unwrap_or_else(|| Diagnostic::error("cannot-draw", "the document is not drawn"));
+            let mut first = first.unwrap_or_else(|| {
+                Diagnostic::error("cannot-draw", tr!("the document is not drawn"))
+            });
             first.message = format!("{file}: {}", first.message);
             Box::new(first)
         })
@@ -144,7 +147,10 @@ impl DocumentDrawer {
         let options = PlanOptions { size: frame.size, samples: SAMPLES, time: frame.time };
         let plan = self.planner.plan(&setup, &frame.library, &Live::Keyed, &options)?.value;
         let Some(drawer) = &mut self.drawer else {
-            return Err(vec![Diagnostic::error("no-gpu", "there is no device to draw it with")]);
+            return Err(vec![Diagnostic::error(
+                "no-gpu",
+                tr!("there is no device to draw it with"),
+            )]);
         };
         drawer.draw(&plan, frame.display.as_ref()).await.map(|(picture, _)| picture)
     }

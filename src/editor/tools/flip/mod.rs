@@ -14,6 +14,7 @@ mod version;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+use chiaro_locale::tr;
 use eframe::egui::TextureHandle;
 
 use super::playback::cache::FrameCache;
@@ -184,7 +185,7 @@ impl FlipBook {
         let order = transport.order;
         let half = playback.memory_bytes() / 2;
         let frames = playback.cache().copy_within(half, order);
-        let name = "Kept version".to_owned();
+        let name = tr!("Kept version").to_owned();
         let (source, failed) = (VersionSource::Kept, BTreeMap::new());
         let kept = Some(size);
         self.begin(OtherVersion { name, source, frames, size: kept, bytes: 0, failed });

@@ -1,6 +1,6 @@
 //! Controls of the flip book, and its display over the picture.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui::{
     Color32, Key, Rect, RichText, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo,
 };
@@ -26,9 +26,13 @@ impl FlipBook {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 3.0;
             for (view, text, help) in [
-                (FlipView::Flicker, "Flicker", "One version at a time: hold V for the other one"),
-                (FlipView::Wipe, "Wipe", "Both versions: drag the divider"),
-                (FlipView::Difference, "Difference", "What differs, on black"),
+                (
+                    FlipView::Flicker,
+                    tr!("Flicker"),
+                    tr!("One version at a time: hold V for the other one"),
+                ),
+                (FlipView::Wipe, tr!("Wipe"), tr!("Both versions: drag the divider")),
+                (FlipView::Difference, tr!("Difference"), tr!("What differs, on black")),
             ] {
                 if ui.selectable_label(self.view == view, text).on_hover_text(help).clicked() {
                     self.view = view;
@@ -36,24 +40,26 @@ impl FlipBook {
             }
             match self.view {
                 FlipView::Flicker => {
-                    let help = "Shows the frames of the other version (V, while it is held)";
+                    let help = tr!("Shows the frames of the other version (V, while it is held)");
                     ui.toggle_value(&mut self.shows_other, tr!("Other version"))
                         .on_hover_text(help);
                 }
                 FlipView::Difference => {
-                    let slider =
-                        eframe::egui::Slider::new(&mut self.stops, 0..=MOST_STOPS).suffix(" stops");
+                    let slider = eframe::egui::Slider::new(&mut self.stops, 0..=MOST_STOPS)
+                        .suffix(tr!(" stops"));
                     let response =
                         ui.add(slider).on_hover_text(tr!("Brightness of the difference"));
                     let stops = f64::from(self.stops);
-                    let name = "Brightness of the difference";
+                    let name = tr!("Brightness of the difference");
                     response.widget_info(|| WidgetInfo::slider(true, stops, name));
                 }
                 FlipView::Wipe => {}
             }
             if let (Some(mut form), Some(_)) = (playback.form(), session.open_scene()) {
-                let help = "Draws the frames from the scene's own camera, as chiaro render does, \
-                            and not from the window's";
+                let help = tr!(
+                    "Draws the frames from the scene's own camera, as chiaro render does, and not \
+                     from the window's"
+                );
                 let by_scene = ui.checkbox(&mut form.by_scene, tr!("Scene's camera"));
                 if by_scene.on_hover_text(help).changed() {
                     playback.share(Some(form));
@@ -73,30 +79,34 @@ impl FlipBook {
             return;
         }
         let (Some(version), Some(transport)) = (&self.version, playback.transport()) else {
-            let text =
-                if self.opens.is_some() { "opening" } else { "open the timeline to compare" };
+            let text = if self.opens.is_some() {
+                tr!("opening")
+            } else {
+                tr!("open the timeline to compare")
+            };
             ui.label(RichText::new(text).color(colors.dim));
             return;
         };
         let frame = frame_at(session.view.time, transport.fps);
         let (text, color) = match frame {
-            None => ("between two frames".to_owned(), colors.dim),
+            None => (tr!("between two frames").to_owned(), colors.dim),
             Some(frame) if !version.has(frame) => {
-                (format!("{} has no frame {frame}", version.name), colors.warning)
+                (tr!("{version} has no frame {frame}", version = version.name), colors.warning)
             }
             Some(frame) => match (self.deltas.get(&frame), version.failed.get(&frame)) {
                 (_, Some(problem)) => (problem.message.clone(), colors.error),
                 (Some(delta), _) => {
                     let is_wrong = delta.kind.greatest() > self.threshold;
                     let color = if is_wrong { colors.warning } else { colors.dim };
-                    (format!("frame {frame} {}", delta.kind.text()), color)
+                    (tr!("frame {frame} {difference}", difference = delta.kind.text()), color)
                 }
-                (None, None) => (format!("frame {frame} is not compared yet"), colors.dim),
+                (None, None) => (tr!("frame {frame} is not compared yet"), colors.dim),
             },
         };
         ui.label(RichText::new(text).color(color));
         if let Some([width, height]) = version.size {
-            let help = "Frames are drawn in the size of the other version while both are compared";
+            let help =
+                tr!("Frames are drawn in the size of the other version while both are compared");
             let text = RichText::new(format!("{width}×{height}")).color(colors.dim);
             ui.label(text).on_hover_text(help);
         }
@@ -125,7 +135,7 @@ impl FlipBook {
             && ui.input(|input| input.key_down(Key::V));
         let Some(other) = other else {
             if self.view != FlipView::Flicker || self.shows_other || is_held {
-                divider::tag(ui, rect, Corner::Right, &format!("{name}: no frame {frame} yet"));
+                divider::tag(ui, rect, Corner::Right, &tr!("{name}: no frame {frame} yet"));
             }
             return;
         };
@@ -135,7 +145,7 @@ impl FlipBook {
                 if shows_other {
                     self.show_other(ui, other, rect, rect);
                 }
-                let shown = if shows_other { name.as_str() } else { "As it is now" };
+                let shown = if shows_other { name.as_str() } else { tr!("As it is now") };
                 divider::tag(ui, rect, Corner::Left, shown);
             }
             FlipView::Wipe => {
@@ -144,13 +154,13 @@ impl FlipBook {
                 let [_, right] = divider::halves(rect, *split);
                 self.show_other(ui, other, rect, right);
                 divider::paint(ui, rect, self.split, is_hot);
-                divider::tag(ui, rect, Corner::Left, "As it is now");
+                divider::tag(ui, rect, Corner::Left, tr!("As it is now"));
                 divider::tag(ui, rect, Corner::Right, &name);
             }
             FlipView::Difference => match ours {
                 Some(ours) => self.show_difference(ui, ours, other, rect),
                 None => {
-                    let text = "The frame as it is now is not drawn yet";
+                    let text = tr!("The frame as it is now is not drawn yet");
                     divider::tag(ui, rect, Corner::Left, text);
                 }
             },
@@ -186,7 +196,7 @@ impl FlipBook {
         ui.painter().rect_filled(rect, 0.0, Color32::BLACK);
         if !self.difference.as_ref().is_some_and(is_shown) {
             let Some(image) = difference::image(&ours.1, &other.1, stops) else {
-                let text = "The frames differ in size";
+                let text = tr!("The frames differ in size");
                 return divider::tag(ui, rect, Corner::Left, text);
             };
             let texture = match self.difference.take() {
@@ -201,7 +211,8 @@ impl FlipBook {
         if let Some(FlipPicture { texture, .. }) = &self.difference {
             image(ui, texture, rect, texture.size_vec2());
         }
-        let text = format!("Difference, {stops} stops brighter");
+        let text =
+            trn!(stops, "Difference, {stops} stop brighter", "Difference, {stops} stops brighter");
         divider::tag(ui, rect, Corner::Left, &text);
     }
 }

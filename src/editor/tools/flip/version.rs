@@ -6,6 +6,7 @@ use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::ColorImage;
 
 use super::difference::{DeltaKind, FrameDelta};
@@ -42,7 +43,7 @@ impl FrameFiles {
     pub(super) fn of(path: &Path) -> Result<Self, String> {
         let folder = if path.is_dir() { path } else { path.parent().unwrap_or(path) };
         let entries = std::fs::read_dir(folder)
-            .map_err(|error| format!("{} is not read: {error}", folder.display()))?;
+            .map_err(|error| tr!("{file} is not read: {error}", file = folder.display()))?;
         let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
         files.sort_unstable();
         let found = match path.is_dir() {
@@ -50,10 +51,10 @@ impl FrameFiles {
             false => pattern_of(path),
         };
         let none = || {
-            format!(
-                "{} is no frame: its name ends with the frame's number and .exr or .png, as in \
+            tr!(
+                "{file} is no frame: its name ends with the frame's number and .exr or .png, as in \
                  0012.exr",
-                path.display()
+                file = path.display()
             )
         };
         let (name, pattern) = found.ok_or_else(none)?;
@@ -186,14 +187,14 @@ fn found(path: PathBuf) -> Result<FoundVersion, String> {
     let is_document = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json"));
     match is_document {
         true if path.is_file() => Ok(FoundVersion::Document(path)),
-        true => Err(format!("there is no file {}", path.display())),
+        true => Err(tr!("there is no file {file}", file = path.display())),
         false => FrameFiles::of(&path).map(FoundVersion::Files),
     }
 }
 
 fn read(path: &Path, display: Option<&PictureDisplay>) -> Result<KeyedPicture, Diagnostic> {
     let bytes = files::read(path, MAX_FILE).map_err(|error| {
-        Diagnostic::error("frame-file", format!("{} is not read: {error}", path.display()))
+        Diagnostic::error("frame-file", tr!("{file} is not read: {error}", file = path.display()))
     })?;
     let picture = StoredFrame::read(&bytes).and_then(|frame| {
         let picture = frame.picture()?;

@@ -145,12 +145,18 @@ impl MaskTool {
             }));
             ui.request_repaint();
         }
-        let brush = if self.shows { "shows" } else { "hides" };
         let told = self.told.as_ref().map(|told| format!("{told} · ")).unwrap_or_default();
-        self.hint = format!(
-            "{told}Drag on the model: the brush {brush} the layer, with Ctrl the other way · Alt \
-             turns the view · [ and ] change the size, X what the brush does · Esc ends"
-        );
+        let hint = match self.shows {
+            true => tr!(
+                "Drag on the model: the brush shows the layer, with Ctrl the other way · Alt turns \
+                 the view · [ and ] change the size, X what the brush does · Esc ends"
+            ),
+            false => tr!(
+                "Drag on the model: the brush hides the layer, with Ctrl the other way · Alt turns \
+                 the view · [ and ] change the size, X what the brush does · Esc ends"
+            ),
+        };
+        self.hint = told + hint;
         step
     }
 
@@ -216,8 +222,8 @@ impl MaskTool {
              stroke ends"
         ));
         for (shows, label, help) in [
-            (true, "Show", "The brush shows the layer (X)"),
-            (false, "Hide", "The brush hides the layer (X)"),
+            (true, tr!("Show"), tr!("The brush shows the layer (X)")),
+            (false, tr!("Hide"), tr!("The brush hides the layer (X)")),
         ] {
             if ui.selectable_label(self.shows == shows, label).on_hover_text(help).clicked() {
                 self.shows = shows;
@@ -226,31 +232,33 @@ impl MaskTool {
         let numbers = [
             (
                 &mut self.size,
-                "Size",
+                [tr!("Size"), tr!("Size of the brush")],
                 " pt",
                 2.0..=LARGEST,
-                "Width of the brush on the screen ([, ])",
+                tr!("Width of the brush on the screen ([, ])"),
             ),
             (
                 &mut self.hardness,
-                "Hardness",
+                [tr!("Hardness"), tr!("Hardness of the brush")],
                 "%",
                 0.0..=100.0,
-                "Part of the brush without a soft edge",
+                tr!("Part of the brush without a soft edge"),
             ),
         ];
-        for (value, label, suffix, range, help) in numbers {
+        for (value, [label, name], suffix, range, help) in numbers {
             ui.label(label);
             let drag = DragValue::new(value).range(range).max_decimals(0).suffix(suffix);
             let response = ui.add(drag).on_hover_text(help);
-            response.widget_info(|| {
-                WidgetInfo::labeled(Role::SpinButton, true, format!("{label} of the brush"))
-            });
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
         }
         for (change, label, help) in [
-            (MaskChange::Fill(true), "Fill", "The whole mask shows the layer"),
-            (MaskChange::Fill(false), "Clear", "The whole mask hides the layer"),
-            (MaskChange::Invert, "Invert", "Shows what is hidden, and hides what is shown"),
+            (MaskChange::Fill(true), tr!("mask" => "Fill"), tr!("The whole mask shows the layer")),
+            (MaskChange::Fill(false), tr!("Clear"), tr!("The whole mask hides the layer")),
+            (
+                MaskChange::Invert,
+                tr!("Invert"),
+                tr!("Shows what is hidden, and hides what is shown"),
+            ),
         ] {
             if ui.button(label).on_hover_text(help).clicked() {
                 self.waiting.push_back(change);

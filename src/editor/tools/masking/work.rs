@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use glam::DVec3;
 
 use super::project::{MaskObject, MaskStroke, cover};
@@ -23,11 +24,11 @@ pub(super) enum MaskChange {
 impl MaskChange {
     fn label(&self) -> &'static str {
         match self {
-            Self::Stroke(stroke) if stroke.shows => "paint the mask",
-            Self::Stroke(_) => "erase the mask",
-            Self::Fill(true) => "fill the mask",
-            Self::Fill(false) => "clear the mask",
-            Self::Invert => "invert the mask",
+            Self::Stroke(stroke) if stroke.shows => tr!("paint the mask"),
+            Self::Stroke(_) => tr!("erase the mask"),
+            Self::Fill(true) => tr!("fill the mask"),
+            Self::Fill(false) => tr!("clear the mask"),
+            Self::Invert => tr!("invert the mask"),
         }
     }
 }
@@ -47,14 +48,12 @@ pub(super) type MaskAnswer = Result<MaskStep, String>;
 pub(super) fn carry_out(assets: &mut Assets, request: MaskRequest) -> MaskAnswer {
     let MaskRequest { file, change, size, snapshot } = request;
     let setup = snapshot.setup(assets).map_err(|problems| {
-        problems.first().map_or_else(|| "There is no picture to paint on".to_owned(), sentence)
+        problems.first().map_or_else(|| tr!("There is no picture to paint on").to_owned(), sentence)
     })?;
     let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let image = assets.image(&snapshot.folder, &name).map_err(|problem| sentence(&problem))?;
     let before = MaskPicture::of(&image).ok_or_else(|| {
-        format!(
-            "{name} has colors or is transparent: it is no mask to be painted, and stays as it is"
-        )
+        tr!("{name} has colors or is transparent: it is no mask to be painted, and stays as it is")
     })?;
     let after = match &change {
         MaskChange::Fill(shows) => MaskPicture::filled(before.size, if *shows { 255 } else { 0 }),
@@ -63,22 +62,22 @@ pub(super) fn carry_out(assets: &mut Assets, request: MaskRequest) -> MaskAnswer
             let objects = MaskObject::of(&setup.value);
             let mut worn = objects.iter().filter(|object| !object.worn.is_empty());
             if worn.all(|object| !object.mesh.has_uvs) {
-                return Err(
-                    "This mesh has no UVs to paint a mask by: unwrap it in a 3D program, or \
-                            mask by vertex colors, a tone or noise"
-                        .to_owned(),
-                );
+                return Err(tr!(
+                    "This mesh has no UVs to paint a mask by: unwrap it in a 3D program, or mask \
+                     by vertex colors, a tone or noise"
+                )
+                .to_owned());
             }
             let view = View::new(&setup.value.scene.camera, size, DVec3::ZERO, 1.0);
             let shares = cover(&view, &objects, stroke, before.size);
             if shares.iter().all(|share| *share <= 0.0) {
-                return Err("Nothing of the look is there: paint on the model".to_owned());
+                return Err(tr!("Nothing of the look is there: paint on the model").to_owned());
             }
             before.painted(&shares, stroke.shows)
         }
     };
     if after == before {
-        return Err("The mask is like that already".to_owned());
+        return Err(tr!("The mask is like that already").to_owned());
     }
     let (before, after) = (Arc::new(before), Arc::new(after));
     Ok(MaskStep { label: change.label(), file, before, after })

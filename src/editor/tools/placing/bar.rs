@@ -16,7 +16,7 @@ impl PlacingTool {
 
     fn controls(&mut self, ui: &mut Ui, session: &Session) {
         ui.spacing_mut().item_spacing.x = 5.0;
-        let label = ui.label(tr!("Place"));
+        let label = ui.label(tr!("placing a light" => "Place"));
         let light = self.light(session);
         let shown = light.as_ref().map_or_else(String::new, |id| name(session, id));
         let list = ComboBox::from_id_salt("light to place").selected_text(shown).width(90.0);
@@ -29,17 +29,22 @@ impl PlacingTool {
                 }
             }
         });
-        let help = "The light that is placed: that of the selected layer, unless another is chosen \
-                    here";
+        let help =
+            tr!("The light that is placed: that of the selected layer, unless another is chosen \
+                 here");
         list.response.labelled_by(label.id).on_hover_text(help);
-        ui.label(tr!("by its"));
+        ui.label(tr!("placing a light" => "by its"));
         for mark in LightMark::ALL {
             let is_it = self.mark == mark;
             let command = Command::Placing(PlacingCommand::By(mark));
             let help = table::help_of(&command);
             let response = ui.selectable_label(is_it, mark.label()).on_hover_text(help);
-            let name = format!("Place by its {}", mark.label().to_lowercase());
-            response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
+            let name = match mark {
+                LightMark::Highlight => tr!("Place by its highlight"),
+                LightMark::Shadow => tr!("Place by its shadow"),
+                LightMark::Terminator => tr!("Place by its terminator"),
+            };
+            response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, name));
             if response.clicked() && !is_it {
                 self.take(mark);
             }

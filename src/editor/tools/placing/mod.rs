@@ -8,6 +8,7 @@
 mod bar;
 mod work;
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Align2, CursorIcon, FontId, Id, PointerButton, Pos2, Rect, Stroke, Ui, pos2, vec2,
 };
@@ -15,7 +16,7 @@ use glam::DVec3;
 use indexmap::IndexSet;
 
 use crate::commands::{Command, LightMark, PlacingCommand, table};
-use crate::fields::layer::{self, RegionLayers, SelectedLayer, middle_name};
+use crate::fields::layer::{self, RegionLayers, SelectedLayer};
 use crate::fields::lighting::{OwnedLight, Owner, light_in_view, set_light_like};
 use crate::ids::LightId;
 use crate::placing::{KeptDistance, Parametrization, PlacedLight, terminator_angle};
@@ -128,7 +129,7 @@ impl PlacingTool {
     pub(crate) fn leave(&mut self, session: &Session) -> bool {
         let held = self.held.take().filter(|held| held.is_down);
         if let Some(held) = held {
-            self.told = Some("The light is where it was".to_owned());
+            self.told = Some(tr!("The light is where it was").to_owned());
             return session.steps().done() == held.steps + 1;
         }
         if self.caster.take().is_none() {
@@ -173,7 +174,7 @@ impl PlacingTool {
             LightMark::Shadow => self
                 .caster
                 .map(|caster| (WantedMark::Shadow(caster), None))
-                .ok_or_else(|| "Click what casts the shadow first".to_owned()),
+                .ok_or_else(|| tr!("Click what casts the shadow first").to_owned()),
         }
     }
 
@@ -273,20 +274,22 @@ impl PlacingTool {
     fn said(&self, session: &Session, held: &HeldPlacing, placed: &PlacedLight) -> String {
         let name = name(session, &held.id);
         let mut said = match self.mark {
-            LightMark::Highlight => format!("The highlight of {name} is there"),
-            LightMark::Shadow => format!("The shadow that {name} throws of the caster is there"),
-            LightMark::Terminator => format!("The terminator of {name} is there"),
+            LightMark::Highlight => tr!("The highlight of {name} is there"),
+            LightMark::Shadow => tr!("The shadow that {name} throws of the caster is there"),
+            LightMark::Terminator => tr!("The terminator of {name} is there"),
         };
         match placed.kept {
-            Some(KeptDistance::FromPoint) => said += ", at the light's distance as before",
-            Some(KeptDistance::FromCaster) => said += ", at its distance from the caster as before",
+            Some(KeptDistance::FromPoint) => said += tr!(", at the light's distance as before"),
+            Some(KeptDistance::FromCaster) => {
+                said += tr!(", at its distance from the caster as before");
+            }
             None => {}
         }
         if placed.is_aimed {
-            said += "; it shone past that place, and is aimed at it now";
+            said += tr!("; it shone past that place, and is aimed at it now");
         }
         if let Some(left_out) = held.leaves_out {
-            said += &format!("; without {left_out}");
+            said += &tr!("; without {left_out}");
         }
         said
     }
@@ -294,40 +297,45 @@ impl PlacingTool {
     /// Hint on the actions possible, after the sentence on the last result.
     fn hint_for(&self, session: &Session) -> String {
         let next = match self.light(session) {
-            None => "The look has no light that could be placed · Esc leaves".to_owned(),
+            None => tr!("The look has no light that could be placed · Esc leaves").to_owned(),
             Some(id) => {
                 let name = name(session, &id);
                 match (self.mark, self.caster) {
                     (LightMark::Highlight, _) => {
-                        let middle = match highlight(session, &id).0 {
-                            WantedMark::Angle { parametrization, .. } => {
-                                middle_name(parametrization)
-                            }
-                            WantedMark::Shadow(_) => "highlight",
+                        let mirrors = match highlight(session, &id).0 {
+                            WantedMark::Angle { parametrization, .. } => parametrization.mirrors(),
+                            WantedMark::Shadow(_) => true,
                         };
-                        format!("Click or drag on the model: the {middle} of {name} goes there")
+                        match mirrors {
+                            true => tr!(
+                                "Click or drag on the model: the highlight of {name} goes there"
+                            ),
+                            false => tr!(
+                                "Click or drag on the model: the bright middle of {name} goes there"
+                            ),
+                        }
                     }
                     (LightMark::Terminator, _) => match edge_layer(session, &id) {
-                        Ok(layer) => format!(
-                            "Click or drag on the model: the terminator of {name} in {} goes \
-                                 there",
-                            layer.name
+                        Ok(layer) => tr!(
+                            "Click or drag on the model: the terminator of {name} in {layer} goes \
+                             there",
+                            layer = layer.name
                         ),
                         Err(why) => why,
                     },
                     (LightMark::Shadow, None) => {
-                        format!("Click what casts the shadow of {name}")
+                        tr!("Click what casts the shadow of {name}")
                     }
                     (LightMark::Shadow, Some(_)) => {
-                        format!("Click or drag where the shadow of {name} shall fall")
+                        tr!("Click or drag where the shadow of {name} shall fall")
                     }
                 }
             }
         };
         let escape = match (self.held.as_ref().is_some_and(|held| held.is_down), self.caster) {
-            (true, _) => "Esc puts the light back",
-            (false, Some(_)) => "Esc chooses another caster",
-            (false, None) => "Esc leaves",
+            (true, _) => tr!("Esc puts the light back"),
+            (false, Some(_)) => tr!("Esc chooses another caster"),
+            (false, None) => tr!("Esc leaves"),
         };
         let told = self.told.as_ref().filter(|told| **told != next);
         let told = told.map(|told| format!("{told} · "));
@@ -355,9 +363,9 @@ impl PlacingTool {
     /// Shows the button that begins and ends placing.
     fn toggle(&self, ui: &mut Ui, out: &mut Vec<Command>) {
         let command = Command::Placing(PlacingCommand::Turn(crate::commands::Switch::Toggle));
-        let help = format!("Place light: {}", table::help_of(&command));
+        let help = tr!("Place light: {help}", help = table::help_of(&command));
         // A light, and the way from it to a place.
-        let button = icon_toggle(ui, self.is_on, "Place light", |painter, at, stroke| {
+        let button = icon_toggle(ui, self.is_on, tr!("Place light"), |painter, at, stroke| {
             let (light, place) = (at + vec2(3.5, -3.5), at + vec2(-5.5, 5.5));
             painter.circle_filled(light, 3.4, stroke.color);
             painter.line_segment([light.lerp(place, 0.45), light.lerp(place, 0.75)], stroke);
@@ -409,19 +417,19 @@ fn edge_layer(session: &Session, light: &LightId) -> Result<SelectedLayer, Strin
     let names: Vec<&str> = regions.layers.iter().map(|layer| layer.name.as_str()).collect();
     match &regions.layers[..] {
         [layer] => Ok(layer.clone()),
-        [] if groups.is_empty() => Err(format!(
+        [] if groups.is_empty() => Err(tr!(
             "No layer of this graph draws {name}, so that it has no terminator: place it by its \
              highlight or its shadow"
         )),
-        [] => Err(format!(
+        [] => Err(tr!(
             "{groups} draws {name}, but by no profile of that light's angle alone, so that it has \
              no terminator: place it by its highlight or its shadow"
         )),
-        _ => Err(format!(
-            "{name} has {} terminators: {}. Open the group, select the profile that is meant, and \
-             click again",
-            names.len(),
-            names.join(", ")
+        _ => Err(tr!(
+            "{name} has {count} terminators: {layers}. Open the group, select the profile that is \
+             meant, and click again",
+            count = names.len(),
+            layers = names.join(", ")
         )),
     }
 }
@@ -429,14 +437,16 @@ fn edge_layer(session: &Session, light: &LightId) -> Result<SelectedLayer, Strin
 /// Goal of a terminator.
 fn terminator(layer: &SelectedLayer) -> Result<(WantedMark, Option<&'static str>), String> {
     if layer.is_shape_wired() {
-        return Err(format!(
-            "The angles of {} come by wires, so that its terminator is not known",
-            layer.name
+        return Err(tr!(
+            "The angles of {layer} come by wires, so that its terminator is not known",
+            layer = layer.name
         ));
     }
     let [offset, falloff, cutoff] = layer.angles();
-    let angle = terminator_angle(offset, falloff, cutoff)
-        .ok_or_else(|| format!("{} is ambient: its tone is the same at every angle", layer.name))?;
+    let angle = terminator_angle(offset, falloff, cutoff).ok_or_else(|| {
+        let name = &layer.name;
+        tr!("{name} is ambient: its tone is the same at every angle")
+    })?;
     let warp = layer.warp.filter(|(slope, amount)| slope * amount != 0.0);
     let goal = WantedMark::Angle { parametrization: layer.shading, angle, warp };
     Ok((goal, layer.leaves_out))
@@ -452,7 +462,7 @@ fn paint_caster(ui: &Ui, rect: Rect, at: Pos2, pointer: Option<Pos2>) {
     }
     painter.circle_stroke(at, 6.0, Stroke::new(4.0, theme::HALO));
     painter.circle_stroke(at, 6.0, Stroke::new(2.0, color));
-    let text = "caster".to_owned();
+    let text = tr!("caster").to_owned();
     let galley = painter.layout_no_wrap(text, FontId::proportional(theme::SMALL_TEXT), color);
     let place = Align2::LEFT_CENTER.anchor_size(pos2(at.x + 12.0, at.y), galley.size());
     painter.rect_filled(place.expand(3.0), 3.0, theme::PLATE);

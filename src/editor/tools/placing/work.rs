@@ -1,5 +1,6 @@
 //! Surface under a pixel, and the light that is placed by it; runs on the tool's thread.
 
+use chiaro_locale::tr;
 use glam::DVec3;
 
 use crate::diag::Diagnostic;
@@ -56,7 +57,7 @@ pub(super) fn place(planner: &mut CachedPlanner, request: &PlacingRequest) -> Pl
     let number = request.number;
     let found = match read(planner, request) {
         Err(problems) => Err(problems.first().map_or_else(String::new, sentence)),
-        Ok(None) => Err("Nothing is there: click on the model".to_owned()),
+        Ok(None) => Err(tr!("Nothing is there: click on the model").to_owned()),
         Ok(Some(surface)) => match &request.task {
             PlacingTask::Caster => Ok(SurfaceAnswer::Caster(surface.seen.point.position)),
             PlacingTask::Place(light, wanted) => placed(&surface, light, wanted),
@@ -77,7 +78,7 @@ fn placed(
             let warp = warp.map_or(0.0, |(slope, amount)| (seen.kappa * slope).tanh() * amount);
             let angle = angle + warp;
             if !(0.0..=std::f64::consts::PI).contains(&angle) {
-                return Err("Curvature moves that place out of the profile's reach".to_owned());
+                return Err(tr!("Curvature moves that place out of the profile's reach").to_owned());
             }
             PlacingGoal::Angle(parametrization, angle)
         }

@@ -1,5 +1,7 @@
 //! Order in which the frames of a range are played.
 
+use chiaro_locale::tr;
+
 /// Behavior at the end of the range.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum LoopMode {
@@ -17,17 +19,17 @@ impl LoopMode {
 
     pub(crate) fn label(self) -> &'static str {
         match self {
-            Self::Loop => "Loop",
-            Self::Once => "Once",
-            Self::PingPong => "Back and forth",
+            Self::Loop => tr!("Loop"),
+            Self::Once => tr!("Once"),
+            Self::PingPong => tr!("Back and forth"),
         }
     }
 
     pub(crate) fn help(self) -> &'static str {
         match self {
-            Self::Loop => "Begins again at the end of the range",
-            Self::Once => "Stops on the last frame of the range",
-            Self::PingPong => "Plays backward from the end of the range, and forward again",
+            Self::Loop => tr!("Begins again at the end of the range"),
+            Self::Once => tr!("Stops on the last frame of the range"),
+            Self::PingPong => tr!("Plays backward from the end of the range, and forward again"),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! List of the lights at the probed pixel: why it is lit so.
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr};
 use eframe::egui::{Color32, FontId, Role, ScrollArea, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use super::panel::{ROW, column_of, wire_name};
@@ -14,15 +14,21 @@ use crate::widgets::theme;
 /// Left ends of the columns, as parts of the width.
 const COLUMNS: [f32; 5] = [0.0, 0.2, 0.31, 0.42, 0.62];
 /// Titles of the columns, with their help.
-const TITLES: [(&str, &str); 5] = [
-    ("Light", "A click shows the first node that the light goes through"),
-    ("Arrives", "Luminance of the light there: color, intensity, masters, fading and cone"),
-    ("Facing", "Angle between the surface's normal and the way to the light"),
-    ("Becomes", "What nodes make of it there: tones, shares of filters, shadows"),
-    ("Why", "The rule by which the light reaches the object, or by which it does not"),
+const TITLES: [(Text, Text); 5] = [
+    (text!("Light"), text!("A click shows the first node that the light goes through")),
+    (
+        text!("Arrives"),
+        text!("Luminance of the light there: color, intensity, masters, fading and cone"),
+    ),
+    (text!("Facing"), text!("Angle between the surface's normal and the way to the light")),
+    (text!("Becomes"), text!("What nodes make of it there: tones, shares of filters, shadows")),
+    (
+        text!("Why"),
+        text!("The rule by which the light reaches the object, or by which it does not"),
+    ),
 ];
 /// Reason of a light that is out in this window alone.
-const OUT_HERE: &str = "muted, or left out by a solo, in this window";
+const OUT_HERE: Text = text!("muted, or left out by a solo, in this window");
 
 /// Shows the list.
 pub(super) fn table(ui: &mut Ui, session: &Session, lights: &[LightAccount]) -> Vec<Command> {
@@ -35,8 +41,9 @@ pub(super) fn table(ui: &mut Ui, session: &Session, lights: &[LightAccount]) -> 
     let dim = theme::of(ui).dim;
     for (index, (title, help)) in TITLES.into_iter().enumerate() {
         let place = column_of(head, &COLUMNS, index);
-        cell(ui, place, title, FontId::proportional(theme::SMALL_TEXT), dim);
-        ui.interact(place, ui.scope_id().with(title), Sense::hover()).on_hover_text(help);
+        cell(ui, place, title.tr(), FontId::proportional(theme::SMALL_TEXT), dim);
+        ui.interact(place, ui.scope_id().with(title.english()), Sense::hover())
+            .on_hover_text(help.tr());
     }
     let line = Stroke::new(1.0, theme::of(ui).grid);
     ui.painter().hline(head.x_range(), head.bottom() - 1.0, line);
@@ -50,11 +57,13 @@ pub(super) fn table(ui: &mut Ui, session: &Session, lights: &[LightAccount]) -> 
 fn row(ui: &mut Ui, session: &Session, account: &LightAccount) -> Option<Command> {
     let is_out_here = session.view.solo.is_dark(&account.light);
     let is_lit = account.reaches && !is_out_here;
-    let why = if is_out_here { OUT_HERE } else { &account.rule };
+    let why = if is_out_here { OUT_HERE.tr() } else { &account.rule };
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
-    let state = if is_lit { "reaches" } else { "does not reach" };
     response.widget_info(|| {
-        let name = format!("Light {} {state} the pixel: {why}", account.name);
+        let name = match is_lit {
+            true => tr!("Light {light} reaches the pixel: {why}", light = account.name),
+            false => tr!("Light {light} does not reach the pixel: {why}", light = account.name),
+        };
         WidgetInfo::labeled(Role::Button, true, name)
     });
     let colors = theme::of(ui);
@@ -109,10 +118,14 @@ fn in_full(ui: &mut Ui, session: &Session, account: &LightAccount, why: &str) {
     ui.label(eframe::egui::RichText::new(&account.name).strong());
     ui.label(why);
     if let Some(distance) = account.distance {
-        ui.label(format!("{} scene units away", number_text(distance, 3)));
+        ui.label(tr!("{distance} scene units away", distance = number_text(distance, 3)));
     }
     for reading in &account.readings {
         let name = wire_name(session, &reading.node);
-        ui.label(format!("{} of {name}: {}", reading.label, number_text(reading.value, 6)));
+        ui.label(tr!(
+            "{label} of {name}: {value}",
+            label = reading.label,
+            value = number_text(reading.value, 6)
+        ));
     }
 }

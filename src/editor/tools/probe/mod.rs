@@ -36,8 +36,10 @@ pub(super) const TOOL: ToolRow = ToolRow::new(
     },
 )
 .with_pointer(|tools| match tools.of::<Probe>().pinned() {
-    None => "Rest the pointer to read a pixel, click to keep it · Esc leaves the probe",
-    Some(_) => "This pixel is kept: click another · Esc lets go of it, Esc again leaves the probe",
+    None => tr!("Rest the pointer to read a pixel, click to keep it · Esc leaves the probe"),
+    Some(_) => {
+        tr!("This pixel is kept: click another · Esc lets go of it, Esc again leaves the probe")
+    }
 })
 .with_overlay(|tools, ui, PictureContext { session, response, rect, pointer }, _| {
     tools.of_mut::<Probe>().update(ui, session, *rect, *pointer, response.clicked());
@@ -280,9 +282,13 @@ fn other_look(setup: &Setup, draw: &Draw) -> Option<Diagnostic> {
     // The open look is the first of the setup.
     let is_other = *object.looks.get(part)? != Some(0);
     is_other.then(|| {
-        let message = format!("`{}` wears another look, {}", draw.object, draw.look_name);
+        let message = tr!(
+            "`{object}` wears another look, {look}",
+            object = draw.object,
+            look = draw.look_name
+        );
         Diagnostic::note("other-look", message)
-            .hint("leave the probe and click the object to open its look")
+            .hint(tr!("leave the probe and click the object to open its look"))
     })
 }
 

@@ -1,6 +1,6 @@
 //! Table of the probe's result.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, tr_in, trn};
 use eframe::egui;
 use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
@@ -31,8 +31,8 @@ impl Probe {
         if !self.is_on {
             hint(
                 ui,
-                "Turn on the probe (I) and point at the picture: every wire's value at that pixel \
-                 is listed here.",
+                tr!("Turn on the probe (I) and point at the picture: every wire's value at that \
+                     pixel is listed here."),
             );
             return commands;
         }
@@ -71,8 +71,11 @@ impl Probe {
             }
             self.lists(ui);
             if let Some([x, y]) = self.pixel {
-                let kept = if self.is_pinned { " · kept" } else { "" };
-                ui.label(RichText::new(tr!("pixel {x}, {y}{kept}")).color(theme::of(ui).dim));
+                let text = match self.is_pinned {
+                    true => tr!("pixel {x}, {y} · kept"),
+                    false => tr!("pixel {x}, {y}"),
+                };
+                ui.label(RichText::new(text).color(theme::of(ui).dim));
             }
             if self.worker.is_busy() {
                 ui.label(RichText::new(tr!("computing")).color(theme::of(ui).accent));
@@ -86,7 +89,7 @@ impl Probe {
                     let text =
                         RichText::new(tr!("Go to first broken wire")).color(theme::of(ui).error);
                     let help =
-                        "Shows the node whose value is the first that is not a finite number";
+                        tr!("Shows the node whose value is the first that is not a finite number");
                     if ui.button(text).on_hover_text(help).clicked() {
                         self.jump = true;
                         self.lists_lights = false;
@@ -101,12 +104,12 @@ impl Probe {
     /// Shows the choice between the lists.
     fn lists(&mut self, ui: &mut Ui) {
         let lists = [
-            (false, "Wires", "The value on every wire at the pixel, f32 beside f64"),
+            (false, tr!("Wires"), tr!("The value on every wire at the pixel, f32 beside f64")),
             (
                 true,
-                "Why lit so",
-                "Each light with its strength there, and the rule by \
-                              which it reaches the object or does not",
+                tr!("Why lit so"),
+                tr!("Each light with its strength there, and the rule by which it reaches the \
+                     object or does not"),
             ),
         ];
         for (lists_lights, label, help) in lists {
@@ -130,7 +133,7 @@ pub(super) fn column_of(rect: Rect, columns: &[f32], index: usize) -> Rect {
 fn table(ui: &mut Ui, session: &Session, wires: &[WireValue], jump: bool) -> Vec<Command> {
     ui.spacing_mut().item_spacing.y = 0.0;
     let (head, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
-    for (index, title) in ["Node", "f32", "f64", "Difference"].into_iter().enumerate() {
+    for (index, title) in [tr!("Node"), "f32", "f64", tr!("Difference")].into_iter().enumerate() {
         cell(
             ui,
             column(head, index),
@@ -161,7 +164,7 @@ fn table(ui: &mut Ui, session: &Session, wires: &[WireValue], jump: bool) -> Vec
 fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) -> Option<Command> {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
     response.widget_info(|| {
-        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Wire of {}", wire.node))
+        egui::WidgetInfo::labeled(egui::Role::Button, true, tr!("Wire of {node}", node = wire.node))
     });
     let is_selected = wire.node.outermost().is_some_and(|id| session.selection.nodes.contains(id));
     if is_first_broken {
@@ -199,7 +202,9 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
         }
         let text = match meaning {
             ValueMeaning::Angle => degrees(numbers).unwrap_or_else(|| short(numbers)),
-            ValueMeaning::Profile if wire.is_finite() => format!("{} numbers", numbers.len()),
+            ValueMeaning::Profile if wire.is_finite() => {
+                trn!(count = numbers.len(), "{count} number", "{count} numbers")
+            }
             ValueMeaning::Numbers | ValueMeaning::Profile => short(numbers),
         };
         cell(ui, place, &text, FontId::monospace(11.0), ink);
@@ -225,7 +230,7 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
         for (port, style) in
             kind.outputs.iter().flat_map(|port| Style::ALL.map(|style| (port, style)))
         {
-            let text = format!("Show {} as {}", port.label, style.label().to_lowercase());
+            let text = show_as(&port.label, style);
             if ui.button(text).on_hover_text(style.help()).clicked() {
                 let shown = ShownWire { node: wire.node.clone(), port: port.name.clone(), style };
                 command = Some(Command::ShowWire(Some(shown)));
@@ -236,11 +241,21 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
     command
 }
 
+/// Label of the entry that shows an output in place of the picture.
+fn show_as(port: &str, style: Style) -> String {
+    let port = tr_in("node", port);
+    match style {
+        Style::Color => tr!("Show {port} as color"),
+        Style::Heat => tr!("Show {port} as heat"),
+        Style::Isolines => tr!("Show {port} as isolines"),
+    }
+}
+
 /// Name of a node for the user, with the groups that the node lies in.
 pub(crate) fn wire_name(session: &Session, path: &NodePath) -> String {
     let [outer, inner @ ..] = path.ids() else { return String::new() };
     let node = session.look().graph.nodes.get(outer);
-    let kind = || Some(session.project.catalog.of(node?)?.label.to_string());
+    let kind = || Some(tr_in("node", &session.project.catalog.of(node?)?.label).to_owned());
     let own = node.map(|node| node.name.clone()).filter(|name| !name.is_empty());
     let mut name = own.or_else(kind).unwrap_or_else(|| outer.to_string());
     for id in inner {
@@ -306,7 +321,7 @@ fn short(numbers: &[f64]) -> String {
 /// Shows every scalar with all its digits.
 fn in_full(ui: &mut Ui, wire: &WireValue) {
     ui.label(RichText::new(wire.node.to_string()).strong());
-    ui.label(RichText::new(format!("{} in the WGSL", wire.name)).color(theme::of(ui).dim));
+    ui.label(RichText::new(tr!("{name} in the WGSL", name = wire.name)).color(theme::of(ui).dim));
     egui::Grid::new("in full").num_columns(3).spacing([16.0, 2.0]).show(ui, |ui| {
         for (single, double) in wire.single.iter().zip(&wire.double) {
             let monospace = |text: String| RichText::new(text).monospace();

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::ColorImage;
 
 use super::image::fitted;
@@ -44,14 +45,14 @@ impl PictureSource {
                 Some(snapshot) => Self::Look(Box::new(session.snapshot_of(snapshot.look.clone()))),
                 None => Self::Missing(Diagnostic::error(
                     "no-snapshot",
-                    "the snapshot was deleted, or is of another look; undo may bring it back",
+                    tr!("the snapshot was deleted, or is of another look; undo may bring it back"),
                 )),
             },
             ComparedPicture::Saved => match session.path() {
                 Some(path) => Self::LookFile(now(), path.to_owned()),
                 None => Self::Missing(Diagnostic::error(
                     "no-file",
-                    "the look is in no file yet: save it, and change it",
+                    tr!("the look is in no file yet: save it, and change it"),
                 )),
             },
             ComparedPicture::LookFile(path) => Self::LookFile(now(), path.clone()),
@@ -155,15 +156,16 @@ impl Comparer {
 fn from_file(snapshot: &RenderSnapshot, path: &Path) -> Result<RenderSnapshot, Vec<Diagnostic>> {
     let files = snapshot.assets.source();
     let Document::Look(loaded) = Document::load(&**files, path) else {
-        let problem = Diagnostic::error("not-a-look", "it is a scene or a shot");
-        let hint = "\"Another document...\" holds scenes and shots against the timeline's frames";
+        let problem = Diagnostic::error("not-a-look", tr!("it is a scene or a shot"));
+        let hint =
+            tr!("\"Another document...\" holds scenes and shots against the timeline's frames");
         return Err(vec![told(problem.hint(hint), path)]);
     };
     if has_errors(&loaded.diagnostics) {
         let errors = loaded.diagnostics.into_iter().filter(Diagnostic::is_error);
         return Err(errors.map(|problem| told(problem, path)).collect());
     }
-    let none = || vec![told(Diagnostic::error("not-a-look", "there is no look in it"), path)];
+    let none = || vec![told(Diagnostic::error("not-a-look", tr!("there is no look in it")), path)];
     let look = Arc::new(loaded.value.ok_or_else(none)?);
     let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
     Ok(RenderSnapshot { look, source: Arc::new(loaded.source), folder, ..snapshot.clone() })

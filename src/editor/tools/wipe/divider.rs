@@ -1,5 +1,6 @@
 //! Divider between two pictures in one place, and names of pictures.
 
+use chiaro_locale::tr;
 use eframe::egui::{
     Align2, Color32, CursorIcon, FontId, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
@@ -24,7 +25,7 @@ pub(crate) fn drag(ui: &Ui, rect: Rect, split: &mut f32) -> bool {
     let grip = Rect::from_x_y_ranges(x - REACH..=x + REACH, rect.y_range());
     let response = ui.interact(grip, ui.scope_id().with("divider"), Sense::drag());
     let response = response.on_hover_cursor(CursorIcon::ResizeHorizontal);
-    response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, "Divider"));
+    response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, tr!("Divider")));
     if response.dragged()
         && let Some(at) = response.interact_pointer_pos()
     {

@@ -37,7 +37,7 @@ pub(super) fn choice(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Comman
     let text = match (&version, &wipe.against) {
         (Some(version), _) => version.clone(),
         (None, Some(_)) => wipe.name.clone(),
-        (None, None) => "Compare".to_owned(),
+        (None, None) => tr!("Compare").to_owned(),
     };
     let combo = egui::ComboBox::from_id_salt("against").selected_text(text).width(WIDTH).truncate();
     let combo = combo.height(LIST).show_ui(ui, |ui| {
@@ -77,20 +77,22 @@ fn states(
     ui.separator();
     let saved = ComparedPicture::Saved;
     let is_it = against.as_ref() == Some(&saved);
-    let saved_label = ui.add_enabled(has_file, egui::Button::selectable(is_it, "As saved"));
+    let saved_label = ui.add_enabled(has_file, egui::Button::selectable(is_it, tr!("As saved")));
     let saved_label = saved_label.on_hover_text(tr!("The look as its file has it"));
     if saved_label.on_disabled_hover_text(tr!("The look is in no file yet")).clicked() {
         chosen = Some(Some(saved));
     }
     for (picture, name) in snapshots {
         let is_it = against.as_ref() == Some(&picture);
-        let help = "A snapshot of the look";
+        let help = tr!("A snapshot of the look");
         if ui.selectable_label(is_it, name).on_hover_text(help).clicked() {
             chosen = Some(Some(picture));
         }
     }
-    let help = "Another look (JSON) in this view, or a reference picture (PNG, JPEG, EXR, HDR) \
-                fitted into it";
+    let help = tr!(
+        "Another look (JSON) in this view, or a reference picture (PNG, JPEG, EXR, HDR) fitted \
+         into it"
+    );
     if ui
         .selectable_label(false, tr!("A look or picture in a file..."))
         .on_hover_text(help)
@@ -110,9 +112,10 @@ fn frames(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Command>) -> bool
     ui.separator();
     let (flip, playback) = tools.pair::<FlipBook, Playback>();
     let has_frames = playback.cache().frames().next().is_some();
-    let keep = ui.add_enabled(has_frames, egui::Button::selectable(false, "Frames kept now"));
-    let help = "A flip book against the frames that the timeline has now, such as those before an \
-                edit";
+    let keep = ui.add_enabled(has_frames, egui::Button::selectable(false, tr!("Frames kept now")));
+    let help =
+        tr!("A flip book against the frames that the timeline has now, such as those before an \
+             edit");
     let keep = keep.on_hover_text(help).on_disabled_hover_text(tr!(
         "The timeline has no frames yet: play it, or press Cache range there"
     ));
@@ -120,11 +123,14 @@ fn frames(tools: &mut PictureTools, ui: &mut Ui, out: &mut Vec<Command>) -> bool
         flip.keep(playback);
         return true;
     }
-    let help = "A flip book against frames that were rendered, as by chiaro render: choose one of \
-                them";
+    let help =
+        tr!("A flip book against frames that were rendered, as by chiaro render: choose one of \
+             them");
     let files = ui.selectable_label(false, tr!("Rendered frames...")).on_hover_text(help);
-    let help = "A flip book against another look, scene or shot, which is drawn frame by frame in \
-                the same size";
+    let help = tr!(
+        "A flip book against another look, scene or shot, which is drawn frame by frame in the \
+         same size"
+    );
     let document = ui.selectable_label(false, tr!("Another document...")).on_hover_text(help);
     if files.clicked() || document.clicked() {
         out.push(Command::CompareFrames(None));
@@ -160,7 +166,7 @@ impl Wipe {
         if self.snapshots.is_empty() {
             return;
         }
-        let as_set = "As set".to_owned();
+        let as_set = tr!("As set").to_owned();
         let is_it = |(picture, _): &&(ComparedPicture, String)| *picture == self.left;
         let name = self.snapshots.iter().find(is_it).map_or(&as_set, |(_, name)| name);
         let mut chosen = None;
@@ -173,7 +179,9 @@ impl Wipe {
                 }
             }
         });
-        combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Left picture"));
+        combo
+            .response
+            .widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, tr!("Left picture")));
         combo.response.on_hover_text(tr!("The left picture: the look as it is now, or a snapshot"));
         if let Some(left) = chosen {
             self.choose_left(left);
@@ -184,17 +192,17 @@ impl Wipe {
     fn modes(&mut self, ui: &mut Ui) {
         use ComparisonMode as M;
         for (mode, text, help) in [
-            (M::Wipe, "Wipe", "Both pictures: drag the divider"),
-            (M::Flicker, "Flicker", "One at a time: twice a second, or while V is held"),
-            (M::Beside, "Beside", "Both pictures, side by side"),
-            (M::Over, "Over", "The other picture over this one"),
+            (M::Wipe, tr!("Wipe"), tr!("Both pictures: drag the divider")),
+            (M::Flicker, tr!("Flicker"), tr!("One at a time: twice a second, or while V is held")),
+            (M::Beside, tr!("comparison" => "Beside"), tr!("Both pictures, side by side")),
+            (M::Over, tr!("comparison" => "Over"), tr!("The other picture over this one")),
         ] {
             if ui.selectable_label(self.mode == mode, text).on_hover_text(help).clicked() {
                 self.mode = mode;
             }
         }
         for gain in GAINS {
-            let help = format!("Shows the difference, magnified {gain} times");
+            let help = tr!("Shows the difference, magnified {gain} times");
             let mode = M::Difference(gain);
             let label = ui.selectable_label(self.mode == mode, format!("×{gain}"));
             if label.on_hover_text(help).clicked() {
@@ -205,16 +213,17 @@ impl Wipe {
             M::Flicker => {
                 ui.checkbox(&mut self.flickers, tr!("By itself"))
                     .on_hover_text(tr!("Twice a second"));
-                let help = "Shows the other picture (V, while it is held)";
+                let help = tr!("Shows the other picture (V, while it is held)");
                 ui.add_enabled_ui(!self.flickers, |ui| {
-                    ui.toggle_value(&mut self.shows_right, tr!("Other")).on_hover_text(help);
+                    ui.toggle_value(&mut self.shows_right, tr!("comparison" => "Other"))
+                        .on_hover_text(help);
                 });
             }
             M::Over => {
                 let slider = egui::Slider::new(&mut self.opacity, 0.0..=1.0).show_value(false);
                 let slider = ui.add(slider).on_hover_text(tr!("Opacity of the other picture"));
                 let opacity = f64::from(self.opacity);
-                let name = "Opacity of the other picture";
+                let name = tr!("Opacity of the other picture");
                 slider.widget_info(|| WidgetInfo::slider(true, opacity, name));
             }
             M::Wipe | M::Beside | M::Difference(_) => {}
@@ -225,16 +234,19 @@ impl Wipe {
         if let Some(shown) = self.current() {
             let figures = &shown.compared.figures;
             let text = match figures.max {
-                0.0 => "no difference".to_owned(),
-                max => format!("max {max:.1e} · {} px over 1/255", figures.visible),
+                0.0 => tr!("no difference").to_owned(),
+                max => tr!("max {max:.1e} · {count} px over 1/255", count = figures.visible),
             };
             let ink = if figures.visible > 0 { theme::of(ui).warning } else { theme::of(ui).dim };
             let [x, y] = figures.worst;
-            let help = format!(
-                "Largest difference of a channel {:.3e} at pixel {x}, {y}; rms {:.1e}; {} pixels \
-                 compared, and {} on edges \
-                 told apart, where coverage may differ",
-                figures.max, figures.rms, figures.pixels, figures.edges
+            let help = tr!(
+                "Largest difference of a channel {max:.3e} at pixel {x}, {y}; rms {rms:.1e}; \
+                 {pixels} pixels compared, and {edges} on edges told apart, where coverage may \
+                 differ",
+                max = figures.max,
+                rms = figures.rms,
+                pixels = figures.pixels,
+                edges = figures.edges
             );
             ui.add(egui::Label::new(RichText::new(text).color(ink)).truncate()).on_hover_text(help);
             return;
@@ -291,7 +303,7 @@ impl Wipe {
         if let Some((_, texture)) = &shown.magnified {
             ui.painter().image(texture.id(), rect, whole(), Color32::WHITE);
         }
-        let text = format!("Difference ×{gain}, largest {:.1e}", shown.compared.figures.max);
+        let text = tr!("Difference ×{gain}, largest {max:.1e}", max = shown.compared.figures.max);
         divider::tag(ui, rect, Corner::Left, &text);
     }
 

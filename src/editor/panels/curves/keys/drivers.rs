@@ -41,16 +41,16 @@ pub(super) fn show(
             ui.label(RichText::new(tr!("Driver")).small().color(colors.dim));
             ui.label(RichText::new(tr!("Now")).small().color(colors.dim));
             for key in 0..shown.keys.keys.len() {
-                ui.label(RichText::new(format!("Key {}", key + 1)).color(colors.hue(key)));
+                ui.label(RichText::new(tr!("Key {key}", key = key + 1)).color(colors.hue(key)));
             }
             ui.end_row();
             for axis in 0..axes.len() {
                 ui.push_id(axis, |ui| chosen(ui, shown, axes, axis, out));
                 let now = ui.label(said(&axes[axis], shown.now[axis]));
-                let text = format!(
-                    "{} now: {}",
-                    shown.owned.keys.driver_name(&axes[axis]),
-                    said(&axes[axis], shown.now[axis])
+                let text = tr!(
+                    "{driver} now: {value}",
+                    driver = shown.owned.keys.driver_name(&axes[axis]),
+                    value = said(&axes[axis], shown.now[axis])
                 );
                 now.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.clone()));
                 for key in 0..shown.keys.keys.len() {
@@ -60,8 +60,8 @@ pub(super) fn show(
                     let remove = ui
                         .add(Button::new("×").small().frame(false))
                         .on_hover_text(tr!("Decides no more"));
-                    let called =
-                        format!("Remove the driver {}", shown.owned.keys.driver_name(&axes[axis]));
+                    let driver = shown.owned.keys.driver_name(&axes[axis]);
+                    let called = tr!("Remove the driver {driver}");
                     remove.widget_info(|| WidgetInfo::labeled(Role::Button, true, called.clone()));
                     if remove.clicked() {
                         out.extend(shown.change(|keys| remove_axis(keys, axis)));
@@ -106,7 +106,7 @@ fn chosen(
             }
         }
     });
-    name(&combo.response, Role::ComboBox, &format!("Driver {}", axis + 1));
+    name(&combo.response, Role::ComboBox, &tr!("Driver {number}", number = axis + 1));
     combo.response.on_hover_text(tr!(
         "Which number of the scene, or which wire of the look, decides; keys stay where they are"
     ));
@@ -125,7 +125,8 @@ fn place(
     let mut value = own / per_unit;
     let (speed, suffix) = if driver.is_angle() { (0.5, "°") } else { (0.01, "") };
     let drag = ui.add(DragValue::new(&mut value).speed(speed).suffix(suffix).max_decimals(3));
-    let called = format!("{} of key {}", shown.owned.keys.driver_name(driver), key + 1);
+    let driver = shown.owned.keys.driver_name(driver);
+    let called = tr!("{driver} of key {key}", key = key + 1);
     drag.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, called.clone()));
     if drag.changed() && value.is_finite() {
         let moved = (value * per_unit).clamp(-1e6, 1e6);
@@ -178,7 +179,7 @@ fn strip(ui: &mut Ui, shown: &KeySetView<'_>, ground: &mut Ground, out: &mut Vec
     let colors = theme::of(ui);
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width().max(80.0), 34.0), Sense::click());
-    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "Keys along the driver"));
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, tr!("Keys along the driver")));
     let places = || shown.keys.keys.iter().map(|key| key.direction[0]).chain([shown.now.x]);
     let (low, high) = (places().fold(f64::MAX, f64::min), places().fold(f64::MIN, f64::max));
     let margin = (0.08 * (high - low)).max(1e-3);

@@ -1,6 +1,7 @@
 //! Marks on the sphere: the keys, the great circles, and the present direction of the light or the
 //! view.
 
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Align2, FontId, Key, Pos2, Rect, Stroke, Ui, pos2};
 use glam::DVec3;
@@ -26,7 +27,7 @@ pub(super) fn key_handle(
     let is_front = globe.is_front(direction);
     let id = ui.scope_id().with(("key", shown.owned.owner, shown.set, index));
     let weight = shown.weights.get(index).copied().unwrap_or(0.0);
-    let handled = handle(ui, id, at, &format!("Direction key {}", index + 1), weight, true);
+    let handled = handle(ui, id, at, &tr!("Direction key {key}", key = index + 1), weight, true);
     let side = handled.response.id.with("side");
     if handled.response.drag_started() {
         ui.data_mut(|data| data.insert_temp(side, is_front));
@@ -74,10 +75,10 @@ pub(super) fn key_handle(
     painter.text(at, Align2::CENTER_CENTER, index + 1, font, text);
     if !handled.response.dragged() {
         let percent = weight * 100.0;
-        handled.response.on_hover_text(format!(
-            "Key {}, {percent:.0}% now. Drag it over the sphere (arrow keys: 2°), D copies it, \
+        handled.response.on_hover_text(tr!(
+            "Key {key}, {percent:.0}% now. Drag it over the sphere (arrow keys: 2°), D copies it, \
              Delete removes it.",
-            index + 1
+            key = index + 1
         ));
     }
 }
@@ -120,11 +121,13 @@ pub(super) fn graticule(ui: &Ui, globe: Globe, is_front: bool) {
 
 /// Draws the names of the axes beside the ends of those that are seen from the side.
 pub(super) fn names_of_places(ui: &Ui, rect: Rect, globe: Globe, is_view: bool) {
-    let names = if is_view {
-        ["right", "above", "front", "left", "below", "back"]
-    } else {
-        ["right", "above", "toward you", "left", "below", "behind"]
+    let [front, back] = match is_view {
+        true => [tr!("direction" => "front"), tr!("direction" => "back")],
+        false => [tr!("direction" => "toward you"), tr!("direction" => "behind")],
     };
+    let [right, left] = [tr!("direction" => "right"), tr!("direction" => "left")];
+    let [above, below] = [tr!("direction" => "above"), tr!("direction" => "below")];
+    let names = [right, above, front, left, below, back];
     let axes = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z];
     let font = FontId::proportional(theme::SMALL_TEXT);
     for (axis, text) in axes.into_iter().zip(names) {

@@ -8,7 +8,7 @@ mod marks;
 mod sphere;
 mod table;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{
     Align2, Color32, ComboBox, CursorIcon, FontId, Rect, RichText, Role, ScrollArea, Sense, Stroke,
@@ -30,8 +30,8 @@ use sphere::{Globe, Ground};
 
 pub(crate) const PANEL: PanelRow = PanelRow::new(
     PanelId::KEYS,
-    "Keys",
-    "Values that change with the direction of a light or of the view",
+    text!("Keys"),
+    text!("Values that change with the direction of a light or of the view"),
     PanelPlace::BELOW_PICTURE_WITH_CURVES,
     |bench, ui, context| bench.memory.of::<Keys>().show(ui, context.session),
 );
@@ -175,7 +175,7 @@ impl Keys {
                     .hint_text(tr!("Name"))
                     .char_limit(80),
             );
-            name(&edit, Role::TextInput, "Name of the keys");
+            name(&edit, Role::TextInput, tr!("Name of the keys"));
             if edit.changed() {
                 out.extend(shown.change_held(edit.id, |keys| keys.name = called));
             }
@@ -183,8 +183,8 @@ impl Keys {
                 by(ui, shown, out);
                 scheme(ui, shown, out);
             }
-            add_menu(ui, owned.session, "Add set", out);
-            let help = "Removes these keys: every value is its own again";
+            add_menu(ui, owned.session, tr!("Add set"), out);
+            let help = tr!("Removes these keys: every value is its own again");
             if ui.button(tr!("Remove set")).on_hover_text(help).clicked() {
                 out.push(Command::SelectKey(None));
                 out.extend(owned.once(Edit::RemoveDirectionKeys { index: *set }));
@@ -206,12 +206,13 @@ impl Keys {
         let place = |set: &KeySetView<'_>| (set.owned.owner, set.set);
         let index = all.iter().position(|set| place(set) == place(shown)).unwrap_or_default();
         let combo = ComboBox::from_id_salt("set").width(56.0);
-        let combo = combo.selected_text(format!("{} of {}", index + 1, all.len()));
+        let combo =
+            combo.selected_text(tr!("{number} of {count}", number = index + 1, count = all.len()));
         let combo = combo.show_ui(ui, |ui| {
             for (at, set) in all.iter().enumerate() {
                 let name = match set.owned.owner {
                     Owner::Look => set.keys.name.clone(),
-                    Owner::Scene => format!("{} · of the scene", set.keys.name),
+                    Owner::Scene => tr!("{name} · of the scene", name = set.keys.name),
                 };
                 if ui.selectable_label(at == index, name).clicked() {
                     self.set = Some(place(set));
@@ -220,7 +221,7 @@ impl Keys {
                 }
             }
         });
-        name(&combo.response, Role::ComboBox, "Set of keys");
+        name(&combo.response, Role::ComboBox, tr!("Set of keys"));
     }
 
     /// Shows the buttons for the selected key.
@@ -228,15 +229,18 @@ impl Keys {
         let KeySetView { owned, keys, key, .. } = shown;
         let can_edit = !keys.keys.is_empty();
         ui.horizontal_wrapped(|ui| {
-            let help = "Adds a key where the light or the view is now, with the values that are \
-                        seen now";
+            let help =
+                tr!("Adds a key where the light or the view is now, with the values that are \
+                        seen now");
             if ui.button(tr!("Add key here")).on_hover_text(help).clicked() {
                 out.extend(owned.once(owned.keys.key_here(shown.set)));
                 out.push(Command::SelectKey(Some(shown.place(keys.keys.len()))));
             }
-            if ui.add_enabled(
-                can_edit, egui::Button::new(tr!("Copy key"))
-            ).on_hover_text(tr!("Beside it (D)")).clicked() {
+            if ui
+                .add_enabled(can_edit, egui::Button::new(tr!("Copy key")))
+                .on_hover_text(tr!("Beside it (D)"))
+                .clicked()
+            {
                 copy(shown, out);
             }
             let delete = ui.add_enabled(can_edit, egui::Button::new(tr!("Delete key")));
@@ -247,13 +251,14 @@ impl Keys {
                 .keys
                 .get(*key)
                 .and_then(|key| jump::to(*owned, &keys.by, key.direction.into()));
-            let help =
+            let help = tr!(
                 "Brings the light or the view to this key, to compare; Back returns. The document \
-                 is not changed";
-            let go = ui.add_enabled(
-                to.is_some(), egui::Button::new(tr!("Go to key"))
-            ).on_hover_text(help);
-            let help = "This light does not turn with the illumination frame: move it itself";
+                 is not changed"
+            );
+            let go = ui
+                .add_enabled(to.is_some(), egui::Button::new(tr!("Go to key")))
+                .on_hover_text(help);
+            let help = tr!("This light does not turn with the illumination frame: move it itself");
             if go.on_disabled_hover_text(help).clicked()
                 && let Some(view) = to
             {
@@ -272,7 +277,8 @@ impl Keys {
     fn globe(&mut self, ui: &mut Ui, shown: &KeySetView<'_>, side: f32, out: &mut Vec<Command>) {
         let colors = theme::of(ui);
         let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::click_and_drag());
-        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Sphere of directions"));
+        response
+            .widget_info(|| WidgetInfo::labeled(Role::Canvas, true, tr!("Sphere of directions")));
         let is_view = shown.keys.by == KeyDirection::View;
         let turned = self.turned[usize::from(is_view)].get_or_insert(if is_view {
             [0.5, 0.35]
@@ -302,8 +308,8 @@ impl Keys {
         marks::names_of_places(ui, rect, globe, is_view);
         response.on_hover_cursor(CursorIcon::Move).on_hover_text(tr!(
             "Every direction of the light or the view, colored by the key that weighs there. Drag \
-             a key; drag beside \
-             the keys to turn the sphere, double-click to turn it back. Keys behind are rings."
+             a key; drag beside the keys to turn the sphere, double-click to turn it back. Keys \
+             behind are rings."
         ));
         for is_front in [false, true] {
             for (index, key) in shown.keys.keys.iter().enumerate() {
@@ -327,7 +333,7 @@ impl Keys {
             Globe::new(rect.right_bottom() - vec2(radius + 5.0, radius + 5.0), radius, turned);
         let place = Rect::from_center_size(globe.center, egui::Vec2::splat(2.0 * radius));
         let response = ui.interact(place, ui.scope_id().with("other side"), Sense::click());
-        name(&response, Role::Button, "Turn to the other side");
+        name(&response, Role::Button, tr!("Turn to the other side"));
         let inks: Vec<Color32> = (0..shown.keys.keys.len()).map(|key| colors.hue(key)).collect();
         ui.painter().circle_filled(globe.center, radius + 2.0, colors.canvas);
         ui.painter().add(self.other_side.mesh(shown.keys, globe, turned, &inks, colors.canvas));
@@ -359,11 +365,13 @@ fn name(response: &egui::Response, role: Role, text: &str) {
 fn nothing(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     hint(
         ui,
-        "Direction keys change a look, or the lights of a scene, with where the light, or the \
-         view, is: a rim light that turns violet as it comes around, a highlight that goes out \
-         from behind. Begin with what decides, or with the diamond beside any value.",
+        tr!(
+            "Direction keys change a look, or the lights of a scene, with where the light, or the \
+             view, is: a rim light that turns violet as it comes around, a highlight that goes out \
+             from behind. Begin with what decides, or with the diamond beside any value."
+        ),
     );
-    add_menu(ui, session, "Add direction keys", out);
+    add_menu(ui, session, tr!("Add direction keys"), out);
 }
 
 fn add_menu(ui: &mut Ui, session: &Session, text: &str, out: &mut Vec<Command>) {
@@ -395,10 +403,10 @@ fn new_sets(ui: &mut Ui, owned: OwnedKeys<'_>, out: &mut Vec<Command>) {
         }
     };
     for id in owned.look().lights.keys() {
-        let text = format!("By the light \"{}\"", keys.base.light_name(id));
+        let text = tr!("By the light \"{light}\"", light = keys.base.light_name(id));
         add(ui, text, KeyDirection::Light(id.clone()));
     }
-    add(ui, "By the view".to_owned(), KeyDirection::View);
+    add(ui, tr!("By the view").to_owned(), KeyDirection::View);
     ui.separator();
     for driver in keys.drivers() {
         add(ui, keys.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
@@ -419,8 +427,8 @@ fn new_sets(ui: &mut Ui, owned: OwnedKeys<'_>, out: &mut Vec<Command>) {
 fn by(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     let KeySetView { owned, keys, .. } = shown;
     let text = |by: &KeyDirection| match by {
-        KeyDirection::View => "By the view".to_owned(),
-        KeyDirection::Light(id) => format!("By \"{}\"", owned.keys.base.light_name(id)),
+        KeyDirection::View => tr!("By the view").to_owned(),
+        KeyDirection::Light(id) => tr!("By \"{light}\"", light = owned.keys.base.light_name(id)),
         KeyDirection::Drivers(_) => String::new(),
     };
     let combo = ComboBox::from_id_salt("by")
@@ -435,7 +443,7 @@ fn by(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
                 }
             }
         });
-    name(&combo.response, Role::ComboBox, "What decides between the keys");
+    name(&combo.response, Role::ComboBox, tr!("What decides between the keys"));
     combo.response.on_hover_text(tr!(
         "Whose direction decides: a light's as the camera sees it (it changes too when you orbit), \
          or that to the eye"
@@ -446,12 +454,14 @@ fn scheme(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     let keys = shown.keys;
     let text = |scheme| match scheme {
         KeyScheme::Biharmonic => {
-            ("Biharmonic", "The smoothest weights on a sphere, in closed form")
+            (tr!("Biharmonic"), tr!("The smoothest weights on a sphere, in closed form"))
         }
         KeyScheme::AppendixB => {
-            ("Appendix B", "The energy of the BADF paper's Appendix B, in closed form")
+            (tr!("Appendix B"), tr!("The energy of the BADF paper's Appendix B, in closed form"))
         }
-        KeyScheme::Tessellated => ("Tessellated", "The paper's own mesh; slow, for comparison"),
+        KeyScheme::Tessellated => {
+            (tr!("Tessellated"), tr!("The paper's own mesh; slow, for comparison"))
+        }
     };
     let combo = ComboBox::from_id_salt("scheme")
         .width(84.0)
@@ -466,7 +476,7 @@ fn scheme(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
                 }
             }
         });
-    name(&combo.response, Role::ComboBox, "Scheme of the weights");
+    name(&combo.response, Role::ComboBox, tr!("Scheme of the weights"));
     combo.response.on_hover_text(tr!("How the weights between keys are found"));
 }
 
@@ -480,7 +490,8 @@ fn shares(ui: &mut Ui, shown: &KeySetView<'_>) {
             .iter()
             .enumerate()
             .map(|(key, weight)| format!("{} {:.0}%", key + 1, weight * 100.0));
-        let said = format!("Weights of the keys now: {}", each.collect::<Vec<_>>().join(", "));
+        let weights = each.collect::<Vec<_>>().join(", ");
+        let said = tr!("Weights of the keys now: {weights}");
         WidgetInfo::labeled(Role::Image, true, said)
     });
     let painter = ui.painter();

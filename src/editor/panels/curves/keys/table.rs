@@ -30,8 +30,8 @@ pub(super) fn show(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) 
     if targets.is_empty() {
         hint(
             ui,
-            "These keys change nothing yet: add a value, or press the diamond beside one in the \
-             inspector or in Lights.",
+            tr!("These keys change nothing yet: add a value, or press the diamond beside one in \
+                 the inspector or in Lights."),
         );
     }
     add_value(ui, shown, &targets, out);
@@ -47,21 +47,23 @@ fn head(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     ui.data_mut(|data| data.insert_temp(seen, place));
     for index in 0..shown.keys.keys.len() {
         let is_it = shown.key == index;
-        let text = RichText::new(format!("Key {}", index + 1)).color(colors.hue(index)).strong();
+        let text =
+            RichText::new(tr!("Key {key}", key = index + 1)).color(colors.hue(index)).strong();
         let response = ui.add(Button::selectable(is_it, text).small());
         response.widget_info(|| {
             WidgetInfo::selected(
                 egui::Role::Button,
                 true,
                 is_it,
-                format!("Select key {}", index + 1),
+                tr!("Select key {key}", key = index + 1),
             )
         });
         if is_it && is_new {
             response.scroll_to_me(Some(egui::Align::Center));
         }
-        let help = "Values set elsewhere in the window are set at this key; press again to follow \
-                    the heaviest key";
+        let help =
+            tr!("Values set elsewhere in the window are set at this key; press again to follow \
+                    the heaviest key");
         if response.on_hover_text(help).clicked() {
             let place = shown.place(index);
             let is_held = shown.owned.session.selection.key == Some(place);
@@ -91,20 +93,20 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
     for (index, key) in keys.keys.iter().enumerate() {
         ui.push_id(index, |ui| {
             ui.horizontal(|ui| {
-                let name = format!("{called} at key {}", index + 1);
+                let name = tr!("{called} at key {key}", key = index + 1);
                 let own = key.values.get(target);
                 let Some(now) = own.cloned().or_else(|| base.own_value(target)) else { return };
                 if own.is_none() {
-                    let help = "This key leaves the document's own value; press to give it one";
+                    let help =
+                        tr!("This key leaves the document's own value; press to give it one");
                     let whose = match owned.owner {
-                        Owner::Look => "the look's",
-                        Owner::Scene => "the light's",
+                        Owner::Look => tr!("the look's"),
+                        Owner::Scene => tr!("the light's"),
                     };
                     let text = RichText::new(whose).color(theme::of(ui).dim);
                     let response = ui.add(Button::new(text).small()).on_hover_text(help);
-                    response.widget_info(|| {
-                        WidgetInfo::labeled(egui::Role::Button, true, format!("Set {name}"))
-                    });
+                    let name = tr!("Set {called} at key {key}", key = index + 1);
+                    response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &name));
                     if response.clicked() {
                         out.extend(owned.once(owned.keys.set_in_key(*set, index, target, now)));
                     }
@@ -118,9 +120,8 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
                 let is_only =
                     keys.keys.iter().filter(|key| key.values.contains_key(target)).count() < 2;
                 let clear = ui.add_enabled(!is_only, Button::new("×").small().frame(false));
-                clear.widget_info(|| {
-                    WidgetInfo::labeled(egui::Role::Button, !is_only, format!("Clear {name}"))
-                });
+                let name = tr!("Clear {called} at key {key}", key = index + 1);
+                clear.widget_info(|| WidgetInfo::labeled(egui::Role::Button, !is_only, &name));
                 if clear.on_hover_text(tr!("Leaves the own value at this key")).clicked() {
                     out.extend(shown.change(|keys| {
                         keys.keys[index].values.shift_remove(target);
@@ -130,7 +131,7 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
         });
     }
     let unkey = ui.add(Button::new(tr!("Unkey")).small());
-    unkey.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, format!("Unkey {called}")));
+    unkey.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, tr!("Unkey {called}")));
     if unkey
         .on_hover_text(tr!("Keys change this no more; it keeps the value that it has now"))
         .clicked()

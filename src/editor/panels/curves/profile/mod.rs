@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr, tr_in};
 use eframe::egui;
 use eframe::egui::{Button, ComboBox, DragValue, RichText, ScrollArea, Ui, vec2};
 
@@ -30,46 +30,51 @@ use sample::{Bend, Sampler, Shape};
 
 pub(crate) const PANEL: PanelRow = PanelRow::new(
     PanelId::PROFILE,
-    "Profile",
-    "How a layer's tone falls with the angle: drag offset, fall-off and cut-off",
+    text!("Profile"),
+    text!("How a layer's tone falls with the angle: drag offset, fall-off and cut-off"),
     PanelPlace::BELOW_PICTURE_WITH_CURVES,
     |bench, ui, context| bench.memory.of::<Profile>().show(ui, context.session),
 );
 
-/// Inputs that make up a profile, in order, with their symbols.
+/// Inputs that make up a profile, in order.
 const ANGLES: [ProfileAngle; 3] = [
     ProfileAngle {
         port: "offset",
-        label: "Offset",
-        symbol: "τ",
-        help: "Up to this angle the tone is full",
+        label: text!("Offset"),
+        help: text!("Offset: up to this angle the tone is full (τ in the BADF paper)"),
+        keys: text!("Keys of offset"),
+        handle: text!("Offset of the profile"),
+        stop: text!("Stops at the offset. Shift moves all three."),
     },
     ProfileAngle {
         port: "falloff",
-        label: "Fall-off",
-        symbol: "f",
-        help: "Where the tone falls fastest",
+        label: text!("Fall-off"),
+        help: text!("Fall-off: where the tone falls fastest (f in the BADF paper)"),
+        keys: text!("Keys of fall-off"),
+        handle: text!("Fall-off of the profile"),
+        stop: text!("Stops at the fall-off. Shift moves all three."),
     },
     ProfileAngle {
         port: "cutoff",
-        label: "Cut-off",
-        symbol: "c",
-        help: "Where the tone reaches 0",
+        label: text!("Cut-off"),
+        help: text!("Cut-off: where the tone reaches 0 (c in the BADF paper)"),
+        keys: text!("Keys of cut-off"),
+        handle: text!("Cut-off of the profile"),
+        stop: text!("Stops at the cut-off. Shift moves all three."),
     },
 ];
 
 struct ProfileAngle {
     port: &'static str,
-    label: &'static str,
-    /// Symbol of the BADF paper, for its readers.
-    symbol: &'static str,
-    help: &'static str,
-}
-
-impl ProfileAngle {
-    fn explained(&self) -> String {
-        format!("{}: {} ({} in the BADF paper)", self.label, self.help.to_lowercase(), self.symbol)
-    }
+    label: Text,
+    /// What it is, with the symbol of the BADF paper for its readers.
+    help: Text,
+    /// Name of the mark of its keys, for screen readers.
+    keys: Text,
+    /// Name of its handle in the plot, for screen readers.
+    handle: Text,
+    /// What tells that another handle was stopped by its own.
+    stop: Text,
 }
 
 /// Largest number of sampled curves that are kept; beyond it all are dropped.
@@ -184,7 +189,7 @@ impl<'a> ProfileNode<'a> {
 }
 
 fn name_of<'a>(node: &'a Node, kind: &'a NodeKind) -> &'a str {
-    if node.name.is_empty() { &kind.label } else { &node.name }
+    if node.name.is_empty() { tr_in("node", &kind.label) } else { &node.name }
 }
 
 impl Profile {
@@ -199,8 +204,10 @@ impl Profile {
         let Some(layer) = layer else {
             hint(
                 ui,
-                "Nothing here has a profile yet. Add a Light layer: its tone over the angle is \
-                 drawn here.",
+                tr!(
+                    "Nothing here has a profile yet. Add a Light layer: its tone over the angle is \
+                     drawn here."
+                ),
             );
             return commands;
         };
@@ -297,7 +304,7 @@ fn head(ui: &mut Ui, layer: &ProfileNode<'_>, out: &mut Vec<Command>) {
                 egui::WidgetInfo::labeled(
                     egui::Role::ComboBox,
                     true,
-                    format!("Profile of {}", layer.name()),
+                    tr!("Profile of {name}", name = layer.name()),
                 )
             });
         let presets = session
@@ -317,12 +324,13 @@ fn head(ui: &mut Ui, layer: &ProfileNode<'_>, out: &mut Vec<Command>) {
                     part.port == port.as_str() && (now - values::number(Some(value))).abs() < 1e-6
                 })
             });
-            let button = Button::new(&preset.label).small().selected(is_it);
+            let label = tr_in("node", &preset.label);
+            let button = Button::new(label).small().selected(is_it);
             let response = ui
                 .add(button)
                 .on_hover_text(tr!("Sets offset, fall-off and cut-off to this shading's"));
             response.widget_info(|| {
-                let name = format!("Profile preset {}", preset.label);
+                let name = tr!("Profile preset {label}");
                 egui::WidgetInfo::selected(egui::Role::Button, true, is_it, name)
             });
             if response.clicked() {
@@ -341,7 +349,11 @@ fn numbers(ui: &mut Ui, layer: &ProfileNode<'_>, out: &mut Vec<Command>) {
     let Shape { offset, falloff, cutoff } = layer.shape;
     ui.horizontal_wrapped(|ui| {
         if let Some(field) = layer.edge_field() {
-            field.in_line(ui, ["Edge of the profile's tone", "Softness of the profile"], out);
+            field.in_line(
+                ui,
+                [tr!("Edge of the profile's tone"), tr!("Softness of the profile")],
+                out,
+            );
             let path = layer.session.selection.path_of(layer.id);
             if !edge::angles_toggle(ui, &path, field.edge().is_some()).is_open {
                 return;
@@ -349,8 +361,9 @@ fn numbers(ui: &mut Ui, layer: &ProfileNode<'_>, out: &mut Vec<Command>) {
         }
         for (index, (part, radians)) in ANGLES.iter().zip([offset, falloff, cutoff]).enumerate() {
             let color = plot::color_of(ui, index);
-            let help = part.explained();
-            let label = ui.label(RichText::new(part.label).color(color)).on_hover_text(&help).id;
+            let help = part.help.tr();
+            let label =
+                ui.label(RichText::new(part.label.tr()).color(color)).on_hover_text(help).id;
             if layer.wired[index] {
                 ui.label(RichText::new(tr!("by wire")).color(theme::of(ui).dim));
                 continue;
@@ -379,8 +392,7 @@ fn numbers(ui: &mut Ui, layer: &ProfileNode<'_>, out: &mut Vec<Command>) {
 fn mark(ui: &mut Ui, layer: &ProfileNode<'_>, part: &ProfileAngle) {
     let target = layer.target(part.port);
     if layer.session.keys().keyed_by(&target) != KeyedBy::Nothing {
-        let name = format!("Keys of {}", part.label.to_lowercase());
-        mark::of(ui, layer.session.keys(), &target, &name)
+        mark::of(ui, layer.session.keys(), &target, part.keys.tr())
             .on_hover_text(mark::help(layer.session.keys(), &target));
     }
 }
@@ -398,31 +410,31 @@ fn notes(layer: &ProfileNode<'_>, curve: &Curve) -> Vec<String> {
     ]);
     for (part, (own, counts)) in ANGLES.iter().zip(pairs) {
         if (own - counts).abs() > 1e-9 && sane.offset < PI - 1e-5 {
-            notes.push(format!(
-                "{} {} counts as {}: offset, fall-off and cut-off come in this order.",
-                part.label,
-                degrees(own),
-                degrees(counts)
+            notes.push(tr!(
+                "{part} {own} counts as {counts}: offset, fall-off and cut-off come in this order.",
+                part = part.label,
+                own = degrees(own),
+                counts = degrees(counts)
             ));
         }
     }
     let steepest =
         || sample::steepest(&curve.angles, &curve.tones).map(degrees).unwrap_or_default();
     match Bend::of(shape) {
-        Bend::Twice(second) => notes.push(format!(
-            "A fall-off more than 90° past the offset is not the only bend: the curve bends at {} \
-             and at {}, and is steepest at {}.",
-            degrees(sane.falloff),
-            degrees(second),
-            steepest()
+        Bend::Twice(second) => notes.push(tr!(
+            "A fall-off more than 90° past the offset is not the only bend: the curve bends at \
+             {first} and at {second}, and is steepest at {steepest}.",
+            first = degrees(sane.falloff),
+            second = degrees(second),
+            steepest = steepest()
         )),
-        Bend::Elsewhere(only) => notes.push(format!(
-            "With fall-off and cut-off together the curve bends at {}, and is steepest there.",
-            degrees(only)
+        Bend::Elsewhere(only) => notes.push(tr!(
+            "With fall-off and cut-off together the curve bends at {only}, and is steepest there.",
+            only = degrees(only)
         )),
-        Bend::Never => notes.push(format!(
-            "This fall-off is no bend: the curve falls ever faster, and is steepest at {}.",
-            steepest()
+        Bend::Never => notes.push(tr!(
+            "This fall-off is no bend: the curve falls ever faster, and is steepest at {steepest}.",
+            steepest = steepest()
         )),
         _ => {}
     }

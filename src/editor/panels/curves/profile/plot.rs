@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use eframe::egui::epaint::PathShape;
 use eframe::egui::{
     Align2, Color32, FontId, Key, Pos2, Rect, Role, Sense, Shape as Drawn, Stroke, Ui, Vec2,
@@ -78,7 +79,11 @@ pub(super) fn show(
 ) -> Rect {
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     response.widget_info(|| {
-        WidgetInfo::labeled(Role::Canvas, true, format!("Tone of {} over the angle", layer.name()))
+        WidgetInfo::labeled(
+            Role::Canvas,
+            true,
+            tr!("Tone of {name} over the angle", name = layer.name()),
+        )
     });
     let area = Rect::from_min_max(rect.min + vec2(LEFT, TOP), rect.max - vec2(RIGHT, BOTTOM));
     let axes = Axes(area);
@@ -161,7 +166,13 @@ fn paint_curves(ui: &Ui, layer: &ProfileNode<'_>, axes: Axes, curves: &Curves) {
             Stroke::new(1.5, colors.warning),
         ));
         let font = FontId::proportional(theme::SMALL_TEXT);
-        painter.text(at + vec2(8.0, -8.0), Align2::LEFT_CENTER, "bends here", font, colors.warning);
+        painter.text(
+            at + vec2(8.0, -8.0),
+            Align2::LEFT_CENTER,
+            tr!("bends here"),
+            font,
+            colors.warning,
+        );
     }
 }
 
@@ -169,7 +180,7 @@ fn paint_curves(ui: &Ui, layer: &ProfileNode<'_>, axes: Axes, curves: &Curves) {
 fn legend(ui: &Ui, axes: Axes) {
     let colors = theme::of(ui);
     let (painter, font) = (ui.painter(), FontId::proportional(theme::SMALL_TEXT));
-    for (row, text) in ["most convex", "most concave"].into_iter().enumerate() {
+    for (row, text) in [tr!("most convex"), tr!("most concave")].into_iter().enumerate() {
         let y = axes.0.top() + 9.0 + 14.0 * row as f32;
         let rect = painter.text(
             pos2(axes.0.right() - 4.0, y),
@@ -211,8 +222,8 @@ fn handles(
         let (u, tone) = places[index];
         let at = axes.at(u, tone);
         let id = ui.scope_id().with(("handle", ANGLES[index].port));
-        let label = format!("{} of the profile", ANGLES[index].label);
-        (at, handle(ui, id, at, &label, u.to_degrees(), can_edit && !layer.wired[index]))
+        let label = ANGLES[index].handle.tr();
+        (at, handle(ui, id, at, label, u.to_degrees(), can_edit && !layer.wired[index]))
     })
 }
 
@@ -303,12 +314,14 @@ fn paint_handle(
     let fill = if is_held { color } else { colors.canvas };
     painter.circle(at, radius, fill, Stroke::new(2.0, color));
     handle::focus_ring(ui, &handled.response, at, radius);
-    let more = match whole_edge(ui, layer, part) {
-        Some(_) => "It moves the whole edge; Ctrl-drag moves it alone.",
-        None => "Shift-drag moves all three.",
+    let what = ANGLES[part].help;
+    let help = match whole_edge(ui, layer, part) {
+        Some(_) => {
+            tr!("{what}. Drag, or arrow keys (Shift: a tenth). It moves the whole edge; Ctrl-drag \
+             moves it alone.")
+        }
+        None => tr!("{what}. Drag, or arrow keys (Shift: a tenth). Shift-drag moves all three."),
     };
-    let help =
-        format!("{}. Drag, or arrow keys (Shift: a tenth). {more}", ANGLES[part].explained());
     if !is_held {
         handled.response.clone().on_hover_text(help);
     }
@@ -338,7 +351,7 @@ fn labels(ui: &Ui, layer: &ProfileNode<'_>, axes: Axes, handles: &[(Pos2, Handle
                 ANGLES[part].label,
                 values::number_text(values[part].to_degrees(), 1)
             ),
-            false => ANGLES[part].label.to_owned(),
+            false => ANGLES[part].label.tr().to_owned(),
         };
         let galley = ui.painter().layout_no_wrap(text, font.clone(), color_of(ui, part));
         let rect = place(&taken, room, *at, galley.size(), part);
@@ -411,8 +424,7 @@ fn reach(ui: &Ui, layer: &ProfileNode<'_>, axes: Axes, part: usize, handled: &Ha
     let is_right = axes.x(limit) > axes.0.center().x;
     let (align, dx) =
         if is_right { (Align2::RIGHT_CENTER, -8.0) } else { (Align2::LEFT_CENTER, 8.0) };
-    let text =
-        format!("Stops at the {}. Shift moves all three.", ANGLES[other].label.to_lowercase());
+    let text = ANGLES[other].stop.tr().to_owned();
     let font = FontId::proportional(theme::TEXT_SIZE);
     let galley = painter.layout_no_wrap(text, font, colors.warning);
     let at = align.anchor_size(pos2(axes.x(limit) + dx, axes.y(0.72)), galley.size());

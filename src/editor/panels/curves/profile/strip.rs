@@ -55,7 +55,7 @@ impl Strip {
         let (rect, response) =
             ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::hover());
         response.widget_info(|| {
-            WidgetInfo::labeled(Role::Image, true, "Colors from convex to concave")
+            WidgetInfo::labeled(Role::Image, true, tr!("Colors from convex to concave"))
         });
         let inputs = inputs(layer);
         let is_same = |own: &Rows| own.iter().zip(rows).all(|(a, b)| Arc::ptr_eq(a, b));
@@ -70,8 +70,8 @@ impl Strip {
         bow(ui, pos2(rect.left() + 12.0, rect.bottom() - 10.0), -1.0);
         response.on_hover_text(tr!(
             "What the layer makes of the look's base color at each angle: above where the surface \
-             bulges (convex), \
-             below where it is hollow (concave), with the warp that curvature gives."
+             bulges (convex), below where it is hollow (concave), with the warp that curvature \
+             gives."
         ));
     }
 }

@@ -4,10 +4,10 @@ use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Button, ComboBox, DragValue, RichText, Role, Ui, WidgetInfo};
 
-use super::{Timeline, shot_tracks, transport};
+use super::{Timeline, rows, shot_tracks, transport};
 use crate::commands::Command;
 use crate::document::Target;
-use crate::fields::lighting::{OwnedKeys, Owner};
+use crate::fields::lighting::OwnedKeys;
 use crate::state::keying::changes_in_time;
 use crate::state::session::Session;
 use crate::tools::PictureTools;
@@ -28,8 +28,8 @@ pub(super) fn show(
     ui.horizontal_wrapped(|ui| {
         transport::buttons(timeline, ui, session, out);
         for (text, name, help, way) in [
-            ("⏮", "Previous key", "To the key before the playhead", -1.0),
-            ("⏭", "Next key", "To the key after the playhead", 1.0),
+            ("⏮", tr!("Previous key"), tr!("To the key before the playhead"), -1.0),
+            ("⏭", tr!("Next key"), tr!("To the key after the playhead"), 1.0),
         ] {
             let all = super::times(session).chain(shot_tracks::times(session));
             let found = timeline.neighbor(all, session, way);
@@ -46,7 +46,7 @@ pub(super) fn show(
             .on_hover_text(tr!("Keys and the playhead stay on frames"));
         range(timeline, ui);
         if ui
-            .button(tr!("Fit"))
+            .button(tr!("timeline" => "Fit"))
             .on_hover_text(tr!("Brings all keys and the range into view"))
             .clicked()
         {
@@ -69,7 +69,7 @@ fn rate(timeline: &mut Timeline, ui: &mut Ui) {
                 ui.selectable_value(&mut timeline.fps, fps, text(fps));
             }
         });
-    combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Frame rate"));
+    combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, tr!("Frame rate")));
     combo.response.on_hover_text(tr!("Frames a second: what is played and snapped to"));
 }
 
@@ -78,16 +78,15 @@ fn range(timeline: &mut Timeline, ui: &mut Ui) {
     let before = timeline.range.map(|time| (time * fps * 100.0).round() / 100.0);
     let [mut first, mut last] = before;
     ui.label(RichText::new(tr!("Frames")).color(theme::of(ui).dim));
-    for (frame, name) in [(&mut first, "Range from"), (&mut last, "Range to")] {
+    for (frame, name, help) in [
+        (&mut first, tr!("Range from"), tr!("First frame that is played")),
+        (&mut last, tr!("Range to"), tr!("Last frame that is played")),
+    ] {
         // Whole frames are told without decimals.
         let text = |frame: f64, _| values::number_text(frame, 2);
         let drag = DragValue::new(frame).speed(0.2).custom_formatter(text);
         let response = ui.add(drag);
         response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
-        let help = match name {
-            "Range from" => "First frame that is played",
-            _ => "Last frame that is played",
-        };
         response.on_hover_text(help);
     }
     let is_range = first.is_finite() && last.is_finite() && last - first >= 1.0;
@@ -132,9 +131,8 @@ fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
 fn entry(ui: &mut Ui, owned: OwnedKeys<'_>, target: &Target, out: &mut Vec<Command>) {
     let is_new = owned.look().time_keys.iter().all(|track| track.target != *target);
     let Some(edit) = owned.keys.key_in_time(target).filter(|_| is_new) else { return };
-    let [owner, what] = owned.keys.base.names_of(target);
-    let of = if owned.owner == Owner::Scene { " of the scene" } else { "" };
-    if ui.button(format!("{owner}{of}: {what}")).clicked() {
+    let [owner, what] = rows::names_of(owned, target);
+    if ui.button(format!("{owner}: {what}")).clicked() {
         out.extend(owned.once(edit));
     }
 }

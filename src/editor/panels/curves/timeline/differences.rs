@@ -1,7 +1,7 @@
 //! Row of the timeline below the ruler while a flip book is open: how far each frame is from the
 //! other version's, and the ways to the frames that are wrong.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui::{
     Button, DragValue, Rect, RichText, Role, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2,
     vec2,
@@ -51,10 +51,10 @@ fn controls(ui: &mut Ui, flip: &mut FlipBook, timeline: &Timeline) -> Option<i32
     ui.spacing_mut().item_spacing.x = 3.0;
     let mut chosen = None;
     let greatest = flip.greatest();
-    let help = "Goes to the frame with the greatest difference";
+    let help = tr!("Goes to the frame with the greatest difference");
     let button =
         ui.add_enabled(greatest.is_some(), Button::new(tr!("Greatest"))).on_hover_text(help);
-    button.widget_info(|| WidgetInfo::labeled(Role::Button, true, "Greatest difference"));
+    button.widget_info(|| WidgetInfo::labeled(Role::Button, true, tr!("Greatest difference")));
     if button.clicked() {
         chosen = greatest;
     }
@@ -63,7 +63,7 @@ fn controls(ui: &mut Ui, flip: &mut FlipBook, timeline: &Timeline) -> Option<i32
     let menu = ui.menu_button(tr!("{count} differ"), |ui| {
         ScrollArea::vertical().max_height(300.0).show(ui, |ui| {
             for (frame, kind) in flip.wrong().take(LISTED) {
-                if ui.button(format!("Frame {frame} {}", kind.text())).clicked() {
+                if ui.button(tr!("Frame {frame} {text}", text = kind.text())).clicked() {
                     chosen = Some(frame);
                     ui.close();
                 }
@@ -72,16 +72,19 @@ fn controls(ui: &mut Ui, flip: &mut FlipBook, timeline: &Timeline) -> Option<i32
                 ui.label(tr!("Frame {frame}: {problem}"));
             }
             ui.label(match lacking {
-                0 => "Every frame of the range has another version".to_owned(),
-                1 => "A frame of the range has no other version".to_owned(),
-                count => format!("{count} frames of the range have no other version"),
+                0 => tr!("Every frame of the range has another version").to_owned(),
+                count => trn!(
+                    count,
+                    "A frame of the range has no other version",
+                    "{count} frames of the range have no other version"
+                ),
             });
         });
     });
     menu.response.on_hover_text(tr!("Frames that differ by more than the threshold"));
     let drag = DragValue::new(&mut flip.threshold).range(0..=254).prefix("> ").suffix("/255");
     let response = ui.add(drag).on_hover_text(tr!("Differences up to this one count as none"));
-    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Threshold"));
+    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Threshold")));
     chosen
 }
 
@@ -112,13 +115,13 @@ fn strip(ui: &Ui, flip: &FlipBook, timeline: &Timeline, axis: Axis, lane: Rect) 
         painter.circle_filled(at, 3.0, colors.warning);
     }
     let response = ui.interact(lane, ui.scope_id().with("difference strip"), Sense::click());
-    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Differences"));
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, tr!("Differences")));
     let frame_at = |x: f32| (axis.time(x) * fps).floor() as i32;
     let clicked = response.interact_pointer_pos().filter(|_| response.clicked());
     if let Some(at) = response.hover_pos() {
         let frame = frame_at(at.x);
         let found = flip.deltas().find(|(of, _)| *of == frame);
-        let text = found.map_or("is not compared yet".to_owned(), |(_, kind)| kind.text());
+        let text = found.map_or(tr!("is not compared yet").to_owned(), |(_, kind)| kind.text());
         response.on_hover_ui_at_pointer(|ui| {
             ui.label(RichText::new(tr!("Frame {frame} {text}")));
         });

@@ -32,12 +32,13 @@ pub(super) fn show(
     let lane = Rect::from_x_y_ranges(axis.lane.x_range(), band.y_range());
     ui.painter_at(lane).rect_filled(band, 0.0, colors.accent_dim);
     let about_playhead = ui.input(|input| input.modifiers.alt);
-    for (index, name) in [(0, "Start of the selection"), (1, "End of the selection")] {
+    let names = [tr!("Start of the selection"), tr!("End of the selection")];
+    for (index, name) in names.into_iter().enumerate() {
         let at = pos2(axis.x([start, end][index]), band.center().y);
         if !lane.x_range().expand(2.0).contains(at.x) {
             continue;
         }
-        let id = ui.scope_id().with(name);
+        let id = ui.scope_id().with(("edge of the selection", index));
         let handled = handle(ui, id, at, name, [start, end][index], true);
         let held = timeline.sheet.held_while(session, &handled.response);
         if let Some((to, own)) = handled.to.zip(key_bar::range_of(&held)) {

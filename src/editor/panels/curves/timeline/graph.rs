@@ -117,7 +117,7 @@ pub(super) fn ink(ui: &Ui, width: usize, at: usize) -> Color32 {
 fn component_name(is_color: bool, width: usize, at: usize) -> &'static str {
     match (width, is_color) {
         (1, _) => "",
-        (_, true) => ["red", "green", "blue", "opacity"][at.min(3)],
+        (_, true) => [tr!("red"), tr!("green"), tr!("blue"), tr!("opacity")][at.min(3)],
         _ => ["x", "y", "z", "w"][at.min(3)],
     }
 }
@@ -265,7 +265,7 @@ impl Graph<'_> {
         let Some(place) = self.place(index, at) else { return };
         let key = &self.track().keys[index];
         let id = ui.scope_id().with(("graph key", self.owned.owner, self.index, index, at));
-        let label = format!("Time key {} of {}", index + 1, self.name(at));
+        let label = tr!("Time key {key} of {name}", key = index + 1, name = self.name(at));
         let handled = handle(ui, id, place, &label, key.time, true);
         let key_at = KeyAt { owner: self.owned.owner, track: self.index, key: index };
         timeline.sheet.shown_at(key_at, place);
@@ -307,8 +307,11 @@ impl Graph<'_> {
         let end = pos2(self.axis.x(key.time + time), self.scale.y(own + value));
         let id =
             ui.scope_id().with(("handle", self.owned.owner, self.index, index, at, is_outgoing));
-        let side = if is_outgoing { "after" } else { "before" };
-        let label = format!("Handle {side} key {} of {}", index + 1, self.name(at));
+        let (key_number, name) = (index + 1, self.name(at));
+        let label = match is_outgoing {
+            true => tr!("Handle after key {key_number} of {name}"),
+            false => tr!("Handle before key {key_number} of {name}"),
+        };
         let handled = handle(ui, id, end, &label, value, true);
         if let Some(to) = handled.to {
             let to = [self.axis.time(to.x) - key.time, self.scale.value(to.y) - own];

@@ -1,7 +1,7 @@
 //! Row of the selected keys: time and value of one, interpolation, handles, what holds beyond the
 //! keys, and their length.
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr, trn};
 use eframe::egui::{Button, DragValue, RichText, Role, Ui, WidgetInfo};
 
 use super::sheet::PickedTrack;
@@ -16,27 +16,39 @@ use crate::widgets::theme;
 use crate::widgets::value;
 
 /// Interpolations with their names and explanations.
-pub(super) const INTERPOLATIONS: [(TimeInterpolation, &str, &str); 4] = [
-    (TimeInterpolation::Bezier, "Bezier", "Goes by handles to the next key (a hollow circle)"),
-    (TimeInterpolation::Smooth, "Smooth", "Eases to the next key (a circle)"),
-    (TimeInterpolation::Linear, "Straight", "Goes evenly to the next key (a diamond)"),
-    (TimeInterpolation::Stepped, "Stepped", "Holds until the next key (a square)"),
+pub(super) const INTERPOLATIONS: [(TimeInterpolation, Text, Text); 4] = [
+    (
+        TimeInterpolation::Bezier,
+        text!("Bezier"),
+        text!("Goes by handles to the next key (a hollow circle)"),
+    ),
+    (TimeInterpolation::Smooth, text!("Smooth"), text!("Eases to the next key (a circle)")),
+    (
+        TimeInterpolation::Linear,
+        text!("Straight"),
+        text!("Goes evenly to the next key (a diamond)"),
+    ),
+    (TimeInterpolation::Stepped, text!("Stepped"), text!("Holds until the next key (a square)")),
 ];
 
 /// Kinds of handles with their names and explanations; `None` for automatic ones.
-const HANDLES: [(Option<HandlePair>, &str, &str); 3] = [
-    (None, "Automatic", "Smooth, and never beyond the keys"),
-    (Some(HandlePair::Aligned), "Aligned", "One handle turns with the other"),
-    (Some(HandlePair::Free), "Free", "Each handle is moved by itself"),
+const HANDLES: [(Option<HandlePair>, Text, Text); 3] = [
+    (None, text!("Automatic"), text!("Smooth, and never beyond the keys")),
+    (Some(HandlePair::Aligned), text!("Aligned"), text!("One handle turns with the other")),
+    (Some(HandlePair::Free), text!("Free"), text!("Each handle is moved by itself")),
 ];
 
 /// Values beyond the keys, with their names and explanations.
-const BEYOND: [(Extrapolation, &str, &str); 5] = [
-    (Extrapolation::Hold, "hold", "The value of the key"),
-    (Extrapolation::Linear, "go on straight", "On with the slope of the curve"),
-    (Extrapolation::Cycle, "cycle", "All keys again"),
-    (Extrapolation::CycleOffset, "cycle with offset", "All keys again, from the value reached"),
-    (Extrapolation::Mirror, "to and fro", "All keys backward, then forward again"),
+const BEYOND: [(Extrapolation, Text, Text); 5] = [
+    (Extrapolation::Hold, text!("hold"), text!("The value of the key")),
+    (Extrapolation::Linear, text!("go on straight"), text!("On with the slope of the curve")),
+    (Extrapolation::Cycle, text!("cycle"), text!("All keys again")),
+    (
+        Extrapolation::CycleOffset,
+        text!("cycle with offset"),
+        text!("All keys again, from the value reached"),
+    ),
+    (Extrapolation::Mirror, text!("to and fro"), text!("All keys backward, then forward again")),
 ];
 
 /// Shows the row.
@@ -59,7 +71,7 @@ pub(super) fn show(
         interpolation(timeline, ui, session, &picked, out);
         ui.menu_button(tr!("Handles"), |ui| {
             for (pair, text, help) in HANDLES {
-                if ui.button(text).on_hover_text(help).clicked() {
+                if ui.button(text.tr()).on_hover_text(help.tr()).clicked() {
                     let change = |it: &PickedTrack| retime::with_handles(&it.track, &it.keys, pair);
                     timeline.sheet.change(session, change, out);
                 }
@@ -82,7 +94,9 @@ fn one_key(
 ) {
     let [PickedTrack { owner, index, track, keys }] = picked else {
         let count: usize = picked.iter().map(|it| it.keys.len()).sum();
-        let text = format!("{count} keys in {} tracks", picked.len());
+        let tracks = picked.len();
+        let text =
+            trn!(tracks, "{count} keys in {tracks} track", "{count} keys in {tracks} tracks");
         ui.label(RichText::new(text).color(theme::of(ui).accent));
         return;
     };
@@ -90,7 +104,8 @@ fn one_key(
     let [name, what] = rows::owner_and_name(owned, track);
     let accent = theme::of(ui).accent;
     let &[key_at] = keys.as_slice() else {
-        let text = format!("{} keys of {name}: {what}", keys.len());
+        let count = keys.len();
+        let text = trn!(count, "{count} key of {name}: {what}", "{count} keys of {name}: {what}");
         ui.label(RichText::new(text).color(accent));
         return;
     };
@@ -99,11 +114,11 @@ fn one_key(
     let mut time = key.time;
     let drag = DragValue::new(&mut time).speed(1.0 / timeline.fps).max_decimals(4).suffix(" s");
     let response = ui.add(drag.update_while_editing(false));
-    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Time of the key"));
+    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Time of the key")));
     let mut frame = key.time * timeline.fps;
     let drag = DragValue::new(&mut frame).speed(0.2).max_decimals(2).prefix("f ");
     let of_frame = ui.add(drag.update_while_editing(false));
-    of_frame.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Frame of the key"));
+    of_frame.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Frame of the key")));
     for (response, time) in [(response, time), (of_frame, frame / timeline.fps)] {
         let held = timeline.sheet.held_while(session, &response);
         if response.changed() && time.is_finite() {
@@ -115,7 +130,7 @@ fn one_key(
     }
     let Some(port) = owned.keys.base.port_at(&track.target) else { return };
     let space = session.look().color_space;
-    if let Some((id, value)) = value::cell(ui, "Value of the key", &port, &key.value, space) {
+    if let Some((id, value)) = value::cell(ui, tr!("Value of the key"), &port, &key.value, space) {
         let edit = owned.keys.change_track(*index, |track| track.keys[key_at].value = value);
         out.extend(owned.held(id, edit));
     }
@@ -134,7 +149,9 @@ fn interpolation(
             let is_it = picked
                 .iter()
                 .all(|it| it.keys.iter().all(|&key| it.track.keys[key].interpolation == choice));
-            if ui.add(Button::selectable(is_it, text)).on_hover_text(help).clicked() && !is_it {
+            if ui.add(Button::selectable(is_it, text.tr())).on_hover_text(help.tr()).clicked()
+                && !is_it
+            {
                 let change = |it: &PickedTrack| retime::interpolated(&it.track, &it.keys, choice);
                 timeline.sheet.change(session, change, out);
             }
@@ -152,12 +169,13 @@ fn beyond(
     out: &mut Vec<Command>,
 ) {
     let menu = ui.menu_button(tr!("Beyond"), |ui| {
-        for (side, is_before) in [("Before", true), ("After", false)] {
+        for (side, is_before) in [(tr!("keys" => "Before"), true), (tr!("keys" => "After"), false)]
+        {
             for (choice, text, help) in BEYOND {
                 let of = |ends: TrackEnds| if is_before { ends.before } else { ends.after };
                 let is_it = picked.iter().all(|it| of(it.track.ends()) == choice);
-                let button = Button::selectable(is_it, format!("{side}: {text}"));
-                if ui.add(button).on_hover_text(help).clicked() {
+                let button = Button::selectable(is_it, format!("{side}: {}", text.tr()));
+                if ui.add(button).on_hover_text(help.tr()).clicked() {
                     let change = |it: &PickedTrack| {
                         let mut ends = it.track.ends();
                         *(if is_before { &mut ends.before } else { &mut ends.after }) = choice;
@@ -182,9 +200,9 @@ fn length(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec
     }
     let fps = timeline.fps;
     let mut frames = (end - start) * fps;
-    let drag = DragValue::new(&mut frames).speed(0.25).max_decimals(2).suffix(" frames");
+    let drag = DragValue::new(&mut frames).speed(0.25).max_decimals(2).suffix(tr!(" frames"));
     let response = ui.add(drag.range(0.01..=1e7).update_while_editing(false));
-    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Length of the keys"));
+    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Length of the keys")));
     let held = timeline.sheet.held_while(session, &response);
     if let Some([start, end]) = range_of(&held).filter(|_| response.changed()) {
         let scale = frames / fps / (end - start);
@@ -202,7 +220,7 @@ fn scale(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec<
     let mut percent = 100.0;
     let drag = DragValue::new(&mut percent).speed(0.5).max_decimals(1).suffix(" %");
     let response = ui.add(drag.range(1.0..=10_000.0).update_while_editing(false));
-    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Scale of the keys"));
+    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Scale of the keys")));
     let held = timeline.sheet.held_while(session, &response);
     if response.changed() && !held.is_empty() {
         timeline.scale(session, held, (playhead, percent / 100.0), response.id, out);
@@ -231,14 +249,15 @@ fn commands(
         if ui.button(tr!("Copy keys")).on_hover_text(tr!("Ctrl+C over this panel")).clicked() {
             timeline.sheet.copy(session);
         }
-        let help = "Puts the copied keys at the playhead (Ctrl+V): into their tracks, or keys of \
-                    one track into that of the selected key";
+        let help =
+            tr!("Puts the copied keys at the playhead (Ctrl+V): into their tracks, or keys of \
+                    one track into that of the selected key");
         let can_paste = timeline.sheet.has_copies();
         let paste = ui.add_enabled(can_paste, Button::new(tr!("Paste keys")));
         if paste.on_hover_text(help).clicked() {
             timeline.sheet.paste(session, now, out);
         }
-        let help = "Puts copies at the playhead (Ctrl+D)";
+        let help = tr!("Puts copies at the playhead (Ctrl+D)");
         let duplicate = ui.button(tr!("Duplicate keys")).on_hover_text(help);
         if duplicate.clicked() && timeline.sheet.copy(session) {
             timeline.sheet.active = None;
@@ -246,7 +265,7 @@ fn commands(
         }
     });
     let count: usize = picked.iter().map(|it| it.keys.len()).sum();
-    let text = if count == 1 { "Delete time key" } else { "Delete time keys" };
+    let text = trn!(count, "Delete time key", "Delete time keys");
     if ui.button(text).on_hover_text(tr!("Takes them away (Delete)")).clicked() {
         timeline.sheet.delete(session, out);
     }

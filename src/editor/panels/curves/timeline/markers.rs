@@ -90,13 +90,15 @@ impl MarkerOwner {
         };
         let shots = session.shot().map(|shot| &shot.stack().shots);
         match self {
-            Self::Look => format!("the look{}", file(session.path())),
+            Self::Look => tr!("marker of" => "the look{file}", file = file(session.path())),
             Self::Scene => {
-                format!("the scene{}", file(session.open_scene().and_then(|it| it.path())))
+                let file = file(session.open_scene().and_then(|it| it.path()));
+                tr!("marker of" => "the scene{file}")
             }
             Self::Shot(number) => {
                 let under = shots.and_then(|shots| shots.get(number));
-                format!("the shot{}", file(under.map(|under| under.path.as_path())))
+                let file = file(under.map(|under| under.path.as_path()));
+                tr!("marker of" => "the shot{file}")
             }
         }
     }
@@ -185,8 +187,8 @@ pub(super) fn show(
     head.horizontal_centered(|ui| {
         ui.spacing_mut().button_padding.y = 0.0;
         let help = match MarkerOwner::outermost(session) {
-            MarkerOwner::Shot(_) => "Names the frame at the playhead in the shot (M here)",
-            _ => "Names the time at the playhead (M over this panel)",
+            MarkerOwner::Shot(_) => tr!("Names the frame at the playhead in the shot (M here)"),
+            _ => tr!("Names the time at the playhead (M over this panel)"),
         };
         if ui.small_button(tr!("Add marker")).on_hover_text(help).clicked() {
             add(session, timeline.snapped(session.view.time), out);
@@ -242,7 +244,7 @@ impl ShownMarker<'_> {
     fn place(&self, timeline: &Timeline) -> String {
         let Marker { time, name, .. } = self.marker();
         let frame = (time * timeline.fps).round();
-        format!("{name}: {} s, frame {frame}", values::number_text(*time, 3))
+        tr!("{name}: {seconds} s, frame {frame}", seconds = values::number_text(*time, 3))
     }
 
     fn paint_flag(&self, ui: &Ui, response: &Response, color: Color32) {
@@ -268,7 +270,7 @@ impl ShownMarker<'_> {
         let place = Rect::from_center_size(self.at, Vec2::splat(REACH));
         let response = ui.interact(place, self.id(ui), Sense::click());
         let of = self.owner.described(self.session);
-        let label = format!("Marker {} of {of}", self.marker().name);
+        let label = tr!("Marker {name} of {of}", name = self.marker().name);
         response.widget_info(|| WidgetInfo::labeled(Role::Link, true, &label));
         if response.clicked() {
             timeline.go(self.marker().time, out);
@@ -288,7 +290,7 @@ impl ShownMarker<'_> {
         let (session, owner, index) = (self.session, self.owner, self.index);
         let marker = self.marker();
         let id = self.id(ui);
-        let label = format!("Marker {}", marker.name);
+        let label = tr!("Marker {name}", name = marker.name);
         let handled = handle(ui, id, self.at, &label, marker.time, true);
         let response = handled.response;
         response.widget_info(|| WidgetInfo::slider(true, marker.time, &label));
@@ -340,7 +342,7 @@ impl ShownMarker<'_> {
         let field = Rect::from_min_size(left, vec2(120.0, STRIP));
         let edit = TextEdit::singleline(name).id(self.id(ui).with("name")).desired_width(110.0);
         let typed = ui.put(field, edit);
-        typed.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, "Name of the marker"));
+        typed.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, tr!("Name of the marker")));
         let (name, is_over) = (name.clone(), typed.lost_focus());
         if !typed.has_focus() && !is_over {
             typed.request_focus();

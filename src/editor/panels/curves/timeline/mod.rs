@@ -20,7 +20,7 @@ mod transport;
 
 use std::time::Duration;
 
-use chiaro_locale::tr;
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{Rect, ScrollArea, Sense, Stroke, Ui, pos2, vec2};
 
@@ -42,8 +42,8 @@ use sheet::KeySheet;
 
 pub(crate) const PANEL: PanelRow = PanelRow::new(
     PanelId::TIMELINE,
-    "Timeline",
-    "Values that change with time: keys, play, scrub",
+    text!("Timeline"),
+    text!("Values that change with time: keys, play, scrub"),
     PanelPlace::BELOW_GRAPH,
     |bench, ui, context| bench.memory.of::<Timeline>().show(ui, context.session, &mut bench.tools),
 )
@@ -191,10 +191,9 @@ impl Timeline {
             ui.add_space(6.0);
             hint(
                 ui,
-                "Nothing changes with time yet. Press the diamond beside a value in the inspector \
-                 and choose \"Key in \
-                 time\", or add a value above; then move the playhead and set it to something \
-                 else.",
+                tr!("Nothing changes with time yet. Press the diamond beside a value in the \
+                     inspector and choose \"Key in time\", or add a value above; then move the \
+                     playhead and set it to something else."),
             );
         } else {
             // The row of the selected keys is below, so that no key moves as it is pressed.
@@ -252,7 +251,7 @@ impl Timeline {
         let id = ui.scope_id().with("ruler");
         let response = ui.interact(axis.lane, id, Sense::click_and_drag());
         let time = session.view.time;
-        response.widget_info(|| egui::WidgetInfo::slider(true, time, "Playhead"));
+        response.widget_info(|| egui::WidgetInfo::slider(true, time, tr!("Playhead")));
         let is_part = transport::choose_part(self, ui, axis, &response);
         self.clock.is_scrubbed = response.dragged() && !is_part;
         if let Some(pointer) = response
@@ -268,14 +267,15 @@ impl Timeline {
             "Drag to scrub; with Shift choose the part that is played. The wheel zooms in time; a \
              drag with the middle button pans."
         ));
-        for (end, name) in [(0, "Start of the range"), (1, "End of the range")] {
+        let names = [tr!("Start of the range"), tr!("End of the range")];
+        for (end, name) in names.into_iter().enumerate() {
             let at = pos2(axis.x(self.range[end]), axis.lane.bottom() - 5.0);
             if !axis.lane.expand(2.0).contains(at) {
                 continue;
             }
             let handled = crate::widgets::handle::handle(
                 ui,
-                ui.scope_id().with(name),
+                ui.scope_id().with(("end of the range", end)),
                 at,
                 name,
                 self.range[end],

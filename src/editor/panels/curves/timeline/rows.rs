@@ -13,7 +13,7 @@ use super::sheet::KeyAt;
 use super::{NAMES, ROW, Timeline, graph};
 use crate::catalog::Port;
 use crate::commands::Command;
-use crate::document::{Edit, TimeInterpolation, TimeKeys};
+use crate::document::{Edit, Target, TimeInterpolation, TimeKeys};
 use crate::fields::lighting::{OwnedKeys, Owner};
 use crate::fields::mark;
 use crate::frame::{ResolvedShot, Track};
@@ -25,13 +25,18 @@ use crate::widgets::handle::{self, HandleResponse, handle};
 use crate::widgets::text::cell;
 use crate::widgets::theme;
 
-/// Names of the light or node and of the field that a track moves; lights of the scene are told
-/// from those of the look.
+/// Names of the light or node and of the field that a track moves.
 pub(super) fn owner_and_name(owned: OwnedKeys<'_>, track: &TimeKeys) -> [String; 2] {
-    let [owner, what] = owned.keys.base.names_of(&track.target);
+    names_of(owned, &track.target)
+}
+
+/// Names of what has a value, and of the value; lights of the scene are told from those of the
+/// look.
+pub(super) fn names_of(owned: OwnedKeys<'_>, target: &Target) -> [String; 2] {
+    let [owner, what] = owned.keys.base.names_of(target);
     match owned.owner {
         Owner::Look => [owner, what],
-        Owner::Scene => [format!("{owner} of the scene"), what],
+        Owner::Scene => [tr!("{owner} of the scene"), what],
     }
 }
 
@@ -67,7 +72,7 @@ pub(super) fn show(
         Sense::click_and_drag(),
     );
     response.widget_info(|| {
-        WidgetInfo::labeled(egui::Role::Canvas, true, format!("Track of {owner}: {what}"))
+        WidgetInfo::labeled(egui::Role::Canvas, true, tr!("Track of {owner}: {what}"))
     });
     let is_pan = ui.input(|input| input.modifiers.alt || input.pointer.middle_down());
     if response.dragged() && is_pan {
@@ -130,13 +135,13 @@ fn name(
         opener(timeline, ui, owned, track, &format!("{owner}: {what}"));
         let here =
             track.keys.iter().position(|key| (key.time - owned.session.view.time).abs() < 1e-6);
-        let verb = if here.is_some() { "Delete key of" } else { "Add key of" };
-        let diamond = mark::of(ui, owned.keys, &track.target, &format!("{verb} {owner}: {what}"));
-        let help = if here.is_some() {
-            "Deletes the key at the playhead"
-        } else {
-            "Adds a key at the playhead"
+        let (name, help) = match here {
+            Some(_) => {
+                (tr!("Delete key of {owner}: {what}"), tr!("Deletes the key at the playhead"))
+            }
+            None => (tr!("Add key of {owner}: {what}"), tr!("Adds a key at the playhead")),
         };
+        let diamond = mark::of(ui, owned.keys, &track.target, &name);
         if diamond.on_hover_text(help).clicked() {
             let edit = match here {
                 Some(_) if track.keys.len() < 2 => Some(owned.keys.unkey(&track.target)),
@@ -191,10 +196,11 @@ fn opener(
     let place = (owned.owner, track.target.clone());
     let is_open = timeline.sheet.open.contains(&place);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    let verb = if is_open { "Close" } else { "Open" };
-    response.widget_info(|| {
-        WidgetInfo::labeled(egui::Role::Button, true, format!("{verb} curves of {name}"))
-    });
+    let name = match is_open {
+        true => tr!("Close curves of {name}"),
+        false => tr!("Open curves of {name}"),
+    };
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &name));
     let colors = theme::of(ui);
     let color = if response.hovered() || response.has_focus() { colors.text } else { colors.dim };
     let corners = match is_open {
@@ -316,7 +322,7 @@ fn key_handle(
     let key = &of_track.keys[index];
     let at = pos2(axis.x(key.time), lane.center().y);
     let [owner, what] = owner_and_name(owned, of_track);
-    let label = format!("Time key {} of {owner}: {what}", index + 1);
+    let label = tr!("Time key {key} of {owner}: {what}", key = index + 1);
     let id = ui.scope_id().with(("key", owned.owner, track, index));
     let handled = handle(ui, id, at, &label, key.time, true);
     let place = KeyAt { owner: owned.owner, track, key: index };

@@ -3,6 +3,7 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
+use chiaro_locale::tr;
 use eframe::egui::{Event, Id, Key, Modifiers, Pos2, Rect, Response, Ui};
 
 use super::{Timeline, markers, owners};
@@ -455,11 +456,11 @@ pub(super) fn keys(
     for event in events {
         match event {
             Event::Copy if timeline.sheet.copy(session) => {
-                out.push(Command::Copy("Keys of the timeline".to_owned()));
+                out.push(Command::Copy(tr!("Keys of the timeline").to_owned()));
             }
             Event::Cut if timeline.sheet.copy(session) => {
                 timeline.sheet.delete(session, out);
-                out.push(Command::Copy("Keys of the timeline".to_owned()));
+                out.push(Command::Copy(tr!("Keys of the timeline").to_owned()));
             }
             Event::Paste(_) => {
                 timeline.sheet.paste(session, timeline.snapped(session.view.time), out);

@@ -164,8 +164,10 @@ fn head(
         let size = vec2(16.0, ui.spacing().interact_size.y);
         let sense = if track.is_own { Sense::click() } else { Sense::hover() };
         let (rect, response) = ui.allocate_exact_size(size, sense);
-        let verb = if here.is_some() { "Delete key of" } else { "Add key of" };
-        let name = format!("{verb} {owner}: {what}");
+        let name = match here {
+            Some(_) => tr!("Delete key of {owner}: {what}"),
+            None => tr!("Add key of {owner}: {what}"),
+        };
         response.widget_info(|| WidgetInfo::labeled(Role::Button, track.is_own, &name));
         let edge = if response.hovered() { colors.text } else { colors.accent };
         let fill = if here.is_some() { colors.accent } else { egui::Color32::TRANSPARENT };
@@ -178,9 +180,9 @@ fn head(
         }
         let by = track.change.by.file_name().unwrap_or_default().to_string_lossy();
         response.on_hover_text(match (track.is_own, here) {
-            (false, _) => format!("Keyed by {by}, which lies under the shot"),
-            (true, Some(_)) => "Deletes the key at the playhead".to_owned(),
-            (true, None) => "Adds a key at the playhead".to_owned(),
+            (false, _) => tr!("Keyed by {by}, which lies under the shot"),
+            (true, Some(_)) => tr!("Deletes the key at the playhead").to_owned(),
+            (true, None) => tr!("Adds a key at the playhead").to_owned(),
         });
         let place = session.open_scene().map(|scene| scene.scene().value_at(&track.change.target));
         let now = place.and_then(Result::ok).map(|place| json_text(&place.value));
@@ -211,7 +213,7 @@ fn key_handle(
     out: &mut Vec<Command>,
 ) {
     let key = &track.keys.keys[index];
-    let label = format!("Frame key {} of {owner}: {what}", index + 1);
+    let label = tr!("Frame key {key} of {owner}: {what}", key = index + 1);
     let id = ui.scope_id().with(("shot key", &track.change.target, index));
     let handled = handle(ui, id, at, &label, key.frame, track.is_own);
     let wished = handled.to.map(|to| shot.rate().frame_within(axis.time(to.x)));
@@ -236,11 +238,11 @@ fn key_handle(
     if track.is_own {
         handled.response.context_menu(|ui| key_menu(ui, track, index, out));
     }
-    let text = format!(
-        "Frame {}: {}. Drag it, or arrow keys; a right click shapes it; double-click brings the \
-         playhead here; Delete removes it.",
-        key.frame,
-        json_text(&serde_json::json!(key.value))
+    let text = tr!(
+        "Frame {frame}: {value}. Drag it, or arrow keys; a right click shapes it; double-click \
+         brings the playhead here; Delete removes it.",
+        frame = key.frame,
+        value = json_text(&serde_json::json!(key.value))
     );
     handled.response.on_hover_text(text);
 }
@@ -248,7 +250,7 @@ fn key_handle(
 fn key_menu(ui: &mut Ui, track: &ShotTrack<'_>, index: usize, out: &mut Vec<Command>) {
     let now = track.keys.keys[index].interpolation;
     for (interpolation, text, help) in INTERPOLATIONS {
-        if ui.radio(now == interpolation, text).on_hover_text(help).clicked() {
+        if ui.radio(now == interpolation, text.tr()).on_hover_text(help.tr()).clicked() {
             let mut change = track.keys.clone();
             change.keys[index].interpolation = interpolation;
             push(out, ShotCommand::Edit(ShotEdit::set_override(change)));

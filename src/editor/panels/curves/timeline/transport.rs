@@ -1,6 +1,6 @@
 //! Transport of the timeline: play, step, the ways to play, and the frames that are kept.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, trn};
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{
     Button, ComboBox, DragValue, Event, Key, Label, Modifiers, PointerButton, PopupCloseBehavior,
@@ -35,16 +35,16 @@ pub(super) fn buttons(
     out: &mut Vec<Command>,
 ) {
     let is_playing = timeline.clock.is_running();
-    let text = if is_playing { "Pause" } else { "Play" };
-    let help = "Plays the range (Space over this panel)";
+    let text = if is_playing { tr!("Pause") } else { tr!("Play") };
+    let help = tr!("Plays the range (Space over this panel)");
     // As wide as either text, so that nothing beside the button moves.
     let button = Button::new(text).selected(is_playing).min_size(vec2(PLAY, 0.0));
     if ui.add(button).on_hover_text(help).clicked() {
         timeline.toggle(ui, session);
     }
     for (text, name, help, by) in [
-        ("⏴", "Previous frame", "A frame back (Comma over this panel)", -1),
-        ("⏵", "Next frame", "A frame on (Period over this panel)", 1),
+        ("⏴", tr!("Previous frame"), tr!("A frame back (Comma over this panel)"), -1),
+        ("⏵", tr!("Next frame"), tr!("A frame on (Period over this panel)"), 1),
     ] {
         let response = ui.button(text).on_hover_text(help);
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
@@ -121,7 +121,7 @@ pub(super) fn ways(
             ui.selectable_value(&mut clock.mode, mode, mode.label()).on_hover_text(mode.help());
         }
     });
-    combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "At the end"));
+    combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, tr!("At the end")));
     combo.response.on_hover_text(clock.mode.help());
     let text = |speed: f64| format!("×{}", values::number_text(speed, 2));
     let combo = ComboBox::from_id_salt("speed").width(44.0).selected_text(text(clock.speed));
@@ -130,11 +130,12 @@ pub(super) fn ways(
             ui.selectable_value(&mut clock.speed, speed, text(speed));
         }
     });
-    combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, "Speed"));
+    combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, tr!("Speed")));
     combo.response.on_hover_text(tr!("Speed, as a factor of the frame rate"));
     if clock.part.is_some() {
-        let help = "Plays the whole range again. A drag on the ruler with Shift chooses a part; I \
-                    and O over this panel set its ends";
+        let help =
+            tr!("Plays the whole range again. A drag on the ruler with Shift chooses a part; I \
+                    and O over this panel set its ends");
         if ui.button(tr!("Whole range")).on_hover_text(help).clicked() {
             clock.part = None;
         }
@@ -144,8 +145,9 @@ pub(super) fn ways(
         return;
     }
     let mut waits = clock.pace == PlayPace::EveryFrame;
-    let help = "Shows every frame, later than its time where it is not drawn yet; else those are \
-                left out";
+    let help =
+        tr!("Shows every frame, later than its time where it is not drawn yet; else those are \
+                left out");
     if ui.checkbox(&mut waits, tr!("Every frame")).on_hover_text(help).changed() {
         clock.pace = if waits { PlayPace::EveryFrame } else { PlayPace::RealTime };
     }
@@ -156,10 +158,11 @@ pub(super) fn ways(
     tools.of_mut::<OnionSkin>().form(ui, timeline.fps, keys);
     let (flip, playback) = tools.pair::<FlipBook, Playback>();
     let has_frames = playback.cache().frames().next().is_some();
-    let help = "Keeps these frames, to compare later ones with: a flip book, for which the picture \
-                gets buttons";
+    let help =
+        tr!("Keeps these frames, to compare later ones with: a flip book, for which the picture \
+                gets buttons");
     let keep = ui.add_enabled(has_frames, Button::new(tr!("Keep")));
-    keep.widget_info(|| WidgetInfo::labeled(Role::Button, has_frames, "Keep version"));
+    keep.widget_info(|| WidgetInfo::labeled(Role::Button, has_frames, tr!("Keep version")));
     if keep.on_hover_text(help).clicked() {
         flip.keep(playback);
     }
@@ -169,12 +172,12 @@ pub(super) fn ways(
 fn kept(ui: &mut Ui, playback: &mut Playback, out: &mut Vec<Command>) {
     let is_filling = playback.is_filling();
     let (text, name, help) = match is_filling {
-        true => ("Stop", "Stop drawing", "Leaves the other frames undrawn"),
+        true => (tr!("Stop"), tr!("Stop drawing"), tr!("Leaves the other frames undrawn")),
         false => (
-            "Cache",
-            "Cache range",
-            "Draws the frames of the range ahead, so that they play in real time; after a first \
-             round this begins by itself, and an edit ends it",
+            tr!("Cache"),
+            tr!("Cache range"),
+            tr!("Draws the frames of the range ahead, so that they play in real time; after a \
+                 first round this begins by itself, and an edit ends it"),
         ),
     };
     let fill = ui.button(text);
@@ -189,16 +192,20 @@ fn kept(ui: &mut Ui, playback: &mut Playback, out: &mut Vec<Command>) {
     let used = playback.cache().bytes().div_ceil(1 << 20);
     let memory = playback.memory();
     let all = round.count();
-    let text = format!("{count}/{all} kept");
+    let text = tr!("{count}/{all} kept");
     let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let (menu, _) = MenuButton::new(text).config(stays).ui(ui, |ui| {
-        ui.label(format!("{used} of {memory} MiB in use; {} frames drawn", playback.drawn()));
+        ui.label(trn!(
+            drawn = playback.drawn(),
+            "{used} of {memory} MiB in use; {drawn} frame drawn",
+            "{used} of {memory} MiB in use; {drawn} frames drawn"
+        ));
         let mut chosen = memory;
         for mib in MEMORIES {
-            ui.radio_value(&mut chosen, mib, tr!("{mib} MiB"));
+            ui.radio_value(&mut chosen, mib, format!("{mib} MiB"));
         }
         let other = ui.add(DragValue::new(&mut chosen).range(1..=1 << 20).suffix(" MiB"));
-        other.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, "Memory of frames"));
+        other.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Memory of frames")));
         if chosen != memory {
             out.push(Command::KeepFrameMemory(chosen));
         }
@@ -207,7 +214,7 @@ fn kept(ui: &mut Ui, playback: &mut Playback, out: &mut Vec<Command>) {
             ui.close();
         }
     });
-    let name = format!("{count} of {all} kept");
+    let name = tr!("{count} of {all} kept");
     menu.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
     menu.on_hover_text(tr!(
         "Frames that are kept, and their memory: where it is short, those that are shown last go \
@@ -227,14 +234,14 @@ fn real_rate(ui: &mut Ui, playback: &Playback) {
     let colors = theme::of(ui);
     let wanted = values::number_text(transport.wanted_rate, 1);
     let (text, color) = match playback.shown_rate(ui.input(|input| input.time)) {
-        None => (format!("- of {wanted} fps"), colors.dim),
+        None => (tr!("- of {wanted} fps"), colors.dim),
         Some(real) => {
             let is_slow = real < transport.wanted_rate * SLOW;
             let color = if is_slow { colors.warning } else { colors.text };
-            (format!("{real:.1} of {wanted} fps"), color)
+            (tr!("{real:.1} of {wanted} fps"), color)
         }
     };
-    let help = "Frames that are really shown a second, of those that should be";
+    let help = tr!("Frames that are really shown a second, of those that should be");
     let text = RichText::new(text).color(color).monospace();
     ui.add(Label::new(text).extend()).on_hover_text(help);
 }
@@ -299,10 +306,12 @@ pub(super) fn choose_part(
 pub(super) fn place(timeline: &Timeline, ui: &mut Ui, session: &Session) {
     let time = session.view.time;
     let frame = (time * timeline.fps).round();
-    let text = format!("{} s, frame {frame}", values::number_text(time, 3));
+    let text = tr!("{seconds} s, frame {frame}", seconds = values::number_text(time, 3));
     let between = frame_at(time, timeline.fps).is_none();
-    let help = if between { "Where the playhead is, between two frames" } else { HERE };
+    let help = if between {
+        tr!("Where the playhead is, between two frames")
+    } else {
+        tr!("Where the playhead is")
+    };
     ui.label(RichText::new(text).monospace()).on_hover_text(help);
 }
-
-const HERE: &str = "Where the playhead is";

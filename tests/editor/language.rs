@@ -1,0 +1,110 @@
+//! The window in another language: every text of it is looked up, and a chosen language is spoken
+//! at once and the next time.
+//!
+//! The language is the process's, so that each of these tests runs in a process of its own: this
+//! program, started anew for that one test.
+
+use std::collections::BTreeSet;
+use std::env;
+use std::process::Command;
+
+use eframe::egui::epaint::ClippedShape;
+use eframe::egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+
+use crate::editor_support::User;
+use crate::editor_support::home::Home;
+use crate::layout::{MENUS, ROUNDS, collect, opened};
+
+/// Environment variable of a process that was started for one test.
+const ALONE: &str = "CHIARO_TEST_ALONE";
+
+/// True in a process of the test's own; elsewhere runs the test in one, and asks that it passes.
+fn is_alone(test: &str) -> bool {
+    if env::var_os(ALONE).is_some() {
+        return true;
+    }
+    let program = env::current_exe().expect("the path of this program");
+    let name = format!("language::{test}");
+    let run = Command::new(program).args([name.as_str(), "--exact"]).env(ALONE, "1").output();
+    let run = run.expect("this program starts");
+    let said = String::from_utf8_lossy(&run.stdout);
+    let wrong = String::from_utf8_lossy(&run.stderr);
+    assert!(run.status.success() && said.contains("1 passed"), "{said}\n{wrong}");
+    false
+}
+
+/// Texts that no catalog has: names that the documents give, units, formats and signs.
+const OWN: &[&str] =
+    &["Nightfall", "lantern", "key light", "key_alone", "Rims of all", "By the eye", "harbor"];
+
+/// Words of a text that are not within marks.
+fn unmarked(text: &str) -> String {
+    let mut depth = 0_usize;
+    let mut outside = String::new();
+    for letter in text.chars() {
+        match letter {
+            '«' => depth += 1,
+            '»' => depth = depth.saturating_sub(1),
+            _ if depth == 0 => outside.push(letter),
+            _ => {}
+        }
+    }
+    outside
+}
+
+/// True for a text that an English word stands in which was not looked up.
+fn is_missed(text: &str) -> bool {
+    let outside = unmarked(text);
+    let is_own = OWN.iter().any(|own| text.contains(own));
+    let has_word = outside
+        .split(|letter: char| !letter.is_alphabetic())
+        .any(|word| word.len() > 3 && word.chars().skip(1).all(char::is_lowercase));
+    has_word && !is_own
+}
+
+fn look(hand: &User, found: &mut BTreeSet<String>, at: &str) {
+    for ClippedShape { shape, .. } in &hand.harness.output().shapes {
+        let mut texts = Vec::new();
+        collect(shape, &mut texts);
+        let missed = texts.into_iter().filter(|(_, text)| is_missed(text));
+        found.extend(missed.map(|(_, text)| format!("{at}: {text:?}")));
+    }
+}
+
+#[test]
+fn every_text_of_the_window_is_looked_up() {
+    if !is_alone("every_text_of_the_window_is_looked_up") {
+        return;
+    }
+    chiaro_locale::speak(chiaro_locale::MARKED);
+    let home = Home::new();
+    let mut hand = opened(&home);
+    hand.app_mut().session_mut().select(vec!["layer".into()]);
+    hand.harness.set_size([1920.0, 1080.0].into());
+    let mut found = BTreeSet::new();
+    for panel in ROUNDS.into_iter().flatten() {
+        hand.key_with(Modifiers::COMMAND, Key::P);
+        // English words find commands in every language.
+        hand.type_text(&format!("panel {panel}"));
+        hand.key(Key::Enter);
+        hand.harness.run_steps(3);
+        look(&hand, &mut found, panel);
+    }
+    for menu in MENUS {
+        let marked = format!("«{menu}»");
+        let button = hand.harness.get_all_by_label(&marked).next().expect("a menu of the bar");
+        let at = button.rect().center();
+        hand.click(at);
+        hand.harness.run_steps(2);
+        look(&hand, &mut found, &format!("menu {menu}"));
+        hand.key(Key::Escape);
+    }
+    assert!(found.is_empty(), "{} texts:\n{}", found.len(), Vec::from_iter(found).join("\n"));
+}
+
+#[test]
+fn what_is_not_looked_up_is_found() {
+    assert!(is_missed("Add layer") && is_missed("«Opacity» of layer"));
+    assert!(!is_missed("«Add {layer}»") && !is_missed("«a «b» c»") && !is_missed("12 ms, px, PNG"));
+}
