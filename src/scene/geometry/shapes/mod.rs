@@ -18,6 +18,8 @@ mod uv;
 use std::convert::Infallible;
 use std::sync::OnceLock;
 
+use chiaro_locale::text;
+
 use super::build::build;
 use super::mesh::Mesh;
 use super::normals::CREASE_ANGLE;
@@ -41,71 +43,83 @@ pub struct OwnShape {
 pub const SHAPES: &[OwnShape] = &[
     OwnShape {
         name: "sphere",
-        label: "Sphere",
-        help: "Every direction once and one curvature: the plainest view of a look.",
+        label: text!("Sphere").english(),
+        help: text!("Every direction once and one curvature: the plainest view of a look.")
+            .english(),
         make: revolve::sphere,
     },
     OwnShape {
         name: "torus",
-        label: "Torus",
-        help: "Curved outwards outside and like a saddle inside.",
+        label: text!("Torus").english(),
+        help: text!("Curved outwards outside and like a saddle inside.").english(),
         make: revolve::torus,
     },
     OwnShape {
         name: "blob",
-        label: "Blob",
-        help: "Balls run together: convex lobes with soft hollows between them.",
+        label: text!("Blob").english(),
+        help: text!("Balls run together: convex lobes with soft hollows between them.").english(),
         make: || uv::spherical(&nets::polygonize(&blob::sculpture(), blob::CELLS)),
     },
     OwnShape {
         name: "knot",
-        label: "Knot",
-        help: "A trefoil tube that passes over and under itself.",
+        label: text!("Knot").english(),
+        help: text!("A trefoil tube that passes over and under itself.").english(),
         make: sweep::knot,
     },
     OwnShape {
         name: "creature",
-        label: "Creature",
-        help: "A seated cub with brows, eyes, mouth, ears and folds: a character with real \
-               hollows.",
+        label: text!("Creature").english(),
+        help: text!(
+            "A seated cub with brows, eyes, mouth, ears and folds: a character with real \
+               hollows."
+        )
+        .english(),
         make: || uv::boxed(&nets::polygonize(&creature::sculpture(), creature::CELLS)),
     },
     OwnShape {
         name: "cube",
-        label: "Rounded cube",
-        help: "Flat faces between rounded edges: where curvature is nothing, or high.",
+        label: text!("Rounded cube").english(),
+        help: text!("Flat faces between rounded edges: where curvature is nothing, or high.")
+            .english(),
         make: cube::cube,
     },
     OwnShape {
         name: "vase",
-        label: "Vase",
-        help: "A thin wall, hollow inside, with a lip and a foot.",
+        label: text!("Vase").english(),
+        help: text!("A thin wall, hollow inside, with a lip and a foot.").english(),
         make: revolve::vase,
     },
     OwnShape {
         name: "plane",
-        label: "Plane",
-        help: "A flat square, for textures and thresholds.",
+        label: text!("Plane").english(),
+        help: text!("A flat square, for textures and thresholds.").english(),
         make: cube::plane,
     },
     OwnShape {
         name: "waves",
-        label: "Waves",
-        help: "A flat square in waves, for painted surfaces: every tile is lit and seen from \
-               somewhere else.",
+        label: text!("Waves").english(),
+        help: text!(
+            "A flat square in waves, for painted surfaces: every tile is lit and seen from \
+               somewhere else."
+        )
+        .english(),
         make: cube::waves,
     },
     OwnShape {
         name: "ball",
-        label: "Ball",
-        help: "A sphere of 400 triangles, beside the waves in the thesis's test scene.",
+        label: text!("Ball").english(),
+        help: text!("A sphere of 400 triangles, beside the waves in the thesis's test scene.")
+            .english(),
         make: revolve::ball,
     },
     OwnShape {
         name: "city",
-        label: "City",
-        help: "2,785 houses between streets, with whole repeats of a tile on every wall: 27,860 \
-               triangles.",
+        label: text!("City").english(),
+        help: text!(
+            "2,785 houses between streets, with whole repeats of a tile on every wall: 27,860 \
+               triangles."
+        )
+        .english(),
         make: city::city,
     },
 ];
