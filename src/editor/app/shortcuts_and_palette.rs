@@ -1,10 +1,14 @@
 //! Sheet of all shortcuts, and command palette: both list rows of the table of commands. The
-//! palette finds nodes of the open graph too, however many there are.
+//! palette finds nodes of the open graph too, however many there are, and nodes to add.
+
+use std::sync::Arc;
 
 use chiaro_locale::{Text, tr, tr_in};
 use eframe::egui;
 use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
+use crate::canvas::{names, palette};
+use crate::catalog::NodeKind;
 use crate::commands::table::{self, CommandRow, KeyScope, LIGHT_TABLE, PAINTING_POINTER, POINTER};
 use crate::commands::{Command, GraphCommand};
 use crate::fields::passes;
@@ -256,7 +260,22 @@ fn entries(session: &Session, query: &str) -> Vec<Entry> {
         .chain(found_panels(query))
         .chain(found_passes(session, query))
         .chain(found_nodes(session, query).into_iter().map(node))
+        .chain(found_kinds(session, query))
         .collect()
+}
+
+/// Kinds of nodes to add, where there is a query.
+fn found_kinds(session: &Session, query: &str) -> Vec<Entry> {
+    if query.trim().is_empty() {
+        return Vec::new();
+    }
+    let entry = |kind: &Arc<NodeKind>| Entry {
+        label: tr!("Add {node}", node = names::of(&kind.id, &kind.label)),
+        aside: tr_in("node", &kind.category).to_owned(),
+        name: tr!("Add a node: {node}", node = names::of(&kind.id, &kind.label)),
+        command: Command::AddNode { kind: kind.id.clone(), at: None },
+    };
+    palette::kinds(&session.project.catalog, query).iter().take(MOST_NODES).map(entry).collect()
 }
 
 /// Commands whose label has all words of the query, as it is shown or in English; those that begin
@@ -361,5 +380,18 @@ mod tests {
         assert_eq!(titles("Diff"), ["diffuse"]);
         assert_eq!(titles("out"), ["output"]);
         assert!(titles("xyzzy").is_empty());
+    }
+
+    #[test]
+    fn nodes_to_add_are_found_after_those_that_are_there() {
+        let session = Session::new(Arc::new(crate::library::Library::built_in().clone()), || {});
+        let commands = |query| -> Vec<Command> {
+            entries(&session, query).into_iter().map(|entry| entry.command).collect()
+        };
+        let outline = Command::AddNode { kind: "outline".to_owned(), at: None };
+        assert_eq!(commands("outline").first(), Some(&outline));
+        let light = commands("diffuse");
+        assert!(matches!(light[0], Command::Reveal(_)), "{light:?}");
+        assert!(found_kinds(&session, " ").is_empty(), "nobody asked for any");
     }
 }

@@ -18,7 +18,7 @@ mod marks;
 mod mesh;
 pub(crate) mod names;
 mod overlay;
-mod palette;
+pub(crate) mod palette;
 mod passes;
 mod preview;
 mod shot_marks;

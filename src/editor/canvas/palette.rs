@@ -229,6 +229,12 @@ impl Palette {
     }
 }
 
+/// Kinds of nodes that fit a query, best first; all of them where it is empty.
+pub(crate) fn kinds(catalog: &Catalog, query: &str) -> Vec<Arc<NodeKind>> {
+    let query = query.to_owned();
+    Palette { query, ..Palette::new(Pos2::ZERO, None) }.found(catalog)
+}
+
 /// Share of a node's ports that stay when another kind takes its place, 0 to 1; `None` where it is
 /// the same kind.
 fn likeness(old: &NodeKind, new: &NodeKind) -> Option<f32> {

@@ -16,7 +16,7 @@ use crate::state::comparison::ComparedPicture;
 use crate::state::crashes::DocumentOrigin;
 use crate::state::problem_text::sentence;
 use crate::state::session::Session;
-use crate::state::shelf::{LookSnapshot, SnapshotId, date_text};
+use crate::state::shelf::{self, LookSnapshot, SnapshotId, date_text};
 use crate::widgets::rows::{Icon, NameEdit, icon, picture_frame, whole};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
@@ -63,9 +63,14 @@ impl Snapshots {
             );
             return out;
         }
-        if session.path().is_none() {
-            hint(ui, tr!("Save the look, and its snapshots lie in a file beside it."));
-        }
+        let text = match session.path().map(shelf::file_of) {
+            None => tr!("Save the look, and its snapshots lie in a file beside it.").to_owned(),
+            Some(file) => tr!(
+                "They lie in {file} beside the look: give both away.",
+                file = file.file_name().unwrap_or_default().display()
+            ),
+        };
+        hint(ui, &text);
         let mesh = surroundings_key(session);
         if std::mem::replace(&mut self.mesh, mesh) != mesh {
             self.keys.clear();

@@ -37,6 +37,8 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
 
 /// Least width of a picture, in points.
 const CELL: f32 = 92.0;
+/// Number of pictures across of a sheet around a color or a direction.
+const AROUND: usize = 3;
 /// Height of the words below a picture, in points.
 const WORDS: f32 = 18.0;
 /// Side of a picture as drawn, in pixels.
@@ -90,11 +92,19 @@ impl Variations {
             return out;
         }
         controls(ui, sheet, self.taken.as_ref());
+        let kind = sheet.kind;
         self.know_cells(session, thumbs);
         let mut clicked = None;
         ScrollArea::vertical().auto_shrink([false, false]).id_salt("variations").show(ui, |ui| {
             let gap = 4.0;
-            let (columns, side) = columns(ui.available_width() - 8.0, CELL, gap);
+            let width = ui.available_width() - 8.0;
+            let (columns, side) = match kind {
+                // Across and up and down mean something.
+                VariationKind::Color | VariationKind::Direction => {
+                    (AROUND, ((width + gap) / AROUND as f32 - gap).max(1.0))
+                }
+                _ => columns(width, CELL, gap),
+            };
             ui.spacing_mut().item_spacing = vec2(gap, gap);
             for (row, cells) in self.cells.chunks(columns).enumerate() {
                 ui.horizontal(|ui| {

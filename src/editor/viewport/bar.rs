@@ -250,7 +250,6 @@ const MESHES: f32 = 420.0;
 const MOST_SIDE: u32 = 8192;
 
 fn mesh_choice(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-    let label = ui.label(tr!("mesh" => "On"));
     let mesh = session.view.orbit.mesh.clone();
     let shape = SHAPES.iter().find(|shape| mesh.strip_prefix("shape:") == Some(shape.name));
     let file = Path::new(&mesh)
@@ -276,7 +275,8 @@ fn mesh_choice(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
             out.push(Command::ShowOn(None));
         }
     });
-    combo.response.labelled_by(label.id);
+    let response = combo.response.on_hover_text(tr!("The mesh that the look is shown on"));
+    response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, tr!("mesh" => "On")));
 }
 
 /// Shows notices over the top of the picture, which does not move when they come and go: of a wire

@@ -57,6 +57,7 @@ use crate::tools::placing::PlacingTool;
 use crate::tools::playback::Playback;
 use crate::tools::probe::picture_size;
 use crate::tools::safe_frame::SafeFrame;
+use crate::tools::wipe::Wipe;
 use crate::tools::{PictureContext, PictureTools, ToolRow};
 use crate::viewport::picture::ViewportPicture;
 use crate::widgets::spots::{self, Spot};
@@ -210,7 +211,8 @@ impl Viewport {
         let is_free = tools.with_pointer().is_none();
         // The handles stand on a surface of this moment, which takes longer than a frame may.
         let is_playing = tools.playback().is_moving();
-        let has_handles = tools.of::<HandlesSwitch>().is_on && !is_playing;
+        let is_in_place = !is_playing && !tools.of::<Wipe>().is_beside();
+        let has_handles = tools.of::<HandlesSwitch>().is_on && is_in_place;
         // While a light is placed, the layer's lines show where it has come.
         let has_lines = is_free || tools.of::<PlacingTool>().is_on();
         let mut handles = match is_playing {

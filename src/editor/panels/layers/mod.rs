@@ -177,7 +177,7 @@ impl Layers {
                 let menu = ui.menu_button(tr!("Add layer"), |ui| {
                     scrolling(ui, |ui| {
                         for preset in &PRESETS {
-                            let name = preset.name.tr();
+                            let name = preset.label();
                             let button = ui.button(name).on_hover_text(preset.help.tr());
                             let info = || {
                                 egui::WidgetInfo::labeled(

@@ -1,7 +1,7 @@
 //! Layers to begin with: those that painters and shading artists know by name, with the values of
 //! the Profile node's own presets where it has them, and otherwise those of the BADF paper's looks.
 
-use chiaro_locale::{Text, text};
+use chiaro_locale::{Text, text, tr};
 use glam::DVec3;
 
 use crate::catalog::Catalog;
@@ -23,6 +23,9 @@ const BACK: DVec3 = DVec3::new(0.85, 0.4, -0.5);
 /// Range of the cosine of the angle between the eye and a light that gives a rim: a light in front
 /// gives none, and the part lit from straight behind is not seen.
 const RIM: std::ops::Range<f64> = -0.8..0.0;
+
+/// Name of the preset of ambient light.
+const FILL: Text = text!("Fill");
 
 /// Kind of the node of most layers.
 const LIGHT_LAYER: &str = "light_layer";
@@ -53,7 +56,7 @@ use PresetValue::{Bands, Number, Word};
 /// Presets in the order in which a look is built up: from what lies below to what lies on top.
 pub(super) static PRESETS: [LayerPreset; 9] = [
     LayerPreset {
-        name: text!("Fill"),
+        name: FILL,
         help: text!("Ambient light: a tint everywhere, so that nothing is black"),
         kind: LIGHT_LAYER,
         profile: Some("Ambient"),
@@ -179,6 +182,12 @@ pub(super) static PRESETS: [LayerPreset; 9] = [
 ];
 
 impl LayerPreset {
+    /// Name of the preset as it is shown.
+    pub(super) fn label(&self) -> &'static str {
+        // What fills is a noun here, and a verb where masks and tiles are painted.
+        if self.name == FILL { tr!("layer" => "Fill") } else { self.name.tr() }
+    }
+
     /// New layer of this preset: the edits that must come first, the node's id, and the node.
     pub(super) fn make(
         &self,

@@ -285,45 +285,43 @@ impl Card {
             );
         }
         name_below(ui, rect, picture, &self.title, theme::of(ui).text);
-        let (help, command) = match &self.origin {
-            CardOrigin::Example(index, _) => (
-                format!(
-                    "{}\n{}\n\n{}",
-                    self.title,
-                    tr_in("example", &self.about),
-                    match self.content {
-                        CardContent::Scene => {
-                            tr!("Opens it as a new scene; the example itself stays as it is")
-                        }
-                        _ => tr!("Opens it as a new look; the example itself stays as it is"),
+        if response.clicked() {
+            out.push(match &self.origin {
+                CardOrigin::Example(index, _) => Command::OpenExample(*index),
+                CardOrigin::File(path) => Command::Open(Some(path.clone())),
+            });
+        }
+        response.on_hover_text(self.help(suspect.as_ref()))
+    }
+
+    /// Description of what is opened, and of the crash that is suspected of it.
+    fn help(&self, suspect: Option<&Suspect>) -> String {
+        let path = match &self.origin {
+            CardOrigin::File(path) => path,
+            CardOrigin::Example(..) => {
+                let opens = match self.content {
+                    CardContent::Scene => {
+                        tr!("Opens it as a new scene; the example itself stays as it is")
                     }
-                ),
-                Command::OpenExample(*index),
-            ),
-            CardOrigin::File(path) => {
-                let about = match &self.content {
-                    CardContent::Painting(painting) => format!("\n{}", painting.about),
-                    _ => String::new(),
+                    _ => tr!("Opens it as a new look; the example itself stays as it is"),
                 };
-                let help = match suspect {
-                    Some(Suspect { step: CrashStep::Read, .. }) => {
-                        tr!("Chiaro ended while reading this file the last time")
-                    }
-                    Some(_) => {
-                        tr!("Chiaro ended while drawing this file the last time: it is opened \
-                             without being drawn")
-                    }
-                    None => "",
-                };
-                let opens = tr!("Opens {file}", file = path.display());
-                let help = format!("{opens}{about}\n{help}");
-                (help.trim_end().to_owned(), Command::Open(Some(path.clone())))
+                let about = tr_in("example", &self.about);
+                return format!("{}\n{about}\n\n{opens}", self.title);
             }
         };
-        if response.clicked() {
-            out.push(command);
+        let mut lines = vec![tr!("Opens {file}", file = path.display())];
+        if let CardContent::Painting(painting) = &self.content {
+            lines.push(painting.about.clone());
         }
-        response.on_hover_text(help)
+        let ended = suspect.map(|suspect| match suspect.step {
+            CrashStep::Read => tr!("Chiaro ended while reading this file the last time"),
+            _ => tr!(
+                "Chiaro ended while drawing this file the last time: it is opened without being \
+                 drawn"
+            ),
+        });
+        lines.extend(ended.map(str::to_owned));
+        lines.join("\n")
     }
 
     /// Crash that is suspected of this card's document.

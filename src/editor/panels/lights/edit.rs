@@ -226,7 +226,7 @@ fn kind(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
 }
 
 /// Display name of a type of lights.
-pub(super) fn kind_name(kind: LightKind) -> &'static str {
+pub(crate) fn kind_name(kind: LightKind) -> &'static str {
     match kind {
         LightKind::Directional => tr!("light" => "Directional"),
         LightKind::Point => tr!("light" => "Point"),

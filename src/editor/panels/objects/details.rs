@@ -82,7 +82,7 @@ impl Details {
             });
             let help =
                 tr!("How it is turned: around the axis to the right, around the vertical one, \
-                        around the one toward the viewer");
+                     around the one toward the viewer");
             fields.row(ui, (tr!("object" => "Turn"), help), &["transform.rotate"], |ui, _| {
                 widget = widget.or(self.turn(ui, id, &mut new));
             });
@@ -98,8 +98,7 @@ impl Details {
             labelled(
                 ui,
                 tr!("object" => "Fit"),
-                tr!("Brings the mesh to the middle, and its sphere to radius 1, before \
-                                 all else"),
+                tr!("Brings the mesh to the middle, and its sphere to radius 1, before all else"),
                 |ui, _| {
                     let fit = ui.add(Checkbox::without_text(&mut new.fit));
                     ui.ctx()

@@ -54,9 +54,8 @@ impl Objects {
         let Some(open_scene) = session.open_scene() else {
             hint(
                 ui,
-                tr!(
-                    "The look is on one object. Add another, and both are a scene that can be saved."
-                ),
+                tr!("The look is on one object. Add another, and both are a scene that can be \
+                     saved."),
             );
             hint(ui, tr!("Open shows the objects of a scene file, each in its own look."));
             return out.into_iter().map(Command::Scene).collect();

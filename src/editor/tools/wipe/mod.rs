@@ -200,6 +200,11 @@ impl Wipe {
         self.shown.as_ref().filter(|shown| Some(&shown.moment) == self.seen.as_ref())
     }
 
+    /// True while two pictures stand side by side, neither where the picture is otherwise.
+    pub(crate) fn is_beside(&self) -> bool {
+        self.against.is_some() && self.mode == ComparisonMode::Beside
+    }
+
     /// Compares the look as it is with another picture, or nothing.
     pub(crate) fn choose(&mut self, against: Option<ComparedPicture>) {
         if self.against != against {
@@ -245,6 +250,11 @@ impl Wipe {
             all.map(|snapshot| (ComparedPicture::Snapshot(snapshot.id), snapshot.name.clone()));
         self.snapshots = choices.collect();
         self.has_file = session.path().is_some();
+        // A snapshot that was deleted, or of a look that is not open any more, is compared no longer.
+        let is_gone = |picture: &ComparedPicture| matches!(picture, ComparedPicture::Snapshot(id) if session.shelf().of(*id).is_none());
+        if self.against.as_ref().is_some_and(is_gone) || is_gone(&self.left) {
+            self.choose(None);
+        }
         let Some(against) = self.against.clone() else { return };
         self.name = against.label(session.shelf());
         let pair = [self.left.clone(), against];

@@ -1,7 +1,7 @@
 //! Tracks of the shot that are no light's and no node's: the camera, objects, masters of groups.
 //! Their keys are overrides of the shot, in frames.
 
-use chiaro_locale::tr;
+use chiaro_locale::{tr, tr_in};
 use eframe::egui::{
     self, Key, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
@@ -68,12 +68,13 @@ fn names_of(target: &str) -> [String; 2] {
     let mut parts = target.splitn(2, '.');
     let first = parts.next().unwrap_or_default();
     let rest = parts.next().unwrap_or_default();
+    let word = |name: &str| tr_in("scene", &spoken(name)).to_owned();
     match (first, rest.split_once('.')) {
         ("objects" | "light_groups", Some((id, field))) => {
             let field = field.trim_start_matches("values.").trim_start_matches("transform.");
-            [id.to_owned(), spoken(field)]
+            [id.to_owned(), word(field)]
         }
-        _ => [spoken(first), spoken(rest)],
+        _ => [word(first), word(rest)],
     }
 }
 
