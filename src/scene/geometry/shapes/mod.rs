@@ -18,8 +18,6 @@ mod uv;
 use std::convert::Infallible;
 use std::sync::OnceLock;
 
-use chiaro_locale::text;
-
 use super::build::build;
 use super::mesh::Mesh;
 use super::normals::CREASE_ANGLE;
@@ -43,83 +41,71 @@ pub struct OwnShape {
 pub const SHAPES: &[OwnShape] = &[
     OwnShape {
         name: "sphere",
-        label: text!("Sphere").english(),
-        help: text!("Every direction once and one curvature: the plainest view of a look.")
-            .english(),
+        label: "Sphere",
+        help: "Every direction once and one curvature: the plainest view of a look.",
         make: revolve::sphere,
     },
     OwnShape {
         name: "torus",
-        label: text!("Torus").english(),
-        help: text!("Curved outwards outside and like a saddle inside.").english(),
+        label: "Torus",
+        help: "Curved outwards outside and like a saddle inside.",
         make: revolve::torus,
     },
     OwnShape {
         name: "blob",
-        label: text!("Blob").english(),
-        help: text!("Balls run together: convex lobes with soft hollows between them.").english(),
+        label: "Blob",
+        help: "Balls run together: convex lobes with soft hollows between them.",
         make: || uv::spherical(&nets::polygonize(&blob::sculpture(), blob::CELLS)),
     },
     OwnShape {
         name: "knot",
-        label: text!("Knot").english(),
-        help: text!("A trefoil tube that passes over and under itself.").english(),
+        label: "Knot",
+        help: "A trefoil tube that passes over and under itself.",
         make: sweep::knot,
     },
     OwnShape {
         name: "creature",
-        label: text!("Creature").english(),
-        help: text!(
-            "A seated cub with brows, eyes, mouth, ears and folds: a character with real \
-               hollows."
-        )
-        .english(),
+        label: "Creature",
+        help: "A seated cub with brows, eyes, mouth, ears and folds: a character with real \
+               hollows.",
         make: || uv::boxed(&nets::polygonize(&creature::sculpture(), creature::CELLS)),
     },
     OwnShape {
         name: "cube",
-        label: text!("Rounded cube").english(),
-        help: text!("Flat faces between rounded edges: where curvature is nothing, or high.")
-            .english(),
+        label: "Rounded cube",
+        help: "Flat faces between rounded edges: where curvature is nothing, or high.",
         make: cube::cube,
     },
     OwnShape {
         name: "vase",
-        label: text!("Vase").english(),
-        help: text!("A thin wall, hollow inside, with a lip and a foot.").english(),
+        label: "Vase",
+        help: "A thin wall, hollow inside, with a lip and a foot.",
         make: revolve::vase,
     },
     OwnShape {
         name: "plane",
-        label: text!("Plane").english(),
-        help: text!("A flat square, for textures and thresholds.").english(),
+        label: "Plane",
+        help: "A flat square, for textures and thresholds.",
         make: cube::plane,
     },
     OwnShape {
         name: "waves",
-        label: text!("Waves").english(),
-        help: text!(
-            "A flat square in waves, for painted surfaces: every tile is lit and seen from \
-               somewhere else."
-        )
-        .english(),
+        label: "Waves",
+        help: "A flat square in waves, for painted surfaces: every tile is lit and seen from \
+               somewhere else.",
         make: cube::waves,
     },
     OwnShape {
         name: "ball",
-        label: text!("Ball").english(),
-        help: text!("A sphere of 400 triangles, beside the waves in the thesis's test scene.")
-            .english(),
+        label: "Ball",
+        help: "A sphere of 400 triangles, beside the waves in the thesis's test scene.",
         make: revolve::ball,
     },
     OwnShape {
         name: "city",
-        label: text!("City").english(),
-        help: text!(
-            "2,785 houses between streets, with whole repeats of a tile on every wall: 27,860 \
-               triangles."
-        )
-        .english(),
+        label: "City",
+        help: "2,785 houses between streets, with whole repeats of a tile on every wall: 27,860 \
+               triangles.",
         make: city::city,
     },
 ];
