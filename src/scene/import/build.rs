@@ -441,7 +441,7 @@ impl<'a> Builder<'a> {
                     format!(" = {}", shown(value))
                 }
                 ForeignSource::Link(index, output) => {
-                    tr!(" from {name} {output}", name = self.graph.nodes[*index].name)
+                    format!(" from {} {output}", self.graph.nodes[*index].name)
                 }
             };
             text += &format!("\n{}{}", input.name, source.trim_end());

@@ -297,7 +297,7 @@ impl<'d> Reader<'d> {
                         let of = element.parent_element().and_then(|it| it.attribute("name"));
                         let message = tr!(
                             "`{port}` of `{node}` reads `{name}`, and there is no such node",
-                            node = of.unwrap_or("the document")
+                            node = of.unwrap_or(tr!("the document"))
                         );
                         let hint = tr!("give the input a value, or the name of a node beside it");
                         return Err(self.error(element, "import-link", message, hint));

@@ -199,12 +199,10 @@ pub(super) const TWINS: &[Twin] = &[
     twin("position:model", "position(space: \"object\")"),
     twin("position:world", "position(space: \"world\")"),
     twin("normal:world", "normal()"),
-    twin(text!("normal:object").english(), text!("normal()").english())
-        .told(text!("its object space is the world's here").english()),
-    twin(text!("normal:model").english(), text!("normal()").english())
-        .told(text!("its object space is the world's here").english()),
+    twin("normal:object", "normal()").told(text!("its object space is the world's here").english()),
+    twin("normal:model", "normal()").told(text!("its object space is the world's here").english()),
     twin("tangent:world", "tangent_frame().tangent"),
-    twin(text!("tangent:object").english(), text!("tangent_frame().tangent").english())
+    twin("tangent:object", "tangent_frame().tangent")
         .told(text!("its object space is the world's here").english()),
     twin("bitangent:world", "tangent_frame().bitangent"),
     twin("bitangent:object", "tangent_frame().bitangent")
@@ -293,7 +291,7 @@ pub(super) const TWINS: &[Twin] = &[
     ),
     twin("surface", "set_alpha(color: add(a: bsdf|0, b: edf|0), alpha: opacity|1)"),
     twin("uniform_edf", "color|[1, 1, 1]"),
-    twin(text!("layer").english(), text!("add(a: base|0, b: top|0)").english())
+    twin("layer", "add(a: base|0, b: top|0)")
         .told(text!("the top layer hides nothing of the base").english()),
     twin(
         "oren_nayar_diffuse_bsdf",
