@@ -173,10 +173,6 @@ pub fn in_the_way(form: ExchangeFormat, path: &Path) -> Vec<PathBuf> {
 }
 
 /// The list of one problem.
-#[expect(
-    clippy::boxed_local,
-    reason = "it is handed to map_err, of results whose errors are boxed"
-)]
 fn alone(problem: Box<Diagnostic>) -> Vec<Diagnostic> {
     vec![*problem]
 }
