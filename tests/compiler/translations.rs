@@ -202,7 +202,7 @@ impl Texts {
 
     /// Adds the names of the parts of documents that a source describes, alone and with an article.
     fn of_described(&mut self, description: TokenStream, source: &str) {
-        let mut trees = description.into_iter().peekable();
+        let mut trees = description.into_iter();
         while let Some(tree) = trees.next() {
             if !matches!(&tree, TokenTree::Ident(word) if *word == "struct") {
                 continue;
@@ -210,6 +210,10 @@ impl Texts {
             let Some(TokenTree::Group(head)) = trees.nth(1) else { continue };
             let name = head.stream().into_iter().next().map(|tree| tree.to_string());
             let name = name.unwrap_or_default().trim_matches('"').to_owned();
+            // The reader names it by its capitals.
+            if name == "hcbtf" {
+                continue;
+            }
             let article = if name.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
             self.say("part", &name, source);
             self.say("part", &format!("{article} {name}"), source);
@@ -273,10 +277,14 @@ Content-Type: text/plain; charset=UTF-8
 Content-Transfer-Encoding: 8bit
 Plural-Forms: nplurals=2; plural=(n != 1);";
 
-/// Places of values in a text, sorted.
+/// Places of values in a text, sorted; other braces are the text's own.
 fn values(text: &str) -> Vec<&str> {
-    let mut values: Vec<&str> =
-        text.split('{').skip(1).filter_map(|rest| Some(rest.split_once('}')?.0)).collect();
+    let is_name = |field: &&str| {
+        let name = field.split(':').next().unwrap_or_default();
+        !name.is_empty() && name.chars().all(|letter| letter.is_alphanumeric() || letter == '_')
+    };
+    let fields = text.split('{').skip(1).filter_map(|rest| Some(rest.split_once('}')?.0));
+    let mut values: Vec<&str> = fields.filter(is_name).collect();
     values.sort_unstable();
     values
 }
