@@ -598,7 +598,7 @@ mod tests {
         catalog.sync(&look, Library::built_in());
         let mut graph = GraphNumber::default();
         graph.advance();
-        let other = (DocumentNumber::default(), LookRevision::default(), graph);
+        let other = (DocumentNumber::default(), LookRevision::default(), graph, "en");
         table.sync(other, &look.graph, &catalog, None, &["mood".into()]);
         assert!(!table.nodes[0].is_unused);
     }

@@ -4,8 +4,9 @@
 //! Each part is a look's document, as the clipboard has it: with an Output a whole look, without
 //! one a part of a graph, which may have lights and groups along. The content alone says what a
 //! part is; see `docs/format.md`. `reader` reads the folders on a thread, `saving` makes parts from
-//! a look, `placing` puts them into one.
+//! a look, `placing` puts them into one, with `lights` that do the work of theirs there.
 
+mod lights;
 pub(crate) mod placing;
 mod reader;
 pub(crate) mod saving;

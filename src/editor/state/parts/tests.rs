@@ -120,7 +120,7 @@ fn a_layer_goes_from_one_look_to_another_through_the_library() {
     assert_eq!(look.definitions["tinted"].label, "Another", "the look's own group stays");
     for words in [
         "\"Rim\" is copied into this look, over Rim",
-        "with its light back",
+        "with its own light back",
         "under another name, as this look has another one, Tinted",
     ] {
         assert!(placed.told.contains(words), "{words}: {}", placed.told);
