@@ -89,11 +89,11 @@ fn counterpart<'l>(to: &'l Look, id: &LightId, light: &Light) -> Option<(&'l Lig
     })
 }
 
-/// True if a look's own light does the work of a part's light of the same id, so that the part needs
-/// none of its own.
+/// True if a look's own light does the work of a part's light of the same id, so that the part
+/// needs none of its own.
 ///
-/// Ids are no names that artists choose: most looks have a `key`, many a `back`, which lie elsewhere
-/// in each. A layer for the key is to be lit by the key of the look that it comes into, wherever
+/// Ids are no names that artists choose: most looks have a `key`, many a `back`, which lie
+/// elsewhere in each. A layer for the key is to be lit by the key of the look that it comes into, wherever
 /// that is, as long as both shine from the front. A rim, a lamp or anything else is made for the
 /// place that its light has, and there the look's own does only where it [shines
 /// alike](shines_alike). Color and intensity are the look's in either case.
@@ -373,7 +373,8 @@ mod tests {
 
     #[test]
     fn groups_and_sets_name_the_light_that_comes_along() {
-        let part = r#"{"lights": {"back": {"name": "Moon", "direction": [0.8, 0.5, -0.7]}}, "nodes": [
+        let part = r#"{"lights": {"back": {"name": "Moon", "direction": [0.8, 0.5, -0.7]}},
+          "nodes": [
             {"id": "rim", "kind": "edge", "for_each": "back | group:back",
               "layered": "* -back", "unlayered": "\"Moon\" & (back)"}],
           "definitions": {"edge": {"inputs": [{"name": "of", "default": "back"}],

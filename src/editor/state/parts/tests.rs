@@ -44,7 +44,7 @@ const TO: &str = r##"{"name": "To", "lights": {"key": {"name": "Lamp"}}, "nodes"
     "nodes": [{"id": "red", "kind": "color_value"}],
     "wires": [{"from": "red", "to": "outputs.color"}]}}}"##;
 
-fn read(text: &str) -> (Look, Catalog) {
+pub(super) fn read(text: &str) -> (Look, Catalog) {
     let loaded = Look::read(text, "test");
     assert!(!loaded.has_errors(), "{:?}", loaded.diagnostics);
     let look = loaded.value.unwrap();
@@ -58,7 +58,7 @@ fn synced(look: &Look) -> Catalog {
     catalog
 }
 
-fn draft(look: &Look, choice: &PartChoice) -> Result<PartDraft, String> {
+pub(super) fn draft(look: &Look, choice: &PartChoice) -> Result<PartDraft, String> {
     let catalog = synced(look);
     PartSource { look, graph: &look.graph, catalog: &catalog }.draft(choice)
 }
@@ -72,14 +72,14 @@ fn order(look: &Look) -> Vec<String> {
     layers.iter().map(|layer| layer.id.to_string()).collect()
 }
 
-fn found(folder: &Path) -> FoundParts {
+pub(super) fn found(folder: &Path) -> FoundParts {
     let reader = PartsReader::new(Arc::new(Disk), || {});
     reader.read(vec![folder.to_path_buf()]);
     reader.wait();
     reader.answer().unwrap().remove(0)
 }
 
-fn look_of(part: &Part) -> &Look {
+pub(super) fn look_of(part: &Part) -> &Look {
     &part.content.as_ref().unwrap().look
 }
 
