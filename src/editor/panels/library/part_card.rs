@@ -112,7 +112,8 @@ impl PartCard {
         let corner = Rect::from_min_size(corner, vec2(ICON, ICON));
         ui.painter().rect_filled(corner, 4.0, theme::of(ui).panel);
         let label = tr!("More of the part {name}", name = self.part.name);
-        let mut child = ui.new_child(UiBuilder::new().max_rect(corner));
+        let salt = ("more", &self.part.path);
+        let mut child = ui.new_child(UiBuilder::new().id_salt(salt).max_rect(corner));
         let more = rows::icon(&mut child, Icon::More, true, &label, tr!("Rename, remove, …"));
         let mut act = |ui: &mut Ui| upkeep.menu(ui, &self.part, self.is_read_only, out);
         Popup::menu(&more).show(&mut act);

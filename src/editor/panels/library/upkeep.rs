@@ -78,7 +78,8 @@ impl PartUpkeep {
         out: &mut Vec<Command>,
     ) {
         let Some(edit) = self.renaming.as_mut().filter(|edit| edit.id == part.path) else { return };
-        let mut child = ui.new_child(UiBuilder::new().max_rect(at));
+        let salt = ("name", &part.path);
+        let mut child = ui.new_child(UiBuilder::new().id_salt(salt).max_rect(at));
         let Some(named) =
             edit.show(&mut child, tr!("Name of the part"), tr!("New name of the part"))
         else {

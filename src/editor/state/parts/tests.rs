@@ -131,9 +131,10 @@ fn a_layer_goes_from_one_look_to_another_through_the_library() {
     assert_eq!(look, before, "one step of undo");
 
     // Where no layer is named it lies on top; a look without a stack of any kind says why not.
-    let placed = placing::layer(to(&look, &catalog), ("Rim", look_of(part)), None).unwrap();
+    let placed = placing::layer(to(&look, &catalog), ("Silver edge", look_of(part)), None).unwrap();
     look.apply(placed.edit).unwrap();
     assert_eq!(order(&look), ["rim_2", "top", "rim"]);
+    assert_eq!(look.graph.nodes["rim_2"].name, "Silver edge", "one layer has the part's name");
     let (bare, catalog) = read("{}");
     assert!(placing::layer(to(&bare, &catalog), ("Rim", look_of(part)), None).is_err());
 }
