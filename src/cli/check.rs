@@ -213,7 +213,7 @@ impl Checker<'_> {
                         let too_deep = too_deep(&compiled);
                         found.extend(warnings);
                         found.extend(too_deep.map(|message| {
-                            Diagnostic::warning("deep-shader", message).hint(SHORTEN)
+                            Diagnostic::warning("deep-shader", message).hint(SHORTEN.english())
                         }));
                     }
                     Err(problems) => found.extend(problems),

@@ -1,11 +1,13 @@
 //! Numbers as people read them: sizes in a handy unit, and counts with their nouns.
 
+use chiaro_locale::trn;
+
 /// Text of a number of bytes, in a unit of a handy size.
 pub fn bytes(bytes: u64) -> String {
     let kib = bytes as f64 / 1024.0;
     let mib = kib / 1024.0;
     match bytes {
-        0..1024 => count(bytes, "byte"),
+        0..1024 => trn!(bytes, "{bytes} byte", "{bytes} bytes"),
         // Sizes that would read 1024.0 KiB read 1.00 MiB.
         _ if kib < 1023.95 => format!("{kib:.1} KiB"),
         _ if mib < 9.995 => format!("{mib:.2} MiB"),

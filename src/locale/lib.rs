@@ -121,22 +121,30 @@ pub fn trn(one: &'static str, many: &'static str, count: u64) -> &'static str {
 
 /// Text of a table's row: English in the source, and looked up when it is shown.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub struct Text(&'static str);
+pub struct Text {
+    context: &'static str,
+    english: &'static str,
+}
 
 impl Text {
     /// Text of the table; written as `text!("...")`, so that it is listed for translators.
     pub const fn new(english: &'static str) -> Self {
-        Self(english)
+        Self::of("", english)
+    }
+
+    /// Text of a context; written as `text!("tool" => "Fill")`.
+    pub const fn of(context: &'static str, english: &'static str) -> Self {
+        Self { context, english }
     }
 
     /// Text in the language that is spoken.
     pub fn tr(self) -> &'static str {
-        tr(self.0)
+        tr_in(self.context, self.english)
     }
 
     /// Text as it stands in the source, for names that are kept and for search.
     pub const fn english(self) -> &'static str {
-        self.0
+        self.english
     }
 }
 

@@ -63,7 +63,7 @@ impl From<RenderError> for Diagnostic {
                 ("gpu-memory", "use a smaller picture, smaller images or fewer samples")
             }
             RenderError::TooLarge { .. } => ("gpu-limit", "use a smaller one"),
-            RenderError::TooDeep { .. } => ("deep-shader", SHORTEN),
+            RenderError::TooDeep { .. } => ("deep-shader", SHORTEN.tr()),
             RenderError::Refused { .. } => {
                 ("gpu-refused", "this is a mistake in Chiaro: please report the look")
             }

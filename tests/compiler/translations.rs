@@ -8,8 +8,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::{env, fs};
 
+use chiaro_compiler::catalog::values::context_words;
+use chiaro_compiler::document::LightKind;
 use chiaro_compiler::examples;
-use chiaro_compiler::library::Library;
+use chiaro_compiler::library::{Context, Library};
 use chiaro_locale::{LANGUAGES, Language};
 use polib::catalog::Catalog;
 use polib::message::{Message, MessageView};
@@ -45,12 +47,14 @@ impl Texts {
                 continue;
             }
             let source = fs::read_to_string(&path).expect("a source reads");
-            if ["tr!(", "trn!(", "text!("].iter().any(|call| source.contains(call)) {
+            if ["tr!(", "trn!(", "text!(", "described! {"].iter().any(|call| source.contains(call))
+            {
                 let tokens = source.parse().expect("a source has tokens");
                 texts.of_tokens(tokens, &name.to_string_lossy());
             }
         }
         texts.of_nodes();
+        texts.of_tables();
         texts.of_examples();
         texts
     }
@@ -75,20 +79,23 @@ impl Texts {
             let TokenTree::Group(group) = tree else { continue };
             let called = match trees[..at] {
                 [.., TokenTree::Ident(ref name), TokenTree::Punct(ref mark)]
-                    if mark.as_char() == '!' && group.delimiter() == Delimiter::Parenthesis =>
+                    if mark.as_char() == '!' && group.delimiter() != Delimiter::Bracket =>
                 {
                     name.to_string()
                 }
                 _ => String::new(),
             };
+            if called == "described" {
+                self.of_described(group.stream(), source);
+            }
             if ["tr", "trn", "text"].contains(&called.as_str()) {
-                self.of_call(&called, group.stream(), source);
+                self.of_call(&called, &group.stream(), source);
             }
             self.of_tokens(group.stream(), source);
         }
     }
 
-    fn of_call(&mut self, called: &str, arguments: TokenStream, source: &str) {
+    fn of_call(&mut self, called: &str, arguments: &TokenStream, source: &str) {
         let literals: Vec<String> = arguments
             .clone()
             .into_iter()
@@ -107,7 +114,7 @@ impl Texts {
             ("trn", [one, many, ..]) => {
                 self.add("", one, source).many = Some(many.clone());
             }
-            ("tr", [context, text, ..]) if has_context => self.say(context, text, source),
+            ("tr" | "text", [context, text, ..]) if has_context => self.say(context, text, source),
             ("tr" | "text", [text, ..]) => self.say("", text, source),
             _ => panic!("{source}: {called}!({arguments}) has no text of its own"),
         }
@@ -131,6 +138,9 @@ impl Texts {
                 self.say("node", &output.label, &source);
                 self.say("node", &output.help, &source);
             }
+            for bypass in &node.bypasses {
+                self.say("node", &bypass.reason, &source);
+            }
             for preset in &node.presets {
                 self.say("node", &preset.label, &source);
             }
@@ -151,10 +161,58 @@ impl Texts {
         }
     }
 
+    /// Adds words that tables of the compiler hold.
+    fn of_tables(&mut self) {
+        for kind in LightKind::ALL {
+            self.say("choice", kind.help(), "src/compiler/document/light/mod.rs");
+        }
+        for text in [
+            "WGSL node",
+            "Group inputs",
+            "What comes into the group.",
+            "Group outputs",
+            "What the group gives.",
+        ] {
+            self.say("node", text, "src/compiler/catalog/mod.rs");
+        }
+        for context in Context::all() {
+            let words = context_words(context);
+            self.say("context", &words, "src/compiler/library/context/row.rs");
+        }
+    }
+
     fn of_examples(&mut self) {
         for subject in examples::subjects() {
             self.say("example", subject.title, "examples/order.txt");
             self.say("example", subject.about, "examples/order.txt");
+            for (name, tags) in subject.examples {
+                self.say("example", tags, &format!("examples/{name}"));
+            }
+        }
+        for name in examples::documents() {
+            let path = format!("{}{name}", examples::PREFIX);
+            let text = examples::text(Path::new(&path)).expect("an example has a text");
+            let document: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+            for member in ["name", "about"] {
+                let text = document[member].as_str().unwrap_or_default();
+                self.say("example", text, &format!("examples/{name}"));
+            }
+        }
+    }
+
+    /// Adds the names of the parts of documents that a source describes, alone and with an article.
+    fn of_described(&mut self, description: TokenStream, source: &str) {
+        let mut trees = description.into_iter().peekable();
+        while let Some(tree) = trees.next() {
+            if !matches!(&tree, TokenTree::Ident(word) if *word == "struct") {
+                continue;
+            }
+            let Some(TokenTree::Group(head)) = trees.nth(1) else { continue };
+            let name = head.stream().into_iter().next().map(|tree| tree.to_string());
+            let name = name.unwrap_or_default().trim_matches('"').to_owned();
+            let article = if name.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
+            self.say("part", &name, source);
+            self.say("part", &format!("{article} {name}"), source);
         }
     }
 

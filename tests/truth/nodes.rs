@@ -1300,7 +1300,10 @@ const ELSEWHERE: &[&str] = &[
     "hidden_lines",
     // shaped_layers.rs
     "band_layer",
+    "halftone_layer",
+    "hatching_layer",
     "highlight_layer",
+    "ink_layer",
     // shape_passes.rs
     "litsphere_pair",
     "outer_contour",

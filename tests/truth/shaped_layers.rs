@@ -1,15 +1,21 @@
 //! Layers that are groups of the library with a shape of their own: bands over the angle from a
-//! light, and highlights that are moved, by formulas of their own in f64.
+//! light, and highlights that are moved, by formulas of their own in f64; and layers that are drawn
+//! where a light does not reach, against the nodes that draw.
 #![cfg(feature = "gpu")]
 
 use crate::support::eval::{eval, look};
 use crate::support::random::Random;
 use chiaro::frame::{EvalSample, SetupLook};
+use chiaro::library::Context;
 use glam::DVec3;
 use serde_json::{Value as Json, json};
 
 /// Distance from an edge within which either side is right, in radians.
 const EDGE: f64 = 1e-3;
+/// Color below drawn layers.
+const PAINT: [f64; 3] = [0.8, 0.5, 0.3];
+/// Color of drawn layers.
+const INK: [f64; 3] = [0.1, 0.2, 0.4];
 
 /// Look of one layer over black.
 fn layer(toward: DVec3, kind: &str, values: &Json) -> SetupLook {
@@ -77,4 +83,139 @@ fn a_highlight_lies_where_it_was_moved() {
         assert!((drawn[0][0] - wanted).abs() < 1e-6, "{angle}: {:?}", drawn[0]);
     }
     assert!(seen.iter().all(|count| *count > 0), "{seen:?}");
+}
+
+/// Surface samples in all directions, at places of their own in the picture and near lines.
+fn drawn_samples(random: &mut Random) -> Vec<EvalSample> {
+    let mut sample = || {
+        let mut uniform = |count: usize, size: f64| -> Vec<f64> {
+            (0..count).map(|_| size * random.unit()).collect()
+        };
+        let contexts = [
+            (Context::named("pixel"), uniform(2, 2.0)),
+            (Context::named("line_nearness"), uniform(4, 20.0)),
+        ];
+        EvalSample {
+            contexts: contexts.into(),
+            normal: random.direction(),
+            position: random.direction(),
+            ..EvalSample::default()
+        }
+    };
+    (0..60).map(|_| sample()).collect()
+}
+
+/// Look of a drawn layer at half its opacity over a color, under a light of some intensity.
+fn drawn_layer(light: &Json, kind: &str, values: &Json) -> SetupLook {
+    let mut values = values.clone();
+    values["color"] = json!(INK);
+    values["opacity"] = json!(0.5);
+    look(&json!({
+        "lights": {"key": light},
+        "nodes": [
+            {"id": "paint", "kind": "base", "values": {"color": PAINT}},
+            {"id": "layer", "kind": kind, "values": values},
+            {"id": "output", "kind": "output"}],
+        "wires": [{"from": "paint", "to": "layer.below"},
+            {"from": "layer.below", "to": "output.color"}]
+    }))
+}
+
+/// Holds a drawn layer's ink, and the stack on which it lies, against the ink of each sample.
+fn hold_ink(layer: &SetupLook, output: &str, samples: &[EvalSample], wanted: &[f64]) {
+    let inks = eval(layer, output, samples);
+    let stacks = eval(layer, "layer.below", samples);
+    for ((ink, stack), wanted) in inks.iter().zip(&stacks).zip(wanted) {
+        assert!((ink[0] - wanted).abs() < 1e-6, "{output}: {} for {wanted}", ink[0]);
+        for (channel, (paint, color)) in PAINT.iter().zip(INK).enumerate() {
+            let covered = paint + 0.5 * wanted * (color - paint);
+            assert!((stack[channel] - covered).abs() < 2e-6, "{output}: {stack:?}, {wanted}");
+        }
+    }
+    assert!(wanted.iter().any(|ink| *ink > 0.5) && wanted.iter().any(|ink| *ink < 0.5));
+}
+
+#[test]
+fn half_tones_and_strokes_lie_where_the_light_does_not_reach() {
+    let mut random = Random::new(319);
+    let toward = DVec3::new(0.6, 0.0, 0.8);
+    // Numbers that f32 has exactly, so that both looks draw the same tone.
+    let (edge, depth) = (1.25, 0.5);
+    let halftone = json!({"shape": "lines", "lines": 3, "angle": 0.3});
+    let hatching = json!({"count": 4, "width": 0.6, "layers": 3, "cross": 0.7, "length": 9,
+        "wobble": 0.3, "pressure": 0.25, "seed": 5});
+    for (intensity, more) in [(1.0, 0.0), (4.0, 0.75), (0.5, 0.25), (0.0, 0.0)] {
+        let light =
+            json!({"direction": toward.to_array(), "space": "world", "intensity": intensity});
+        let mut samples = drawn_samples(&mut random);
+        samples.retain(|sample| (sample.normal.angle_between(toward) - edge).abs() > EDGE);
+        let in_light = f64::max(1.0 - f64::min(intensity, 1.0), more);
+        let is_lit = |sample: &EvalSample| sample.normal.angle_between(toward) < edge;
+        let shades: Vec<f64> =
+            samples.iter().map(|sample| if is_lit(sample) { in_light } else { 1.0 }).collect();
+        let draw = |tone: f64, values: &Json, kind: &str| {
+            let mut values = values.clone();
+            values["value"] = json!(tone);
+            look(&json!({
+                "lights": {"key": light},
+                "nodes": [
+                    {"id": "key", "kind": "light", "values": {"light": "key"}},
+                    {"id": "place", "kind": "mark_place"},
+                    {"id": "ink", "kind": kind, "values": values},
+                    {"id": "output", "kind": "output"}],
+                "wires": match kind {
+                    "hatching" => json!([{"from": "key", "to": "place.light"},
+                        {"from": "place.place", "to": "ink.place"},
+                        {"from": "place.stretch", "to": "ink.stretch"},
+                        {"from": "ink", "to": "output.color"}]),
+                    _ => json!([{"from": "key", "to": "place.light"},
+                        {"from": "ink", "to": "output.color"}]),
+                }
+            }))
+        };
+        for (kind, node, output, values) in [
+            ("halftone_layer", "halftone", "ink.tone", &halftone),
+            ("hatching_layer", "hatching", "ink.ink", &hatching),
+        ] {
+            let of_shade =
+                |shade: f64| eval(&draw(1.0 - depth * shade, values, node), output, &samples);
+            let (lit, unlit) = (of_shade(in_light), of_shade(1.0));
+            let inks = samples.iter().enumerate().map(|(at, sample)| {
+                let drawn = if is_lit(sample) { lit[at][0] } else { unlit[at][0] };
+                if node == "halftone" { 1.0 - drawn } else { drawn }
+            });
+            let inks: Vec<f64> = inks.collect();
+            let mut values = values.clone();
+            for (port, value) in [
+                ("offset", edge),
+                ("falloff", edge),
+                ("cutoff", edge),
+                ("depth", depth),
+                ("more", more),
+            ] {
+                values[port] = json!(value);
+            }
+            values["light"] = json!("key");
+            let layer = drawn_layer(&light, kind, &values);
+            hold_ink(&layer, "layer.ink", &samples, &inks);
+            for (found, wanted) in eval(&layer, "layer.shade", &samples).iter().zip(&shades) {
+                assert!((found[0] - wanted).abs() < 1e-6, "{kind}: {} for {wanted}", found[0]);
+            }
+        }
+    }
+}
+
+#[test]
+fn ink_lies_on_outlines() {
+    let samples = drawn_samples(&mut Random::new(320));
+    // Thousandths of a picture that is one pixel high.
+    let values = json!({"width": 900, "creases": 0.75});
+    let lines = look(&json!({
+        "nodes": [{"id": "lines", "kind": "outline", "values": values},
+            {"id": "output", "kind": "output"}],
+        "wires": [{"from": "lines", "to": "output.color"}]
+    }));
+    let inks: Vec<f64> = eval(&lines, "lines.line", &samples).iter().map(|line| line[0]).collect();
+    let light = json!({"direction": [0, 0, 1]});
+    hold_ink(&drawn_layer(&light, "ink_layer", &values), "layer.line", &samples, &inks);
 }

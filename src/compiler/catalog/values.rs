@@ -1,6 +1,6 @@
 //! Values as people read them: degrees in place of radians, labels in place of words.
 
-use chiaro_locale::{tr, trn};
+use chiaro_locale::{tr, tr_in, trn};
 
 use crate::document::{Look, Node, Value};
 use crate::library::{Context, Fallback, Type};
@@ -51,7 +51,8 @@ pub fn words(name: &str) -> String {
 
 /// Label of a context in people's words: the papers' kappa is a curvature.
 pub fn context_words(context: Context) -> String {
-    context.row().label.map_or_else(|| words(context.word()), str::to_owned)
+    let english = context.row().label.map_or_else(|| words(context.word()), str::to_owned);
+    tr_in("context", &english).to_owned()
 }
 
 /// Display of an unwired input in a node's row.

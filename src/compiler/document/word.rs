@@ -1,5 +1,7 @@
 //! Words that choices are written with.
 
+use chiaro_locale::tr_in;
+
 use super::hcbtf::relief::Channel;
 use super::hcbtf::{Angle, StrokeShape};
 use super::{
@@ -121,7 +123,7 @@ impl LightKind {
 
     /// Meaning of the kind: a phrase for docs and tooltips.
     pub fn help(self) -> &'static str {
-        self.meaning()
+        tr_in("choice", self.meaning())
     }
 }
 

@@ -11,7 +11,7 @@ use chiaro_locale::{tr, trn};
 use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::export::package::{Package, PackageScene, draw_expected, export_package, package};
-use crate::export::{self, ExportFile, ExportOptions};
+use crate::export::{self, ExportFile, ExportOptions, Language};
 use crate::files::Outputs;
 use crate::frame::{Assets, Executor};
 use crate::library::Library;
@@ -190,12 +190,25 @@ fn write_languages(job: &LookExportRequest) -> Result<LookExportResult, Vec<Diag
     match &job.to {
         Destination::Folder(folder) => {
             let (told, _) = write(&exported.value, folder, job)?;
-            let unverified =
-                export::unverified(&languages).map(|told| format!(" · {told}")).unwrap_or_default();
-            Ok(LookExportResult::Told(told + &unverified + &changed))
+            Ok(LookExportResult::Told(told + &unverified(&languages) + &changed))
         }
         Destination::Clipboard(ending) => copy(&exported.value, ending, job),
     }
+}
+
+/// Note on languages whose files no compiler has seen; empty where there are none.
+fn unverified(languages: &[&Language]) -> String {
+    let unseen = languages.iter().filter(|language| language.verified_by.is_none());
+    let labels: Vec<String> = unseen.map(|language| language.label.to_owned()).collect();
+    let count = labels.len();
+    let Some(names) = labels.into_iter().reduce(|parts, last| tr!("{parts} and {last}")) else {
+        return String::new();
+    };
+    trn!(
+        count,
+        " · {names} is unverified: no compiler here has seen the files",
+        " · {names} are unverified: no compiler here has seen the files"
+    )
 }
 
 async fn write_package(

@@ -279,7 +279,7 @@ fn found_kinds(session: &Session, query: &str) -> Vec<Entry> {
 }
 
 /// Commands whose label has all words of the query, as it is shown or in English; those that begin
-/// with the first word first.
+/// with the first word come first.
 fn found(query: &str) -> Vec<&'static CommandRow> {
     let query = query.to_lowercase();
     let words: Vec<&str> = query.split_whitespace().collect();

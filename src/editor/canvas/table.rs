@@ -7,7 +7,7 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use chiaro_locale::{tr, tr_in};
+use chiaro_locale::tr;
 use eframe::egui::{Galley, Pos2, Rect, Vec2, pos2, vec2};
 
 use super::names;
@@ -219,7 +219,8 @@ impl Table {
             let corner = pos2(x, (bounds.center().y - size.y / 2.0).round());
             self.nodes.push(NodeRow {
                 id: kind.id.as_str().into(),
-                title: tr_in("node", &kind.label).to_owned(),
+                title: [tr!("node" => "Group inputs"), tr!("node" => "Group outputs")][index]
+                    .to_owned(),
                 rect: Rect::from_min_size(corner, size),
                 is_wired: vec![false; kind.inputs.len()],
                 named: Vec::new(),

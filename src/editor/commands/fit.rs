@@ -58,11 +58,11 @@ impl LightBrush {
     /// Display name of the brush.
     pub(crate) fn label(self) -> &'static str {
         match self {
-            Self::Light => tr!("Light"),
-            Self::Dark => tr!("Dark"),
-            Self::Color => tr!("Color"),
-            Self::Keep => tr!("Keep"),
-            Self::Erase => tr!("Erase"),
+            Self::Light => tr!("brush" => "Light"),
+            Self::Dark => tr!("brush" => "Dark"),
+            Self::Color => tr!("brush" => "Color"),
+            Self::Keep => tr!("brush" => "Keep"),
+            Self::Erase => tr!("brush" => "Erase"),
         }
     }
 

@@ -125,7 +125,7 @@ impl PaintTool {
             Self::Erase => text!("Eraser"),
             Self::Smudge => text!("Smudge"),
             Self::Line => text!("Line"),
-            Self::Fill => text!("Fill"),
+            Self::Fill => text!("tool" => "Fill"),
             Self::Stamp => text!("Stamp"),
             Self::Pick => text!("Pick a color"),
         }
@@ -143,15 +143,12 @@ impl PaintTool {
                 tr!("Draws a straight stroke from where you press to where you let go (L)")
             }
             Self::Fill => {
-                tr!(
-                    "Fills what is of one color and hangs together, and goes on under soft edges (G)"
-                )
+                tr!("Fills what is of one color and hangs together, and goes on under soft edges \
+                     (G)")
             }
             Self::Stamp => {
-                tr!(
-                    "Lays a whole tile down, as wide as the brush (K). Shift-click takes the tile at \
-                 work as the stamp"
-                )
+                tr!("Lays a whole tile down, as wide as the brush (K). Shift-click takes the tile \
+                     at work as the stamp")
             }
             Self::Pick => tr!("Takes the color under the pointer (I)"),
         }

@@ -34,19 +34,19 @@ impl LightMark {
             Self::Highlight => {
                 text!(
                     "Click on the model: the light goes where its highlight is there. Of a light \
-                 whose layers mirror nothing it is the bright middle"
+                     whose layers mirror nothing it is the bright middle"
                 )
             }
             Self::Shadow => {
                 text!(
-                    "Click what casts the shadow, then the place where it falls: the light goes on the \
-                 line through both"
+                    "Click what casts the shadow, then the place where it falls: the light goes on \
+                     the line through both"
                 )
             }
             Self::Terminator => {
                 text!(
-                    "Click on the model: the light goes where its layer's tone has fallen to a half \
-                 there, or where its hard edge is"
+                    "Click on the model: the light goes where its layer's tone has fallen to a \
+                     half there, or where its hard edge is"
                 )
             }
         }

@@ -239,7 +239,7 @@ impl<'a> EdgeField<'a> {
         }
         let help =
             tr!("Makes the profile one edge, where its tone is half now: Edge and Softness in \
-                    place of three angles");
+                 place of three angles");
         let response = ui.add(Button::new(tr!("As one edge")).small()).on_hover_text(help);
         if response.clicked() {
             let edge = ProfileEdge::nearest(self.angles);

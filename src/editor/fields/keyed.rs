@@ -63,10 +63,10 @@ fn by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, set: usize, out: &mut Vec
             .on_hover_text(tr!("What decides between the keys, and where that is now"));
     });
     line(ui, |ui| {
-        let help =
-            tr!("At which key a value is set that is typed here; what is seen now lies between \
-                    the keys");
-        ui.label(quiet(ui, tr!("Sets"))).on_hover_text(help);
+        let help = tr!(
+            "At which key a value is set that is typed here; what is seen now lies between the keys"
+        );
+        ui.label(quiet(ui, tr!("key" => "Sets"))).on_hover_text(help);
         for index in 0..keys.keys.len() {
             let value = keys.keys[index].values.get(&marked.target).map(said_of);
             one_key(ui, marked, (set, index), keys, value, out);

@@ -217,10 +217,10 @@ fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Comman
     if wires.is_empty() && constant.is_empty() {
         return;
     }
-    let help =
-        tr!("What is the same all over the object may decide: an exposed or keyed value, the \
-                time, a light's \
-                direction, and what is computed from these");
+    let help = tr!(
+        "What is the same all over the object may decide: an exposed or keyed value, the time, a \
+         light's direction, and what is computed from these"
+    );
     let menu = ui.menu_button(tr!("New keys by a wire…"), |ui| {
         ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
             for driver in wires {

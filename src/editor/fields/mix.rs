@@ -163,8 +163,10 @@ impl<'s> SceneMix<'s> {
     /// Shows the button that solos the lights of a term in the scene.
     pub(crate) fn solo(self, ui: &mut Ui, label: &str, term: &SetTerm, out: &mut Vec<Command>) {
         let is_alone = self.lights.has(&self.scene.soloed, term);
-        let help = tr!("Lets its lights shine alone in the scene, muted or not.\nThis is saved: \
-                    rendering tells of it.");
+        let help = tr!(
+            "Lets its lights shine alone in the scene, muted or not.\nThis is saved: rendering \
+             tells of it."
+        );
         if icon(ui, Icon::Solo, is_alone, label, help).clicked() {
             out.push(self.soloing(term));
         }

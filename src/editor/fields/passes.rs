@@ -75,8 +75,8 @@ impl<'s> OutputPass<'s> {
     fn problem_of(self, name: &str) -> Option<String> {
         if !is_slug(name) || name.contains('-') {
             return Some(tr!(
-                "\"{name}\" is no name for a pass: letters, digits and _, no digit at first, 64 \
-                 at most"
+                "\"{name}\" is no name for a pass: letters, digits and _, no digit at first, 64 at \
+                 most"
             ));
         }
         let mattes = MatteKind::all().map(|(word, kind)| (word, kind.name()));

@@ -1,27 +1,38 @@
 //! Paths of pictures and HCBTFs.
 
-use chiaro_locale::{Text, text, tr};
+use chiaro_locale::tr;
 use eframe::egui::{Id, TextEdit, Ui};
 
 use crate::document::Value;
 use crate::frame::MESH_PREFIX;
 use crate::geometry::MaterialMap;
 
-/// Maps of a mesh's own materials, as artists name them.
-const MESH_MAPS: [(Text, MaterialMap); 5] = [
-    (text!("Base color"), MaterialMap::BaseColor),
-    (text!("Normal"), MaterialMap::Normal),
-    (text!("Occlusion"), MaterialMap::Occlusion),
-    (text!("Emissive"), MaterialMap::Emissive),
-    (text!("Roughness and metalness"), MaterialMap::MetallicRoughness),
+/// Maps of a mesh's own materials, in the order of the menu.
+const MESH_MAPS: [MaterialMap; 5] = [
+    MaterialMap::BaseColor,
+    MaterialMap::Normal,
+    MaterialMap::Occlusion,
+    MaterialMap::Emissive,
+    MaterialMap::MetallicRoughness,
 ];
+
+/// Name of a map, as artists say it.
+fn name_of(map: MaterialMap) -> &'static str {
+    match map {
+        MaterialMap::BaseColor => tr!("Base color"),
+        MaterialMap::Normal => tr!("map" => "Normal"),
+        MaterialMap::Occlusion => tr!("Occlusion"),
+        MaterialMap::Emissive => tr!("Emissive"),
+        MaterialMap::MetallicRoughness => tr!("Roughness and metalness"),
+    }
+}
 
 /// Shows a menu of the maps that a mesh's own material has. Returns the path of the chosen one.
 fn mesh_map(ui: &mut Ui) -> Option<String> {
     let mut chosen = None;
     let menu = ui.menu_button(tr!("Mesh"), |ui| {
-        for (name, map) in MESH_MAPS {
-            if ui.button(name.tr()).clicked() {
+        for map in MESH_MAPS {
+            if ui.button(name_of(map)).clicked() {
                 chosen = Some(format!("{MESH_PREFIX}{}", map.name()));
                 ui.close();
             }

@@ -320,10 +320,8 @@ fn paint_button(
     let help = match name {
         "" => tr!("Begins a new painted surface (HCBTF) here, and opens it to be painted"),
         _ => {
-            tr!(
-                "Opens this painted surface (HCBTF) to be painted; the picture shows every stroke at \
-             once"
-            )
+            tr!("Opens this painted surface (HCBTF) to be painted; the picture shows every stroke \
+                 at once")
         }
     };
     let response = ui.small_button(tr!("Paint")).on_hover_text(help);

@@ -154,9 +154,9 @@ impl<'s> ChangedRow<'s> {
         let named = |changed: ChangedValue<'s>| {
             let field = changed.change.target.strip_prefix(&prefix)?;
             let label = match field {
-                "transform.translate" => tr!("Place").to_owned(),
-                "transform.rotate" => tr!("Turn").to_owned(),
-                "transform.scale" => tr!("Scale").to_owned(),
+                "transform.translate" => tr!("value" => "Place").to_owned(),
+                "transform.rotate" => tr!("value" => "Turn").to_owned(),
+                "transform.scale" => tr!("value" => "Scale").to_owned(),
                 field => spoken(field),
             };
             Some((label, changed))

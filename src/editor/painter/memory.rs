@@ -2,13 +2,13 @@
 
 use std::sync::{Arc, Weak};
 
-use chiaro_locale::{tr, tr_in};
+use chiaro_locale::tr;
 use eframe::egui::{CollapsingHeader, Grid as Table, RichText, Ui};
 
 use crate::document::{Grid, Storage};
 use crate::figures::bytes;
 use crate::hcbtf::{
-    Device, FilledSamples, Need, filled_at_most, layers_bytes, needs, needs_at_most,
+    Device, FilledSamples, Limits, Need, filled_at_most, layers_bytes, needs, needs_at_most,
 };
 use crate::state::painting::work::OpenPainting;
 use crate::state::worker::Worker;
@@ -103,13 +103,15 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
             ui.label(RichText::new(head).color(dim).small());
         }
         ui.end_row();
-        let mut row = |name: &str, help: &str, now: Option<u64>, most: u64, word: &str| {
+        let mut row = |name: &str, help: &str, now: Option<u64>, most: u64, fit: Fit| {
             ui.label(name).on_hover_text(help);
             ui.label(now.map(bytes).unwrap_or_default());
             ui.label(bytes(most));
-            let short = if word == UNFIT { tr!("too large") } else { tr!("fits") };
-            let color = if word == UNFIT { theme::of(ui).error } else { theme::of(ui).dim };
-            ui.label(RichText::new(short).color(color)).on_hover_text(tr_in("memory", word));
+            let (short, color) = match fit.is_in {
+                true => (tr!("fits"), theme::of(ui).dim),
+                false => (tr!("too large"), theme::of(ui).error),
+            };
+            ui.label(RichText::new(short).color(color)).on_hover_text(fit.help);
             ui.end_row();
         };
         let help = tr!("All samples as they are filled, four bytes a texel; equal ones count once");
@@ -118,18 +120,17 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
             help,
             now.map(|(bytes, _)| bytes),
             filled_at_most(grid),
-            tr!("held in main memory"),
+            Fit { is_in: true, help: tr!("held in main memory") },
         );
         for (index, most) in needs_at_most(grid).iter().enumerate() {
             let need = now.and_then(|(_, needs)| needs.get(index));
             let (name, help) = told(most);
-            let word = device.word(need.unwrap_or(most));
             row(
                 name,
                 help,
                 need.map(|need| need.bytes_on(device.limits)),
                 most.bytes_on(device.limits),
-                word,
+                Fit::of(need.unwrap_or(most), device),
             );
         }
     });
@@ -141,7 +142,7 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
     let text =
         tr!("While it is painted it is quick, with a layer for each view: {painted} on the GPU");
     ui.label(RichText::new(text).color(dim).small());
-    let crate::hcbtf::Limits { side, layers, has_blocks } = device.limits;
+    let Limits { side, layers, has_blocks } = device.limits;
     let gpu = &device.name;
     let text = if has_blocks {
         tr!("{gpu}: textures of up to {side} texels a side and {layers} layers")
@@ -152,8 +153,22 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
     ui.label(RichText::new(text).color(dim).small());
 }
 
-/// Word for a storage that the device cannot hold.
-const UNFIT: &str = "does not fit";
+/// Whether a storage fits into the device.
+struct Fit {
+    is_in: bool,
+    help: &'static str,
+}
+
+impl Fit {
+    fn of(need: &Need, device: &Device) -> Self {
+        let help = match (need.fits(device.limits), need.fits(Limits::GUARANTEED)) {
+            (true, true) => tr!("fits every GPU"),
+            (true, false) => tr!("fits this one, not every GPU"),
+            (false, _) => tr!("does not fit"),
+        };
+        Self { is_in: need.fits(device.limits), help }
+    }
+}
 
 /// Name of a storage.
 pub(super) fn named(storage: Storage) -> &'static str {

@@ -455,11 +455,6 @@ fn told_state(state: SampleState) -> String {
     }
 }
 
-/// Number with a noun in the singular or plural.
-pub(crate) fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
-}
-
 /// Sample that is one step from the one at work, by the eye or by the light.
 pub(crate) fn stepped(work: &OpenPainting, heading: Heading, is_view: bool) -> Address {
     let (grid, at) = (work.grid(), work.at());

@@ -1,7 +1,7 @@
 //! Dialog for the storage of a texture exported as KTX2: explains each storage and the memory it
 //! takes.
 
-use chiaro_locale::{tr, tr_in};
+use chiaro_locale::tr;
 use eframe::egui::{Grid as Table, Id, Modal, RichText, Ui};
 
 use super::memory::{Memory, named};
@@ -79,7 +79,7 @@ fn choices(ui: &mut Ui, work: &OpenPainting, memory: &mut Memory, chosen: &mut S
                 None => tr!("at most {size}", size = bytes(of(&most, storage))),
             };
             ui.label(size);
-            ui.label(RichText::new(tr_in("storage", storage.about())).color(theme::of(ui).dim));
+            ui.label(RichText::new(storage.about()).color(theme::of(ui).dim));
             ui.end_row();
         }
     });

@@ -1,7 +1,7 @@
 //! Everything that the picture may cost: effects that run, those kept from before, those dropped,
 //! and the proof.
 
-use chiaro_locale::{text, tr, tr_in, trn};
+use chiaro_locale::{text, tr, trn};
 use eframe::egui;
 use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 use std::sync::Arc;
@@ -191,7 +191,7 @@ fn row(ui: &mut Ui, effect: &Effect) -> Option<Command> {
     let font = FontId::proportional(theme::TEXT_SIZE);
     let (left, width) = (rect.left() + 18.0, rect.width() - 18.0);
     let name_width = (width * 0.3).clamp(70.0, 220.0);
-    let proof = effect.proof.map(|proof| tr_in("proof", proof.label()));
+    let proof = effect.proof.map(|proof| proof.label());
     let proof_width = if proof.is_some() { (width * 0.22).min(140.0) } else { 0.0 };
     let cost_width = (width * 0.24).min(130.0);
     let column = |from: f32, width: f32| {

@@ -88,8 +88,9 @@ fn row(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Comma
                 ui.label(message).on_hover_text(tr!("Code {code}", code = problem.code));
             });
             // A hint is left out where the button offers the same fix.
-            let is_asked = |hint: &&String| mended.is_none() || !hint.starts_with("did you mean");
-            for hint in problem.hints.iter().filter(is_asked) {
+            let offered = problem.suggestion.filter(|_| mended.is_some());
+            let hints = problem.hints.iter().enumerate();
+            for (_, hint) in hints.filter(|(index, _)| Some(*index) != offered) {
                 let hint = labelled(session.look_with_library(), hint);
                 ui.label(RichText::new(hint).small().color(theme::of(ui).dim));
             }

@@ -42,17 +42,6 @@ pub(crate) enum CrashStep {
     Draw,
 }
 
-impl CrashStep {
-    /// Participle of the step, as in "Chiaro ended while drawing it".
-    pub(crate) fn doing(self) -> &'static str {
-        match self {
-            Self::Read => "reading",
-            Self::Compile => "compiling",
-            Self::Draw => "drawing",
-        }
-    }
-}
-
 /// Identity of a document: its file, or a hash of its content where it has none.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct DocumentOrigin {

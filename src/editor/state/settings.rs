@@ -265,7 +265,7 @@ mod tests {
             "[]",
             "{",
             "null",
-            "{\"recent\": 5, \"theme\": 7, \"scale\": \"x\", \"language\": 3, \"mesh\": [], \"display\": {}}",
+            r#"{"recent": 5, "theme": 7, "scale": "x", "language": 3, "mesh": [], "display": {}}"#,
         ] {
             assert_eq!(Settings::read(text), Settings::default(), "{text}");
         }

@@ -3,7 +3,6 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use chiaro_locale::tr_in;
 use glam::{DQuat, DVec3};
 
 use crate::catalog::{Port, values};
@@ -145,7 +144,7 @@ impl VariationSheet {
         match variation {
             Variation::Shape(name) => {
                 let shape = SHAPES.iter().find(|shape| shape.name == *name);
-                shape.map_or(*name, |shape| tr_in("shape", shape.label)).to_owned()
+                shape.map_or(*name, |shape| shape.label.tr()).to_owned()
             }
             Variation::Value(value) => match (self.kind, value.color_in(ColorSpace::Display)) {
                 (VariationKind::Color, Some(color)) => values::hex(color),

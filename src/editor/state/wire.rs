@@ -38,20 +38,16 @@ impl Style {
     pub(crate) fn help(self) -> &'static str {
         match self {
             Self::Color => {
-                tr!(
-                    "The numbers as red, green and blue; a single one as gray, an angle from 0 to 180°"
-                )
+                tr!("The numbers as red, green and blue; a single one as gray, an angle from 0 to \
+                     180°")
             }
             Self::Heat => {
-                tr!(
-                    "Blue below 0, then black to yellow from 0 to 1, red above; not a number is magenta"
-                )
+                tr!("Blue below 0, then black to yellow from 0 to 1, red above; not a number is \
+                     magenta")
             }
             Self::Isolines => {
-                tr!(
-                    "Gray, with a line where it crosses a tenth, a white one where it crosses a whole \
-                 number; none where it is level"
-                )
+                tr!("Gray, with a line where it crosses a tenth, a white one where it crosses a \
+                     whole number; none where it is level")
             }
         }
     }

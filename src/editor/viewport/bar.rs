@@ -1,6 +1,6 @@
 //! Bar above the picture: the mesh that the look is seen on, and the options of the display.
 
-use chiaro_locale::{tr, tr_in, trn};
+use chiaro_locale::{Text, tr, trn};
 use eframe::egui;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{PopupCloseBehavior, Rect, Role, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
@@ -255,12 +255,12 @@ fn mesh_choice(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let file = Path::new(&mesh)
         .file_name()
         .map_or(mesh.clone(), |name| name.to_string_lossy().into_owned());
-    let shown = shape.map_or(file.as_str(), |shape| tr_in("shape", shape.label));
+    let shown = shape.map_or(file.as_str(), |shape| shape.label.tr());
     let combo = egui::ComboBox::from_id_salt("mesh").width(MESH).truncate().height(MESHES);
     let combo = combo.selected_text(shown).show_ui(ui, |ui| {
         for shape in SHAPES {
             let is_it = mesh.strip_prefix("shape:") == Some(shape.name);
-            let [label, help] = [shape.label, shape.help].map(|text| tr_in("shape", text));
+            let [label, help] = [shape.label, shape.help].map(Text::tr);
             if ui.selectable_label(is_it, label).on_hover_text(help).clicked() {
                 out.push(Command::ShowOn(Some(format!("{SHAPE_PREFIX}{}", shape.name).into())));
             }

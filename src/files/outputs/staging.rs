@@ -57,7 +57,7 @@ pub fn remove_unfinished() {
 }
 
 fn ending() -> io::Error {
-    io::Error::new(io::ErrorKind::Interrupted, "the program is ending")
+    io::Error::new(io::ErrorKind::Interrupted, tr!("the program is ending"))
 }
 
 /// Files that appear together or not at all, as far as a file system allows: until

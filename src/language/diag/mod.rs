@@ -86,6 +86,9 @@ pub struct Diagnostic {
     /// Remedies.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub hints: Vec<String>,
+    /// Index of the remedy that asks whether a known name was meant.
+    #[serde(skip)]
+    pub suggestion: Option<usize>,
 }
 
 impl Diagnostic {
@@ -105,7 +108,8 @@ impl Diagnostic {
     }
 
     fn new(severity: Severity, code: &'static str, message: impl Into<String>) -> Self {
-        Self { severity, code, message: message.into(), place: Place::default(), hints: Vec::new() }
+        let (message, place) = (message.into(), Place::default());
+        Self { severity, code, message, place, hints: Vec::new(), suggestion: None }
     }
 
     /// Adds a remedy.
@@ -117,16 +121,18 @@ impl Diagnostic {
 
     /// Adds the hint that [`nearest`] gives for `wrong`, if there is one.
     #[must_use]
-    pub fn suggest<'a>(self, wrong: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
-        match nearest(wrong, known).as_slice() {
-            [] => self,
-            [one] => self.hint(tr!("did you mean `{one}`?")),
+    pub fn suggest<'a>(mut self, wrong: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
+        let hint = match nearest(wrong, known).as_slice() {
+            [] => return self,
+            [one] => tr!("did you mean `{one}`?"),
             [most @ .., last] => {
                 let most =
                     most.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-                self.hint(tr!("did you mean {most} or `{last}`?"))
+                tr!("did you mean {most} or `{last}`?")
             }
-        }
+        };
+        self.suggestion = Some(self.hints.len());
+        self.hint(hint)
     }
 
     /// Sets the file.

@@ -11,7 +11,7 @@ use proc_macro::TokenStream;
 use quote::quote;
 use syn::parse_macro_input;
 
-use crate::text::{Counted, Filled};
+use crate::text::{Counted, Filled, Row};
 
 /// Text for the user, in the user's language: a `&'static str` where nothing is filled in, else a
 /// `String`.
@@ -33,9 +33,12 @@ pub fn trn(input: TokenStream) -> TokenStream {
 }
 
 /// Text of a table's row, in English; it is looked up when it is shown: `text!("Lights")`, a
-/// `chiaro_locale::Text`.
+/// `chiaro_locale::Text`. It may have a context, as that of [`tr!`] may.
 #[proc_macro]
 pub fn text(input: TokenStream) -> TokenStream {
-    let text = parse_macro_input!(input as syn::LitStr);
-    quote!(::chiaro_locale::Text::new(#text)).into()
+    let Row { context, text } = parse_macro_input!(input as Row);
+    match context {
+        Some(context) => quote!(::chiaro_locale::Text::of(#context, #text)).into(),
+        None => quote!(::chiaro_locale::Text::new(#text)).into(),
+    }
 }

@@ -19,6 +19,23 @@ impl Parse for Named {
     }
 }
 
+/// Text with its context, without values.
+pub(crate) struct Row {
+    pub(crate) context: Option<LitStr>,
+    pub(crate) text: LitStr,
+}
+
+impl Parse for Row {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let first: LitStr = input.parse()?;
+        if !input.peek(Token![=>]) {
+            return Ok(Self { context: None, text: first });
+        }
+        input.parse::<Token![=>]>()?;
+        Ok(Self { context: Some(first), text: input.parse()? })
+    }
+}
+
 /// Text with its context and the values that stand in it.
 pub(crate) struct Filled {
     context: Option<LitStr>,
@@ -28,13 +45,7 @@ pub(crate) struct Filled {
 
 impl Parse for Filled {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
-        let first: LitStr = input.parse()?;
-        let (context, text) = if input.peek(Token![=>]) {
-            input.parse::<Token![=>]>()?;
-            (Some(first), input.parse()?)
-        } else {
-            (None, first)
-        };
+        let Row { context, text } = input.parse()?;
         Ok(Self { context, text, values: values(input)? })
     }
 }

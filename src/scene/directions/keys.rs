@@ -1,5 +1,6 @@
 //! Set of distinct unit directions, made from directions as an artist gives them.
 
+use chiaro_locale::tr;
 use glam::DVec3;
 
 use crate::diag::{Diagnostic, WithWarnings};
@@ -48,13 +49,13 @@ impl KeySet {
             set.group_of.push(group);
         }
         if directions.len() > MAX_KEYS {
-            let problem = format!(
-                "there are {} direction keys, more than the {MAX_KEYS} that fit",
-                directions.len()
+            let problem = tr!(
+                "there are {count} direction keys, more than the {MAX_KEYS} that fit",
+                count = directions.len()
             );
             diagnostics.push(
                 Diagnostic::error("too-many-keys", problem)
-                    .hint("those past the limit have no weight"),
+                    .hint(tr!("those past the limit have no weight")),
             );
         }
         WithWarnings::new(set, diagnostics)
@@ -80,13 +81,13 @@ impl KeySet {
             set.group_of.push(group);
         }
         if places.len() > MAX_KEYS {
-            let problem = format!(
-                "there are {} keys in a set, more than the {MAX_KEYS} that fit",
-                places.len()
+            let problem = tr!(
+                "there are {count} keys in a set, more than the {MAX_KEYS} that fit",
+                count = places.len()
             );
             diagnostics.push(
                 Diagnostic::error("too-many-keys", problem)
-                    .hint("those past the limit have no weight"),
+                    .hint(tr!("those past the limit have no weight")),
             );
         }
         WithWarnings::new(set, diagnostics)
@@ -160,28 +161,27 @@ fn path(key: usize) -> String {
 }
 
 fn without_direction(key: usize, direction: DVec3) -> Diagnostic {
-    let why = if direction.is_finite() { "its length is 0" } else { "it is not finite" };
-    Diagnostic::error("key-without-direction", format!("`keys[{key}]` points nowhere: {why}"))
+    let why = if direction.is_finite() { tr!("its length is 0") } else { tr!("it is not finite") };
+    Diagnostic::error("key-without-direction", tr!("`keys[{key}]` points nowhere: {why}"))
         .json_path(path(key))
-        .hint("give it three numbers that are not all 0; until then its weight is 0")
+        .hint(tr!("give it three numbers that are not all 0; until then its weight is 0"))
 }
 
 fn merged(key: usize, other: usize) -> Diagnostic {
-    let problem = format!(
-        "`keys[{key}]` stands where `keys[{other}]` does, so they share one weight equally"
-    );
+    let problem =
+        tr!("`keys[{key}]` stands where `keys[{other}]` does, so they share one weight equally");
     Diagnostic::warning("merged-keys", problem)
         .json_path(path(key))
-        .hint("move one of them, or delete it")
+        .hint(tr!("move one of them, or delete it"))
 }
 
 fn close(key: usize, other: usize, angle: f64) -> Diagnostic {
     let degrees = angle.to_degrees();
-    let problem = format!("`keys[{key}]` and `keys[{other}]` are only {degrees:.2} degrees apart");
-    Diagnostic::warning("close-keys", problem).json_path(path(key)).hint(
+    let problem = tr!("`keys[{key}]` and `keys[{other}]` are only {degrees:.2} degrees apart");
+    Diagnostic::warning("close-keys", problem).json_path(path(key)).hint(tr!(
         "keys this close split the sphere by a sharp edge; move them 5 degrees apart, or \
-               delete one",
-    )
+               delete one"
+    ))
 }
 
 #[cfg(test)]

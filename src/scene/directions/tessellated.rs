@@ -3,6 +3,7 @@
 
 use std::sync::LazyLock;
 
+use chiaro_locale::tr;
 use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{Mat, Side};
@@ -53,15 +54,16 @@ impl VertexWeights {
         centers: &[DVec3],
     ) -> Result<Self, &'static str> {
         let mut mesh = Icosphere::new(tessellation.level.min(Tessellation::MAX_LEVEL));
-        let pins = pin(&mesh, centers).ok_or("two keys are nearest to the same vertex")?;
+        let pins =
+            pin(&mesh, centers).ok_or_else(|| tr!("two keys are nearest to the same vertex"))?;
         for (&vertex, &center) in pins.iter().zip(centers) {
             mesh.positions[vertex as usize] = center;
         }
         if mesh.least_height() < LEAST_HEIGHT {
-            return Err("moving vertices onto the keys folds triangles");
+            return Err(tr!("moving vertices onto the keys folds triangles"));
         }
         let values = minimize(&mesh.jumps(tessellation.area_weighted), mesh.positions.len(), &pins)
-            .ok_or("its equations cannot be solved")?;
+            .ok_or_else(|| tr!("its equations cannot be solved"))?;
         let neighbors = mesh.neighbors();
         Ok(Self { mesh, neighbors, values })
     }

@@ -1,5 +1,6 @@
 //! [`KeyWeights`]: one weight per key for any direction.
 
+use chiaro_locale::tr;
 use glam::DVec3;
 
 use super::closed_form::{ClosedForm, inverse_distance_into};
@@ -279,10 +280,10 @@ fn closed(kernel: Kernel, set: &KeySet, diagnostics: &mut Vec<Diagnostic>) -> We
     if let Some(closed) = ClosedForm::solve(kernel, &set.centers) {
         return WeightFunction::Closed(closed);
     }
-    let problem = "the smooth weights of these direction keys cannot be computed";
-    diagnostics.push(Diagnostic::warning("unsolvable-keys", problem).json_path("keys").hint(
-        "weights by distance stand in for them; move keys that are close to each other apart",
-    ));
+    let problem = tr!("the smooth weights of these direction keys cannot be computed");
+    diagnostics.push(Diagnostic::warning("unsolvable-keys", problem).json_path("keys").hint(tr!(
+        "weights by distance stand in for them; move keys that are close to each other apart"
+    )));
     WeightFunction::InverseDistance
 }
 
@@ -299,11 +300,11 @@ fn meshed(
         }
         Err(why) => {
             let problem =
-                format!("the tessellation of level {level} is too coarse for these keys: {why}");
+                tr!("the tessellation of level {level} is too coarse for these keys: {why}");
             diagnostics.push(
-                Diagnostic::warning("tessellation-too-coarse", problem)
-                    .json_path("keys")
-                    .hint("the closed form of the same energy (`appendix-b`) stands in for it"),
+                Diagnostic::warning("tessellation-too-coarse", problem).json_path("keys").hint(
+                    tr!("the closed form of the same energy (`appendix-b`) stands in for it"),
+                ),
             );
             closed(Kernel::AppendixB, set, diagnostics)
         }
@@ -316,13 +317,11 @@ fn coarse(level: u32, set: &KeySet) -> Option<Diagnostic> {
     let resolved = 5.0 * Icosphere::edge_angle(level);
     let (a, b, angle) = set.closest_pair().filter(|(_, _, angle)| *angle < resolved)?;
     let (degrees, resolved) = (angle.to_degrees(), resolved.to_degrees());
-    let problem = format!(
-        "`keys[{a}]` and `keys[{b}]` are {degrees:.1} degrees apart, \
-         and a tessellation of level {level} is accurate from {resolved:.0}"
-    );
+    let problem = tr!("`keys[{a}]` and `keys[{b}]` are {degrees:.1} degrees apart, \
+         and a tessellation of level {level} is accurate from {resolved:.0}");
     Some(
         Diagnostic::note("keys-near-mesh-size", problem)
             .json_path("keys")
-            .hint("`appendix-b` has no such limit"),
+            .hint(tr!("`appendix-b` has no such limit")),
     )
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use glam::DVec3;
 
 use super::links::located;
@@ -60,10 +61,10 @@ impl Setup {
                 continue;
             }
             let message =
-                format!("the light `{id}` is aimed at the object `{wanted}`, which there is not");
+                tr!("the light `{id}` is aimed at the object `{wanted}`, which there is not");
             let problem = Diagnostic::warning("unknown-object", message)
                 .suggest(wanted.as_str(), ids.iter().copied())
-                .hint("until there is, it shines as if it were aimed at nothing");
+                .hint(tr!("until there is, it shines as if it were aimed at nothing"));
             let path = format!("lights.{id}.aimed_at");
             found.push(match look {
                 None => located(self, problem, path),

@@ -7,6 +7,8 @@ use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use super::store::{AssetStore, FileStamp, HcbtfKey};
 use crate::cache::{CachedValue, EntryReader, EntryWriter, cached};
 use crate::diag::{Diagnostic, WithWarnings};
@@ -370,10 +372,11 @@ impl Assets {
             }
             let known = geometry::SHAPES.iter().map(|shape| shape.name);
             let names: Vec<&str> = known.clone().collect();
-            let problem =
-                Diagnostic::error("unknown-shape", format!("there is no own shape `{name}`"));
+            let problem = Diagnostic::error("unknown-shape", tr!("there is no own shape `{name}`"));
             Err(vec![
-                problem.suggest(name, known).hint(format!("the shapes are {}", names.join(", "))),
+                problem
+                    .suggest(name, known)
+                    .hint(tr!("the shapes are {names}", names = names.join(", "))),
             ])
         };
         let warned = self.store.mesh(&key, None, shape)?;
@@ -558,7 +561,8 @@ fn within(path: &Path) -> Option<(&Path, usize)> {
 fn bytes_of(files: &dyn Files, path: &Path) -> Result<Vec<u8>, Diagnostic> {
     if let Some((file, number)) = within(path) {
         return geometry::load_image(files, file, number, MAX_IMAGE_BYTES).map_err(|problem| {
-            let message = format!("of `{}`: {}", file.display(), problem.message);
+            let message =
+                tr!("of `{file}`: {message}", file = file.display(), message = problem.message);
             Diagnostic::error("missing-asset", message)
         });
     }
@@ -566,25 +570,26 @@ fn bytes_of(files: &dyn Files, path: &Path) -> Result<Vec<u8>, Diagnostic> {
         let name = path.display();
         let message = match error {
             ReadError::TooLarge { .. } => {
-                format!("the image `{name}` is larger than {} MiB", MAX_IMAGE_BYTES >> 20)
+                tr!("the image `{name}` is larger than {most} MiB", most = MAX_IMAGE_BYTES >> 20)
             }
-            error => format!("the image `{name}` cannot be read: {error}"),
+            error => tr!("the image `{name}` cannot be read: {error}"),
         };
         Diagnostic::error("missing-asset", message)
     })
 }
 
 fn read_image(files: &dyn Files, path: &Path) -> Result<Image, Diagnostic> {
-    let bytes = bytes_of(files, path)
-        .map_err(|problem| problem.hint("paths of images are relative to the look's own file"))?;
+    let bytes = bytes_of(files, path).map_err(|problem| {
+        problem.hint(tr!("paths of images are relative to the look's own file"))
+    })?;
     let name = path.display();
     let problem = |message: String| {
         Diagnostic::error("missing-asset", message)
-            .hint("save it as PNG, JPEG, HDR or EXR, at most 16384 pixels wide and high")
+            .hint(tr!("save it as PNG, JPEG, HDR or EXR, at most 16384 pixels wide and high"))
     };
     let mut reader = image::ImageReader::new(Cursor::new(bytes))
         .with_guessed_format()
-        .map_err(|error| problem(format!("the image `{name}` cannot be read: {error}")))?;
+        .map_err(|error| problem(tr!("the image `{name}` cannot be read: {error}")))?;
     let mut limits = image::Limits::default();
     limits.max_image_width = Some(MAX_IMAGE_SIDE);
     limits.max_image_height = Some(MAX_IMAGE_SIDE);
@@ -592,7 +597,7 @@ fn read_image(files: &dyn Files, path: &Path) -> Result<Image, Diagnostic> {
     reader.limits(limits);
     let decoded = reader
         .decode()
-        .map_err(|error| problem(format!("the image `{name}` cannot be decoded: {error}")))?;
+        .map_err(|error| problem(tr!("the image `{name}` cannot be decoded: {error}")))?;
     let rgba = decoded.into_rgba8();
     Ok(Image::flat([rgba.width(), rgba.height()], rgba.into_raw()))
 }

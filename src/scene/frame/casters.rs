@@ -9,6 +9,7 @@ use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use glam::{DMat4, DVec3};
 use indexmap::IndexSet;
 
@@ -80,12 +81,12 @@ impl Casters {
         let most = ROW * MOST_ROWS;
         if at > most {
             let triangles: u64 = made.trees.iter().map(|tree| u64::from(tree.triangles)).sum();
-            let message = format!(
+            let message = tr!(
                 "the {triangles} triangles of the scene's meshes are too many to cast shadows: \
                  they take {at} texels, and {most} is the most"
             );
             return Err(Diagnostic::error("too-many-casters", message)
-                .hint("use simpler meshes, or no nodes that ask for shadows"));
+                .hint(tr!("use simpler meshes, or no nodes that ask for shadows")));
         }
         let boxes: Vec<[DVec3; 2]> = objects
             .iter()

@@ -4,6 +4,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
+use chiaro_locale::{tr, trn};
 use serde::Serialize;
 
 use super::plan::{Draw, PlanOptions};
@@ -47,11 +48,13 @@ impl std::fmt::Display for EffectCost {
         let milliseconds = self.milliseconds.map(|ms| {
             format!("{} ms", if ms < 9.95 { format!("{ms:.2}") } else { format!("{ms:.0}") })
         });
-        let operations =
-            (self.operations > 0).then(|| figures::count(self.operations, "operation"));
+        let operations = (self.operations > 0).then(|| {
+            let count = self.operations;
+            trn!(count, "{count} operation", "{count} operations")
+        });
         let bytes = (self.bytes > 0).then(|| figures::bytes(self.bytes));
         let parts: Vec<String> = [milliseconds, operations, bytes].into_iter().flatten().collect();
-        f.write_str(if parts.is_empty() { "nothing" } else { "" })?;
+        f.write_str(if parts.is_empty() { tr!("nothing") } else { "" })?;
         f.write_str(&parts.join(", "))
     }
 }

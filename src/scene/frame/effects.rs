@@ -4,12 +4,12 @@
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
 
+use chiaro_locale::{tr, trn};
 use serde::Serialize;
 
 use super::cost::{EffectCost, attribute_bytes, pass_operations, shader_operations};
 use super::plan::{Draw, FramePlan};
 use crate::compile::{BindingKind, CompiledShader, Proof, StructLayout, VertexAttribute};
-use crate::figures;
 use crate::library::{PassId, Type};
 
 /// Kind of an effect.
@@ -124,9 +124,10 @@ pub fn effects(plan: &FramePlan, done: &HashMap<PassId, u64>) -> Vec<Effect> {
             let [layers, triangles] = maps.counts();
             let texel = u64::from(4 * u32::BITS / 8);
             effect.cost.bytes = texel * u64::from(maps.side).pow(2) * layers;
-            let layers = figures::count(layers, "layer");
-            let triangles = figures::count(triangles, "triangle");
-            effect.reason += &format!(", in {layers} of {0}x{0} with {triangles}", maps.side);
+            let layers = trn!(layers, "{layers} layer", "{layers} layers");
+            let triangles = trn!(triangles, "{triangles} triangle", "{triangles} triangles");
+            let side = maps.side;
+            effect.reason += &tr!(", in {layers} of {side}x{side} with {triangles}");
         }
         if done.get(&pass.id) == Some(&pass.input_hash) {
             effect.state = EffectState::Cached;
@@ -144,14 +145,20 @@ pub fn effects(plan: &FramePlan, done: &HashMap<PassId, u64>) -> Vec<Effect> {
     let mut seen = HashSet::new();
     for draw in &plan.draws {
         if seen.insert(draw.object.clone()) {
-            let reason =
-                format!("some of it may be seen: {} triangles", draw.mesh.indices.len() / 3);
+            let reason = tr!(
+                "some of it may be seen: {count} triangles",
+                count = draw.mesh.indices.len() / 3
+            );
             let cost = EffectCost::bytes(
                 4 * draw.mesh.indices.len() as u64 + draw.object_uniform.bytes.len() as u64,
             );
             effects.push(
-                Effect::runs(format!("object `{}`", draw.object), EffectKind::Object, reason)
-                    .costs(cost),
+                Effect::runs(
+                    tr!("object `{object}`", object = draw.object),
+                    EffectKind::Object,
+                    reason,
+                )
+                .costs(cost),
             );
         }
     }
@@ -173,27 +180,29 @@ fn casters(plan: &FramePlan) -> Option<Effect> {
     let reads = |draw: &&Draw| draw.modules().any(|module| module.needs.casters());
     let draw = plan.draws.iter().find(reads)?;
     let triangles = casters.trees().iter().map(|tree| u64::from(tree.triangles));
-    let reason = format!(
-        "object `{}` wears {}, which sends rays past {} in {}",
-        draw.object,
-        if draw.look_name.is_empty() { "a look" } else { &draw.look_name },
-        figures::count(triangles.sum(), "triangle"),
-        figures::count(casters.trees().len() as u64, "tree"),
+    let (triangles, trees): (u64, _) = (triangles.sum(), casters.trees().len());
+    let reason = tr!(
+        "object `{object}` wears {look}, which sends rays past {triangles} in {trees}",
+        object = draw.object,
+        look = if draw.look_name.is_empty() { tr!("a look") } else { &draw.look_name },
+        triangles = trn!(triangles, "{triangles} triangle", "{triangles} triangles"),
+        trees = trn!(trees, "{trees} tree", "{trees} trees")
     );
     let [width, height] = casters.size().map(u64::from);
     let cost = EffectCost::bytes(16 * width * height);
-    Some(Effect::runs("shadow casters", EffectKind::Casters, reason).costs(cost))
+    Some(Effect::runs(tr!("shadow casters"), EffectKind::Casters, reason).costs(cost))
 }
 
 fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
     let name = draw.look_name.as_str();
     let mut push = |effect: Effect| effects.push(effect.of(name));
     let modules = draw.modules().count();
-    let what = if name.is_empty() { "a look" } else { name };
-    let reason = format!(
-        "object `{}` wears it; it is compiled to {modules} {}",
-        draw.object,
-        plural(modules, "module")
+    let what = if name.is_empty() { tr!("a look") } else { name };
+    let reason = trn!(
+        modules,
+        "object `{object}` wears it; it is compiled to {modules} module",
+        "object `{object}` wears it; it is compiled to {modules} modules",
+        object = &draw.object
     );
     let (operations, of_nodes) = shader_operations(shader);
     let cost = EffectCost::operations(operations);
@@ -204,11 +213,11 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
         *attribute != VertexAttribute::Rest || draw.mesh.is_deformed()
     };
     for attribute in VertexAttribute::ALL.into_iter().filter(is_there) {
-        let what = format!("vertex {}", attribute.name());
+        let what = tr!("vertex {attribute}", attribute = attribute.name());
         let cost = EffectCost::bytes(attribute_bytes(attribute) * draw.mesh.positions.len() as u64);
         push(match read.get(&attribute) {
             Some(stage) => {
-                Effect::runs(what, EffectKind::Attribute, format!("the {stage} module reads it"))
+                Effect::runs(what, EffectKind::Attribute, tr!("the {stage} module reads it"))
                     .costs(cost)
             }
             None => {
@@ -223,15 +232,16 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
             .any(|binding| binding.kind == BindingKind::Image(index))
     };
     for (index, image) in shader.named_images.iter().enumerate() {
-        let what = if image.path.is_empty() { "an image that is not chosen" } else { &image.path };
+        let what =
+            if image.path.is_empty() { tr!("an image that is not chosen") } else { &image.path };
         let mut effect = if is_bound(index) {
             let read = draw.images.get(index).map_or(0, |image| image.bytes.len() as u64);
-            let reason = format!("`{}` reads it", image.node);
+            let reason = tr!("`{node}` reads it", node = image.node);
             Effect::runs(what, EffectKind::Texture, reason).costs(EffectCost::bytes(read))
         } else {
-            let reason = format!(
-                "nothing that is seen reads `{}`, so that it is not even loaded",
-                image.node
+            let reason = tr!(
+                "nothing that is seen reads `{node}`, so that it is not even loaded",
+                node = image.node
             );
             Effect::dropped(what, EffectKind::Texture, reason, Proof::Unreachable)
         };
@@ -241,27 +251,23 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
     let bytes = u64::from(shader.host.size);
     push(if bytes > 0 {
         let reason = "values that are known before the fragment";
-        Effect::runs("uniforms of the look", EffectKind::Uniforms, reason)
+        Effect::runs(tr!("uniforms of the look"), EffectKind::Uniforms, reason)
             .costs(EffectCost::bytes(bytes))
     } else {
         let reason = "everything is known when the look is compiled, or at each fragment";
-        Effect::dropped("uniforms of the look", EffectKind::Uniforms, reason, Proof::Constant)
+        Effect::dropped(tr!("uniforms of the look"), EffectKind::Uniforms, reason, Proof::Constant)
     });
     for (path, operations) in of_nodes {
-        let what = format!("node `{path}`");
-        let effect = Effect::runs(what, EffectKind::Node, "it runs at each fragment");
+        let what = tr!("node `{path}`");
+        let effect = Effect::runs(what, EffectKind::Node, tr!("it runs at each fragment"));
         let effect = effect.costs(EffectCost::operations(operations));
         push(Effect { node: Some(path), ..effect });
     }
     for removal in &shader.removed {
         let path = removal.path.to_string();
-        let effect = Effect::dropped(
-            format!("node `{path}`"),
-            EffectKind::Node,
-            &removal.reason,
-            removal.proof,
-        )
-        .costs(EffectCost::operations(removal.operations));
+        let effect =
+            Effect::dropped(tr!("node `{path}`"), EffectKind::Node, &removal.reason, removal.proof)
+                .costs(EffectCost::operations(removal.operations));
         push(Effect { node: Some(path), ..effect });
     }
 }
@@ -272,18 +278,14 @@ fn push_lights(push: &mut impl FnMut(Effect), shader: &CompiledShader) {
     let layout = StructLayout::of(&shader.valid.module, "Light").filter(|_| has_uniforms);
     let cost = EffectCost::bytes(layout.map_or(0, |layout| u64::from(layout.size)));
     let reason = if has_uniforms {
-        "its uniforms are read at each fragment"
+        tr!("its uniforms are read at each fragment")
     } else {
-        "uniforms are computed from it"
+        tr!("uniforms are computed from it")
     };
     let mut seen = HashSet::new();
     for light in shader.host.lights().filter(|light| seen.insert(*light)) {
-        push(Effect::runs(format!("light `{light}`"), EffectKind::Light, reason).costs(cost));
+        push(Effect::runs(tr!("light `{light}`"), EffectKind::Light, reason).costs(cost));
     }
-}
-
-fn plural(count: usize, word: &str) -> String {
-    if count == 1 { word.to_owned() } else { format!("{word}s") }
 }
 
 /// The attributes that a draw's modules read, each with the first module that reads it.

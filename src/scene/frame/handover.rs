@@ -5,6 +5,8 @@
 //! takes, and does not hand over a shader that is deeper still: the reference draws such looks
 //! without recursion.
 
+use chiaro_locale::{Text, text, tr};
+
 use super::CompiledShader;
 use crate::wgsl::depth_of_entry_points;
 
@@ -22,8 +24,9 @@ pub const MAX_DEPTH: u64 = 160_000;
 const STACK_PER_OPERATION: usize = 256;
 
 /// Hint for a shader that is too deep.
-pub const SHORTEN: &str =
-    "use fewer nodes one after another, or draw with the reference: `chiaro render --on reference`";
+pub const SHORTEN: Text = text!(
+    "use fewer nodes one after another, or draw with the reference: `chiaro render --on reference`"
+);
 
 /// The stack that a driver is given to compile a shader, in bytes.
 ///
@@ -44,7 +47,7 @@ fn depth_within_bound(shader: &CompiledShader) -> Result<u64, String> {
     if depth <= MAX_DEPTH {
         return Ok(depth);
     }
-    Err(format!(
+    Err(tr!(
         "{depth} operations of this look follow from one another, and a driver is handed at most \
          {MAX_DEPTH}"
     ))

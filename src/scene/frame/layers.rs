@@ -4,6 +4,8 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
+use chiaro_locale::tr;
+
 use super::keys::structural_look;
 use super::links::located;
 use super::setup::{Setup, SetupObject};
@@ -28,14 +30,17 @@ impl Setup {
             if looks().any(|nodes| nodes.contains_key(&link.node)) {
                 continue;
             }
-            let message = format!(
-                "`layers` of object `{}` names the node `{}`, which none of its looks has",
-                object.id, link.node
+            let message = tr!(
+                "`layers` of object `{id}` names the node `{node}`, which none of its looks has",
+                id = object.id,
+                node = link.node
             );
             let known = looks().flat_map(|nodes| nodes.keys().map(NodeId::as_str));
             let problem = Diagnostic::warning("unknown-node", message)
                 .suggest(link.node.as_str(), known)
-                .hint("name a node of a look's own graph: what lies in a group is the group's");
+                .hint(tr!(
+                    "name a node of a look's own graph: what lies in a group is the group's"
+                ));
             found.push(located(self, problem, format!("objects[{index}].layers[{row}].node")));
         }
         found

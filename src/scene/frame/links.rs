@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use super::mix::LightMix;
@@ -121,9 +122,9 @@ impl Setup {
                     });
                     let unlit = dark.get(&(onto.id.clone(), light.clone()));
                     let (is_by_link, words) = if !wears_look {
-                        (false, "it wears no look".to_owned())
+                        (false, tr!("it wears no look").to_owned())
                     } else if let Some(words) = unlit {
-                        (false, format!("the light does not reach it: {words}"))
+                        (false, tr!("the light does not reach it: {words}"))
                     } else if *rule != LinkRule::Linked || of_object == LinkRule::Linked {
                         (true, link.light_link().words(LightRelation::Shadowed, *rule))
                     } else {
@@ -202,7 +203,7 @@ pub(super) fn unlit(
 ) -> IndexMap<LightId, Cow<'static, str>> {
     let mut unlit = unlinked_lights(setup, object);
     for (id, why) in mix.out() {
-        unlit.entry(id.clone()).or_insert_with(|| format!("it is out: {why}").into());
+        unlit.entry(id.clone()).or_insert_with(|| tr!("it is out: {why}").into());
     }
     unlit
 }
@@ -220,7 +221,7 @@ pub(super) fn unlinked_lights(
     let unlinked = rules.filter(|(_, rule)| *rule != LinkRule::Linked);
     let words = |rule| {
         let why = link.words(LightRelation::Linked, rule);
-        format!("it does not reach the objects that wear the look: their {why}")
+        tr!("it does not reach the objects that wear the look: their {why}")
     };
     unlinked.map(|(id, rule)| (id, words(rule).into())).collect()
 }
@@ -233,7 +234,7 @@ pub(super) fn idle_links(setup: &Setup, object: &SetupObject) -> Vec<Diagnostic>
     }
     let index = setup.scene.objects.get_index_of(&object.id).unwrap_or_default();
     let place = |field: &str| {
-        (format!("`{field}` of object `{}`", object.id), format!("objects[{index}].{field}"))
+        (tr!("`{field}` of object `{id}`", id = object.id), format!("objects[{index}].{field}"))
     };
     let own = setup.lights_about(object);
     let all = if shadow.is_all() { IndexMap::new() } else { setup.all_lights() };

@@ -4,6 +4,7 @@
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
 
+use chiaro_locale::{tr, trn};
 use indexmap::IndexMap;
 
 use super::links::{idle_terms, located};
@@ -66,9 +67,11 @@ impl Setup {
         let out = scene.lights_out(&lights);
         for (id, light) in &lights {
             let why = out.get(id).map(|out| match out {
-                LightOut::NotSoloed => format!("`soloed` (`{}`) has it not", soloed.text()),
-                LightOut::Muted => format!("`muted` (`{}`) has it", muted.text()),
-                LightOut::ByMaster(group) => format!("the master of its group `{group}` is 0"),
+                LightOut::NotSoloed => {
+                    tr!("`soloed` (`{soloed}`) has it not", soloed = soloed.text())
+                }
+                LightOut::Muted => tr!("`muted` (`{muted}`) has it", muted = muted.text()),
+                LightOut::ByMaster(group) => tr!("the master of its group `{group}` is 0"),
             });
             if let Some(why) = why {
                 mix.out.insert(id.clone(), why.into());
@@ -87,14 +90,14 @@ impl Setup {
         let mut warnings: Vec<Diagnostic> = fields
             .into_iter()
             .flat_map(|(field, set)| {
-                let place = (format!("`{field}` of the scene"), field.to_owned());
+                let place = (tr!("`{field}` of the scene"), field.to_owned());
                 idle_terms(self, &place, set, &lights)
             })
             .collect();
         let groups = || lights.values().flat_map(|light| &light.groups);
         for group in scene.light_groups.keys().filter(|id| !groups().any(|own| own == *id)) {
             let message =
-                format!("the scene has a master of the group `{group}`, of which no light is");
+                tr!("the scene has a master of the group `{group}`, of which no light is");
             let problem = Diagnostic::warning("unknown-light", message)
                 .suggest(group.as_str(), groups().map(AsRef::as_ref));
             warnings.push(located(self, problem, format!("light_groups.{group}")));
@@ -102,11 +105,14 @@ impl Setup {
         let soloed = self.soloed_lights();
         if !soloed.is_empty() {
             let names: Vec<String> = soloed.iter().map(|id| format!("`{id}`")).collect();
-            let are = if names.len() == 1 { "is" } else { "are" };
-            let message =
-                format!("{} {are} soloed, so that no other light shines", names.join(", "));
+            let message = trn!(
+                count = names.len(),
+                "{names} is soloed, so that no other light shines",
+                "{names} are soloed, so that no other light shines",
+                names = names.join(", ")
+            );
             let problem = Diagnostic::warning(SOLOED, message)
-                .hint("take it out of `soloed` when the picture is to have all its lights");
+                .hint(tr!("take it out of `soloed` when the picture is to have all its lights"));
             warnings.push(located(self, problem, "soloed".to_owned()));
         }
         warnings

@@ -1,5 +1,7 @@
 //! Pictures: the result of drawing, on any executor.
 
+use chiaro_locale::tr;
+
 use crate::diag::Diagnostic;
 
 /// A finished picture: straight RGBA, display-referred, rows from the top.
@@ -28,7 +30,7 @@ impl Picture {
         let [width, height] = self.size;
         let kind = image::ExtendedColorType::Rgba8;
         image::ImageEncoder::write_image(encoder, &self.to_rgba8(), width, height, kind).map_err(
-            |error| Diagnostic::error("png", format!("the picture cannot be encoded: {error}")),
+            |error| Diagnostic::error("png", tr!("the picture cannot be encoded: {error}")),
         )?;
         Ok(bytes)
     }

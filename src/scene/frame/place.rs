@@ -1,5 +1,6 @@
 //! Cameras and lights placed by a line of text, as on the command line and in a gallery's list.
 
+use chiaro_locale::tr;
 use glam::{DQuat, DVec3};
 
 use crate::document::{Camera, Projection, Scene};
@@ -21,9 +22,11 @@ pub struct PlacementError {
 pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), PlacementError> {
     let bad = |part: &str| PlacementError {
         found: part.to_owned(),
-        wanted: "eye=X,Y,Z, target=X,Y,Z, up=X,Y,Z, orbit=YAW,PITCH, distance=D, ortho=HEIGHT or \
+        wanted: tr!(
+            "eye=X,Y,Z, target=X,Y,Z, up=X,Y,Z, orbit=YAW,PITCH, distance=D, ortho=HEIGHT or \
                  fov=DEGREES \
-                 from 0.06 to 179.4, joined by `;`",
+                 from 0.06 to 179.4, joined by `;`"
+        ),
     };
     for part in text.split(';').map(str::trim).filter(|part| !part.is_empty()) {
         let (key, value) = part.split_once('=').ok_or_else(|| bad(part))?;
@@ -60,7 +63,7 @@ pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), PlacementErro
     if DVec3::from(camera.target).distance(camera.eye.into()) < 1e-9
         || DVec3::from(camera.up).length() < 1e-9
     {
-        let wanted = "an eye away from the target, and an `up` of any length but 0";
+        let wanted = tr!("an eye away from the target, and an `up` of any length but 0");
         return Err(PlacementError { found: text.to_owned(), wanted });
     }
     Ok(())
@@ -75,7 +78,7 @@ pub fn turn_lights(scene: &mut Scene, text: &str) -> Result<(), PlacementError> 
     let angles =
         numbers(text).filter(|n| (1..=2).contains(&n.len())).ok_or_else(|| PlacementError {
             found: text.to_owned(),
-            wanted: "degrees around the vertical axis, or YAW,PITCH",
+            wanted: tr!("degrees around the vertical axis, or YAW,PITCH"),
         })?;
     let yaw = DQuat::from_rotation_y(angles[0].to_radians());
     let pitch = DQuat::from_rotation_x(-angles.get(1).copied().unwrap_or(0.0).to_radians());

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use chiaro_locale::{text, tr};
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use indexmap::IndexMap;
 
@@ -223,7 +224,7 @@ pub fn eval_batches(
         let is_set = matches!(look, Cow::Owned(_));
         let shader = compile(&look, library, &options).map_err(|problems| {
             let told = |problem: Diagnostic| {
-                problem.hint(format!("this is with the values of sample [{}]", indices[0]))
+                problem.hint(tr!("this is with the values of sample [{index}]", index = indices[0]))
             };
             located(
                 problems
@@ -276,28 +277,31 @@ fn check_samples(setup: &SetupLook, samples: &[EvalSample]) -> Vec<Diagnostic> {
         for name in sample.values.keys().filter(|name| !exposed.contains(&name.as_str())) {
             let problem = Diagnostic::error(
                 "unknown-parameter",
-                format!("the look exposes no parameter `{name}`"),
+                tr!("the look exposes no parameter `{name}`"),
             )
             .json_path(format!("[{index}].values.{name}"))
             .suggest(name.as_str(), exposed.iter().copied());
             problems.push(if exposed.is_empty() {
                 problem.hint(
-                    "expose it in the look: \
-                     \"exposed\": [{\"name\": \"width\", \"target\": \"rim.cutoff\"}]",
+                    text!(
+                        "expose it in the look: \
+                     \"exposed\": [{\"name\": \"width\", \"target\": \"rim.cutoff\"}]"
+                    )
+                    .tr(),
                 )
             } else {
-                problem.hint(format!("it exposes {}", exposed.join(", ")))
+                problem.hint(tr!("it exposes {names}", names = exposed.join(", ")))
             });
         }
         for id in sample.lights.keys().filter(|id| !setup.look.lights.contains_key(*id)) {
             let known: Vec<&str> = setup.look.lights.keys().map(AsRef::as_ref).collect();
             let hint = if known.is_empty() {
-                "it has none".to_owned()
+                tr!("it has none").to_owned()
             } else {
-                format!("its lights are {}", known.join(", "))
+                tr!("its lights are {names}", names = known.join(", "))
             };
             problems.push(
-                Diagnostic::error("unknown-light", format!("the look has no light `{id}`"))
+                Diagnostic::error("unknown-light", tr!("the look has no light `{id}`"))
                     .json_path(format!("[{index}].lights.{id}"))
                     .suggest(id.as_str(), known.iter().copied())
                     .hint(hint),

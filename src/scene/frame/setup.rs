@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use glam::{DMat4, DQuat, DVec3};
 use indexmap::IndexMap;
 
@@ -361,18 +362,18 @@ fn played(
     let named = names().position(|name| played.name.is_empty() || name == played.name);
     if named.is_none() {
         let problem = if animations.is_empty() {
-            let message = format!("the mesh of object `{id}` has no animation, and stands still");
+            let message = tr!("the mesh of object `{id}` has no animation, and stands still");
             Diagnostic::warning("no-animation", message)
-                .hint("export the mesh with its animations, as glTF")
+                .hint(tr!("export the mesh with its animations, as glTF"))
         } else {
-            let message = format!(
-                "the mesh of object `{id}` has no animation `{}`, and stands still",
-                played.name
+            let message = tr!(
+                "the mesh of object `{id}` has no animation `{name}`, and stands still",
+                name = played.name
             );
             let list: Vec<&str> = names().collect();
             Diagnostic::warning("no-animation", message)
                 .suggest(&played.name, names())
-                .hint(format!("it has {}", list.join(", ")))
+                .hint(tr!("it has {names}", names = list.join(", ")))
         };
         let mut problem = problem.json_path(json_path);
         source.locate(&mut problem);
@@ -395,14 +396,18 @@ fn file_camera_problems(
         return;
     }
     let message = match object {
-        None => format!("the camera is that of object `{}`, which is not there", asked.object),
-        Some(object) => format!("the mesh of object `{}` brings no such camera", object.id),
+        None => tr!("the camera is that of object `{id}`, which is not there", id = asked.object),
+        Some(object) => tr!("the mesh of object `{id}` brings no such camera", id = object.id),
     };
     let cameras = motion.map_or(&[][..], |motion| motion.cameras());
     let names: Vec<&str> = cameras.iter().map(|camera| camera.name.as_str()).collect();
     let hint = match names.is_empty() {
-        true => "the scene's own camera is taken; export the mesh with its camera, as glTF".into(),
-        false => format!("the scene's own camera is taken; the file's are {}", names.join(", ")),
+        true => {
+            tr!("the scene's own camera is taken; export the mesh with its camera, as glTF").into()
+        }
+        false => {
+            tr!("the scene's own camera is taken; the file's are {names}", names = names.join(", "))
+        }
     };
     let mut problem = Diagnostic::warning("no-camera", message).json_path("file_camera").hint(hint);
     source.locate(&mut problem);
@@ -422,13 +427,13 @@ fn of_object(
     json_path: Option<&str>,
     source: &SourceMap,
 ) -> Diagnostic {
-    problem.message = format!("object `{id}`: {}", problem.message);
+    problem.message = tr!("object `{id}`: {message}", message = problem.message);
     let Some(json_path) = json_path else { return problem };
     if problem.code == "mesh-read"
         && let Some(file) = problem.place.file.take()
     {
         problem.message = format!("{} (`{file}`)", problem.message);
-        problem = problem.hint("paths of meshes are relative to the scene's own file");
+        problem = problem.hint(tr!("paths of meshes are relative to the scene's own file"));
     }
     if problem.place.file.is_none() {
         problem = problem.json_path(json_path);
@@ -448,10 +453,10 @@ fn missing_looks(
     problems: &mut Vec<Diagnostic>,
 ) {
     for (material, name) in object.looks.iter().filter(|(_, name)| !looks.has(name)) {
-        let message = format!("object `{id}` wears the look `{name}`, which there is not");
+        let message = tr!("object `{id}` wears the look `{name}`, which there is not");
         let mut problem = Diagnostic::error("missing-asset", message)
             .json_path(format!("{json_path}[{}]", serde_json::Value::from(material.as_str())))
-            .hint("paths of looks are relative to the scene's own file");
+            .hint(tr!("paths of looks are relative to the scene's own file"));
         source.locate(&mut problem);
         problems.push(problem);
     }
@@ -470,12 +475,10 @@ fn material_problems(
         object.looks.contains_key(material) || object.looks.contains_key(ANY_MATERIAL)
     };
     if !materials().any(has_look) {
-        let mut problem = Diagnostic::warning(
-            "no-look",
-            format!("object `{id}` wears no look, so it is not drawn"),
-        )
-        .json_path(json_path)
-        .hint("give it one, as in \"looks\": \"look.json\"");
+        let mut problem =
+            Diagnostic::warning("no-look", tr!("object `{id}` wears no look, so it is not drawn"))
+                .json_path(json_path)
+                .hint(tr!("give it one, as in \"looks\": \"look.json\""));
         source.locate(&mut problem);
         problems.push(problem);
     }
@@ -485,11 +488,14 @@ fn material_problems(
         .filter(|name| *name != ANY_MATERIAL && !materials().any(|m| m == name.as_str()))
     {
         let message =
-            format!("object `{id}` has a look for the material `{name}`, which its mesh has not");
+            tr!("object `{id}` has a look for the material `{name}`, which its mesh has not");
         let mut problem = Diagnostic::warning("unknown-material", message)
             .json_path(json_path)
             .suggest(name, materials())
-            .hint(format!("its materials are {}", materials().collect::<Vec<_>>().join(", ")));
+            .hint(tr!(
+                "its materials are {names}",
+                names = materials().collect::<Vec<_>>().join(", ")
+            ));
         source.locate(&mut problem);
         problems.push(problem);
     }

@@ -7,6 +7,7 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use glam::{DMat4, DVec3, DVec4};
 use indexmap::{IndexMap, IndexSet};
 
@@ -314,15 +315,15 @@ impl MapPlaces {
     ) -> Result<ShadowMaps, Diagnostic> {
         let count = self.layers.len();
         if count > MOST_LAYERS {
-            let message = format!(
+            let message = tr!(
                 "the lights need {count} shadow maps, and {MOST_LAYERS} is the most: one for each \
                  directional light and {FACES} for each lamp, times the sets of objects that cast \
                  its shadows"
             );
-            return Err(Diagnostic::error("too-many-shadow-maps", message).hint(
+            return Err(Diagnostic::error("too-many-shadow-maps", message).hint(tr!(
                 "link fewer lights to the objects, ask fewer of them for shadows, or choose the \
-                 exact tier, which needs no maps",
-            ));
+                 exact tier, which needs no maps"
+            )));
         }
         let [least, most] = SIDES;
         let mut side = (height.max(1) + height / 2).next_power_of_two().clamp(least, most);

@@ -1,6 +1,7 @@
 //! A look on a flat tile, as every eye of a grid sees it under every light: the samples to evaluate
 //! for an HCBTF of it.
 
+use chiaro_locale::tr;
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use indexmap::IndexMap;
 
@@ -28,22 +29,20 @@ pub fn moving_light(setup: &SetupLook, name: Option<&str>) -> Result<LightId, Di
             .ok_or_else(|| {
                 let problem = Diagnostic::error(
                     "no-light",
-                    "the look has no directional light that could go around the tile",
+                    tr!("the look has no directional light that could go around the tile"),
                 );
-                problem.hint("add one to its lights")
+                problem.hint(tr!("add one to its lights"))
             }),
         Some(name) => match lights.iter().find(|(id, _)| id.as_str() == name) {
             Some((id, light)) if is_moving(light.kind) => Ok(id.clone()),
             Some(_) => {
-                let problem = Diagnostic::error(
-                    "bad-argument",
-                    format!("the light `{name}` is not directional"),
-                );
-                Err(problem.hint("the grid knows directions alone"))
+                let problem =
+                    Diagnostic::error("bad-argument", tr!("the light `{name}` is not directional"));
+                Err(problem.hint(tr!("the grid knows directions alone")))
             }
             None => {
                 let problem =
-                    Diagnostic::error("bad-argument", format!("the look has no light `{name}`"));
+                    Diagnostic::error("bad-argument", tr!("the look has no light `{name}`"));
                 Err(problem.suggest(name, lights.keys().map(AsRef::as_ref)))
             }
         },
@@ -65,7 +64,7 @@ pub fn tile_assets(
     if !setup.look.lights.contains_key(light) {
         return Err(vec![Diagnostic::error(
             "unknown-light",
-            format!("the look has no light `{light}`"),
+            tr!("the look has no light `{light}`"),
         )]);
     }
     assets.watch(progress.clone());

@@ -3,6 +3,8 @@
 
 use std::collections::HashSet;
 
+use chiaro_locale::tr;
+
 use super::setup::{Setup, SetupLook, SetupObject};
 use crate::compile::{
     CompileOptions, CompiledShader, TypedSource, VertexAttribute, check, compile,
@@ -79,29 +81,32 @@ pub(super) fn without_uvs(
     let named: Vec<String> =
         readers.iter().take(MOST_NAMED).map(|path| format!("`{path}`")).collect();
     let more = readers.len() - named.len();
-    let named =
-        if more > 0 { format!("{} and {more} more", named.join(", ")) } else { named.join(", ") };
-    let by = if named.is_empty() { String::new() } else { format!(", by {named}") };
+    let named = if more > 0 {
+        tr!("{names} and {more} more", names = named.join(", "))
+    } else {
+        named.join(", ")
+    };
+    let by = if named.is_empty() { String::new() } else { tr!(", by {named}") };
     let subject = subject(object);
     let problem = match lack {
         MissingInput::Uvs => {
             let message =
-                format!("{subject} has no UVs, which its look reads{by}: they are 0 all over it");
-            Diagnostic::warning("no-uvs", message).hint(
+                tr!("{subject} has no UVs, which its look reads{by}: they are 0 all over it");
+            Diagnostic::warning("no-uvs", message).hint(tr!(
                 "unwrap the mesh in a modeling program, wire other coordinates into the node's \
                  UV, or show the look on a \
-                 shape that has UVs (`shape:sphere`)",
-            )
+                 shape that has UVs (`shape:sphere`)"
+            ))
         }
         MissingInput::Tangents => {
-            let message = format!(
+            let message = tr!(
                 "{subject} has no UVs, along which its look's tangents would run{by}: they lie \
                  level"
             );
-            Diagnostic::note("level-tangents", message).hint(
+            Diagnostic::note("level-tangents", message).hint(tr!(
                 "for highlights, wire Axes around a direction into the node's X axis and Y axis; \
-                 for strokes that follow the form, unwrap the mesh in a modeling program",
-            )
+                 for strokes that follow the form, unwrap the mesh in a modeling program"
+            ))
         }
     };
     let mut problem = match readers.first() {
@@ -114,7 +119,7 @@ pub(super) fn without_uvs(
 
 /// The subject of the message: the mesh and the object that the warning is about.
 fn subject(object: &SetupObject) -> String {
-    format!("the mesh `{}` of object `{}`", object.mesh.name, object.id)
+    tr!("the mesh `{name}` of object `{id}`", name = object.mesh.name, id = object.id)
 }
 
 /// The nodes in a look's module that read what a mesh lacks.

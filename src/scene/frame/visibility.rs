@@ -9,6 +9,7 @@ use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::{Arc, Weak};
 
+use chiaro_locale::tr;
 use glam::{DMat3, DMat4, DVec3, DVec4};
 use indexmap::IndexMap;
 
@@ -78,17 +79,17 @@ pub(super) fn hidden(
     view: &View,
 ) -> Option<(Proof, &'static str)> {
     if object.looks.iter().all(Option::is_none) {
-        return Some((Proof::NoLook, "no part of it wears a look"));
+        return Some((Proof::NoLook, tr!("no part of it wears a look")));
     }
     let worn = object.mesh.parts.iter().zip(&object.looks).filter(|(_, look)| look.is_some());
     if worn.clone().all(|(part, _)| part.indices.is_empty()) {
-        return Some((Proof::NoSurface, "what of it wears a look has no triangles"));
+        return Some((Proof::NoSurface, tr!("what of it wears a look has no triangles")));
     }
     if is_line(object.world_from_object) {
-        return Some((Proof::NoSurface, "its scale leaves it no area"));
+        return Some((Proof::NoSurface, tr!("its scale leaves it no area")));
     }
     is_outside(object.world_from_object, &placed.bounds, view)
-        .then_some((Proof::OffScreen, "it lies outside of the picture"))
+        .then_some((Proof::OffScreen, tr!("it lies outside of the picture")))
 }
 
 /// True if a transform flattens everything to a line or a point.
@@ -149,12 +150,12 @@ pub(super) fn dark_lights(
         let values = LightValues::new(light, &frames);
         // A lamp that is out casts no shadow: `PlannedCasters::tell` says the same.
         if values.intensity() == 0.0 {
-            put_out(&"its intensity is 0".into());
+            put_out(&tr!("its intensity is 0").into());
             continue;
         }
         let field = |field| (id.clone(), LightInput::Field(field));
         if values.color() == DVec3::ZERO {
-            dark.push((field(LightField::Color), "it is black".into()));
+            dark.push((field(LightField::Color), tr!("it is black").into()));
         }
         if let Some(reason) = why_out_of_reach(&values, placed) {
             dark.push((field(LightField::Intensity), reason.into()));
@@ -186,7 +187,7 @@ fn why_out_of_reach(light: &LightValues, placed: &ObjectPlacement) -> Option<&'s
     let range = light.range();
     // The range is taken a little larger, because the shader measures in f32.
     if range > 0.0 && distance - placed.radius > range * 1.0001 + 1e-5 * light.position().length() {
-        return Some("everything that wears the look is beyond its range");
+        return Some(tr!("everything that wears the look is beyond its range"));
     }
     // The cone is not tested for an object around the light: it lies in every direction from the
     // light.
@@ -196,7 +197,7 @@ fn why_out_of_reach(light: &LightValues, placed: &ObjectPlacement) -> Option<&'s
         let spread = (placed.radius / distance).clamp(0.0, 1.0).asin();
         let outer = light.cone[1].clamp(-1.0, 1.0).acos();
         if off_axis - spread > outer + 1e-3 {
-            return Some("everything that wears the look is outside of its cone");
+            return Some(tr!("everything that wears the look is outside of its cone"));
         }
     }
     None

@@ -6,6 +6,7 @@
 
 use std::io::{Cursor, Read as _, Write as _};
 
+use chiaro_locale::tr;
 use zip::result::ZipError;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, System, ZipArchive, ZipWriter};
@@ -34,16 +35,16 @@ impl<'a> Archive<'a> {
     /// Opens an archive by reading its directory.
     pub(super) fn open(bytes: &'a [u8]) -> Result<Self, Diagnostic> {
         if bytes.is_empty() {
-            return Err(Diagnostic::error("empty-file", "the file is empty")
-                .hint("save it again, or take a backup"));
+            return Err(Diagnostic::error("empty-file", tr!("the file is empty"))
+                .hint(tr!("save it again, or take a backup")));
         }
         if !bytes.starts_with(b"PK") {
-            let message = "this is no HCBTF: it does not begin as a zip file does";
+            let message = tr!("this is no HCBTF: it does not begin as a zip file does");
             let is_json = bytes.trim_ascii_start().starts_with(b"{");
             let hint = if is_json {
-                "it is JSON, as looks and scenes are: `chiaro explain` tells of those"
+                tr!("it is JSON, as looks and scenes are: `chiaro explain` tells of those")
             } else {
-                "is this another kind of file?"
+                tr!("is this another kind of file?")
             };
             return Err(Diagnostic::error("hcbtf-archive", message).hint(hint));
         }
@@ -72,13 +73,13 @@ impl<'a> Archive<'a> {
         let bound = most.min(self.left);
         let too_large = || {
             let total = if bound < most {
-                format!(", and all of it more than {} MiB", MAX_UNPACKED >> 20)
+                tr!(", and all of it more than {most} MiB", most = MAX_UNPACKED >> 20)
             } else {
                 String::new()
             };
-            let message = format!("`{name}` unpacks to more than {bound} bytes{total}");
+            let message = tr!("`{name}` unpacks to more than {bound} bytes{total}");
             Diagnostic::error("too-large", message)
-                .hint("no sample of this grid needs as much: export it again as a plain PNG")
+                .hint(tr!("no sample of this grid needs as much: export it again as a plain PNG"))
         };
         let entry = self.zip.by_name(name).map_err(|error| unreadable(name, &error))?;
         if entry.size() > bound {
@@ -98,9 +99,9 @@ impl<'a> Archive<'a> {
 /// Refuses files that claim more entries than possible, before any reader trusts the claim.
 fn check_claims(bytes: &[u8]) -> Result<(), Diagnostic> {
     let too_many = |what: &str| {
-        let message = format!("the zip file has more {what}");
+        let message = tr!("the zip file has more {what}");
         Err(Diagnostic::error("too-many", message)
-            .hint("this was not written by Chiaro: pack the files anew, as a plain zip"))
+            .hint(tr!("this was not written by Chiaro: pack the files anew, as a plain zip")))
     };
     let number =
         |at: usize| bytes.get(at..)?.first_chunk::<8>().map(|bytes| u64::from_le_bytes(*bytes));
@@ -119,31 +120,33 @@ fn check_claims(bytes: &[u8]) -> Result<(), Diagnostic> {
                 .flatten()
                 .any(|count| count > MAX_ENTRIES && count <= bytes.len() as u64)
             {
-                return too_many(&format!("than {MAX_ENTRIES} entries"));
+                return too_many(&tr!("than {MAX_ENTRIES} entries"));
             }
         }
     }
-    if ends > MAX_ENDS { too_many("than one directory") } else { Ok(()) }
+    if ends > MAX_ENDS { too_many(tr!("than one directory")) } else { Ok(()) }
 }
 
 /// The error for an archive that cannot be read as a whole.
 fn broken(error: &ZipError) -> Diagnostic {
-    let message = format!("the zip file cannot be read: {}", reason(error));
+    let message = tr!("the zip file cannot be read: {why}", why = reason(error));
     Diagnostic::error("hcbtf-archive", message)
-        .hint("it may be cut off: copy or save it again, or take a backup")
+        .hint(tr!("it may be cut off: copy or save it again, or take a backup"))
 }
 
 /// The error for an entry that cannot be read.
 fn unreadable(name: &str, error: &ZipError) -> Diagnostic {
     let hint = match error {
-        ZipError::FileNotFound => "put the file back, or take it out of `painted` in manifest.json",
-        ZipError::CompressionMethodNotSupported(_) => {
-            "pack it with the method Deflate, or without compression"
+        ZipError::FileNotFound => {
+            tr!("put the file back, or take it out of `painted` in manifest.json")
         }
-        ZipError::UnsupportedArchive(_) => "pack it as a plain zip: no password, one part",
-        _ => "the file is damaged: pack the entry again, or take a backup",
+        ZipError::CompressionMethodNotSupported(_) => {
+            tr!("pack it with the method Deflate, or without compression")
+        }
+        ZipError::UnsupportedArchive(_) => tr!("pack it as a plain zip: no password, one part"),
+        _ => tr!("the file is damaged: pack the entry again, or take a backup"),
     };
-    Diagnostic::error("hcbtf-entry", format!("`{name}` cannot be read: {}", reason(error)))
+    Diagnostic::error("hcbtf-entry", tr!("`{name}` cannot be read: {why}", why = reason(error)))
         .hint(hint)
 }
 
@@ -151,7 +154,7 @@ fn reason(error: &ZipError) -> String {
     match error {
         ZipError::Io(error) => error.to_string(),
         ZipError::InvalidArchive(why) => why.to_string(),
-        ZipError::FileNotFound => "there is no such entry".to_owned(),
+        ZipError::FileNotFound => tr!("there is no such entry").to_owned(),
         other => other.to_string(),
     }
 }

@@ -5,6 +5,8 @@
 //! [`Directions::distinct`](crate::document::Directions::distinct): the normal first and once, then
 //! ring by ring. Between tiles there may be a gap, which is transparent and not read.
 
+use chiaro_locale::tr;
+
 use super::MAX_PAINTED_BYTES;
 use super::fill::{FilledSamples, SampleChoice};
 use super::picture::{BytePicture, decode, reduced};
@@ -23,7 +25,7 @@ pub const MAX_GAP: u32 = 256;
 /// Where it would take more than [`MAX_PAINTED_BYTES`], or the gap is wider than [`MAX_GAP`].
 pub fn size(grid: &Grid, gap: u32) -> Result<[u32; 2], String> {
     if gap > MAX_GAP {
-        return Err(format!("the gap is {gap} texels; it can be {MAX_GAP} at most"));
+        return Err(tr!("the gap is {gap} texels; it can be {MAX_GAP} at most"));
     }
     let side = |count: u64, tile: u32| count * u64::from(tile + gap) - u64::from(gap);
     let width = side(grid.view.distinct_count(), grid.size[0]);
@@ -34,9 +36,10 @@ pub fn size(grid: &Grid, gap: u32) -> Result<[u32; 2], String> {
         width.saturating_mul(height).saturating_mul(4),
     ) {
         (Ok(width), Ok(height), ..=MAX_PAINTED_BYTES) => Ok([width, height]),
-        _ => {
-            Err(format!("{width} x {height} texels take more than {} MiB", MAX_PAINTED_BYTES >> 20))
-        }
+        _ => Err(tr!(
+            "{width} x {height} texels take more than {most} MiB",
+            most = MAX_PAINTED_BYTES >> 20
+        )),
     }
 }
 
@@ -61,10 +64,10 @@ pub fn export(
     let grid = filled.grid();
     let size = size(&grid, gap).map_err(|why| {
         let problem =
-            Diagnostic::error("too-large", format!("the contact sheet cannot be made: {why}"));
-        Box::new(problem.hint("take a coarser grid or a narrower gap"))
+            Diagnostic::error("too-large", tr!("the contact sheet cannot be made: {why}"));
+        Box::new(problem.hint(tr!("take a coarser grid or a narrower gap")))
     })?;
-    let mut picture = BytePicture::transparent(size, "contact sheet")?;
+    let mut picture = BytePicture::transparent(size, tr!("contact sheet"))?;
     for (address, tile, provenance) in filled.iter() {
         if which.has(provenance) {
             picture.paste(place(&grid, address, gap), tile);
@@ -90,7 +93,7 @@ pub fn read(
     let accept = |found: [u32; 2], asked: [u32; 2]| {
         let message = || {
             let ([width, height], [w, h]) = (found, asked);
-            format!("it has {width} x {height} texels; the grid and the gap ask for {w} x {h}")
+            tr!("it has {width} x {height} texels; the grid and the gap ask for {w} x {h}")
         };
         if found == asked { Ok(()) } else { Err(message()) }
     };
@@ -98,7 +101,7 @@ pub fn read(
     let hcbtf = match asked.and_then(|asked| decode(png, |found| accept(found, asked))) {
         Ok(decoded) => {
             if decoded.had_16_bits {
-                report.add(reduced("the contact sheet"));
+                report.add(reduced(tr!("the contact sheet")));
             }
             let hcbtf = import(&decoded.picture, grid, gap, progress);
             if progress.is_stopped() {
@@ -107,13 +110,11 @@ pub fn read(
             Some(hcbtf)
         }
         Err(why) => {
-            let problem = Diagnostic::error(
-                "hcbtf-contact",
-                format!("the contact sheet cannot be used: {why}"),
-            );
-            report.add(problem.hint(
-                "name the grid and the gap that it was made with (--grid 32x32,6x10,6x10 --gap 2)",
-            ));
+            let problem =
+                Diagnostic::error("hcbtf-contact", tr!("the contact sheet cannot be used: {why}"));
+            report.add(problem.hint(tr!(
+                "name the grid and the gap that it was made with (--grid 32x32,6x10,6x10 --gap 2)"
+            )));
             None
         }
     };

@@ -3,6 +3,8 @@
 
 use std::path::Path;
 
+use chiaro_locale::tr;
+
 use super::archive::Archive;
 use super::manifest::{self, MAX_MANIFEST_BYTES, NAME, THUMBNAIL};
 use super::picture::{BytePicture, MAX_PNG_EXTRAS, decode};
@@ -40,7 +42,7 @@ pub fn cover(files: &dyn Files, path: &Path) -> Option<Cover> {
     let accept = |size: [u32; 2]| match size.into_iter().all(|side| (1..=MOST_SIDE).contains(&side))
     {
         true => Ok(()),
-        false => Err("it is no thumbnail".to_owned()),
+        false => Err(tr!("it is no thumbnail").to_owned()),
     };
     let picture = png.and_then(|png| decode(&png, accept).ok()).map(|decoded| decoded.picture);
     Some(Cover { grid: manifest.grid, painted: manifest.painted.len(), picture })

@@ -4,13 +4,15 @@
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::{tr, trn};
+
 use super::blocks::{Loss, loss};
 use super::fill::{FilledSamples, NotFilled, SampleChoice};
 use super::layers::{LayerOptions, from_layers, stored};
 use super::{contact, folder, ktx2, read_bytes, sheet};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Grid, Hcbtf, Storage};
-use crate::figures::{bytes, count};
+use crate::figures::bytes;
 use crate::files::{Disk, FileSet, Files, make_folder, write_atomic};
 use crate::progress::Progress;
 
@@ -171,10 +173,6 @@ pub fn in_the_way(form: ExchangeFormat, path: &Path) -> Vec<PathBuf> {
 }
 
 /// The list of one problem.
-#[expect(
-    clippy::boxed_local,
-    reason = "it is handed to map_err, of results whose errors are boxed"
-)]
 fn alone(problem: Box<Diagnostic>) -> Vec<Diagnostic> {
     vec![*problem]
 }
@@ -190,12 +188,12 @@ fn export_texture(
     let texture = stored(&grid, tile, options, progress).map_err(|problem| vec![problem])?;
     write_atomic(path, &ktx2::write(&texture)).map_err(alone)?;
     let [width, height] = texture.size;
-    let (layers, size) =
-        (count(u64::from(texture.count), "layer"), bytes(texture.bytes.len() as u64));
-    let mut said = format!("{width} x {height} texels, {layers}, {size}");
+    let layers = trn!(layers = texture.count, "{layers} layer", "{layers} layers");
+    let size = bytes(texture.bytes.len() as u64);
+    let mut said = tr!("{width} x {height} texels, {layers}, {size}");
     if storage == Storage::Blocks {
         let Loss { rms, largest } = loss(&grid, tile, &texture);
-        said += &format!("; of 255, the blocks are off by {rms:.2} (rms), {largest:.0} at most");
+        said += &tr!("; of 255, the blocks are off by {rms:.2} (rms), {largest:.0} at most");
     }
     Ok(said)
 }
@@ -208,7 +206,7 @@ fn export_folder(
     path: &Path,
     progress: &Progress,
 ) -> Result<String, Vec<Diagnostic>> {
-    make_folder(path).map_err(|problem| vec![problem.hint("choose another one")])?;
+    make_folder(path).map_err(|problem| vec![problem.hint(tr!("choose another one"))])?;
     let (name, listing) = folder::listing(filled, which);
     let mut set = FileSet::default();
     progress.begin(filled.grid().sample_count());
@@ -225,7 +223,11 @@ fn export_folder(
     set.add(&path.join(name), listing.as_bytes()).map_err(alone)?;
     folder::exported(&Disk, path).into_iter().for_each(|old| set.remove(old));
     set.commit().map_err(alone)?;
-    Ok(format!("{}, and {name}, which tells the grid and the rules", count(written, "image")))
+    Ok(trn!(
+        written,
+        "{written} image, and {name}, which tells the grid and the rules",
+        "{written} images, and {name}, which tells the grid and the rules"
+    ))
 }
 
 #[cfg(test)]

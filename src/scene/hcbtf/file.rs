@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::Path;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::archive::{Archive, ArchiveWriter};
@@ -41,16 +42,20 @@ pub fn read_bytes(files: &dyn Files, path: &Path) -> Result<Vec<u8>, Box<Diagnos
     };
     files.read(path, MAX_FILE_BYTES).map_err(|error| match error {
         ReadError::TooLarge { .. } => {
-            let message = format!("the file is larger than {} MiB", MAX_FILE_BYTES >> 20);
-            fail("too-large", message, "take a coarser grid, or fill by rules what is painted now")
+            let message = tr!("the file is larger than {most} MiB", most = MAX_FILE_BYTES >> 20);
+            fail(
+                "too-large",
+                message,
+                tr!("take a coarser grid, or fill by rules what is painted now"),
+            )
         }
         error => {
             let hint = if files.metadata(path).is_some() {
-                "name a file that you may read"
+                tr!("name a file that you may read")
             } else {
-                "check the spelling and the folder"
+                tr!("check the spelling and the folder")
             };
-            fail("cannot-read", format!("cannot read the file: {error}"), hint)
+            fail("cannot-read", tr!("cannot read the file: {error}"), hint)
         }
     })
 }
@@ -71,7 +76,7 @@ fn read_into(bytes: &[u8], report: &mut FileReport) -> Option<Hcbtf> {
     if bytes.len() as u64 > MAX_FILE_BYTES {
         report.add(Diagnostic::error(
             "too-large",
-            format!("the file is larger than {} MiB", MAX_FILE_BYTES >> 20),
+            tr!("the file is larger than {most} MiB", most = MAX_FILE_BYTES >> 20),
         ));
         return None;
     }
@@ -79,11 +84,9 @@ fn read_into(bytes: &[u8], report: &mut FileReport) -> Option<Hcbtf> {
     if !archive.has(NAME) {
         let problem = Diagnostic::error(
             "hcbtf-manifest",
-            format!("the zip file holds no `{NAME}`, so it is no HCBTF"),
+            tr!("the zip file holds no `{NAME}`, so it is no HCBTF"),
         );
-        report.add(
-            problem.hint(format!("`{NAME}` lies at the top of the zip, not in a folder of it")),
-        );
+        report.add(problem.hint(tr!("`{NAME}` lies at the top of the zip, not in a folder of it")));
         return None;
     }
     let text = told(archive.read(NAME, MAX_MANIFEST_BYTES), report)?;
@@ -109,16 +112,16 @@ fn told<T>(result: Result<T, Diagnostic>, report: &mut FileReport) -> Option<T> 
 
 fn too_much(bytes: u64) -> Diagnostic {
     let (bytes, most) = (bytes >> 20, MAX_PAINTED_BYTES >> 20);
-    let message = format!("the painted samples take {bytes} MiB; at most {most} MiB can be");
+    let message = tr!("the painted samples take {bytes} MiB; at most {most} MiB can be");
     Diagnostic::error("too-large", message)
-        .hint("take a coarser grid, or fill by rules what is painted now")
+        .hint(tr!("take a coarser grid, or fill by rules what is painted now"))
 }
 
 /// Warns of PNGs that the manifest does not name: somebody put them there and expects to see them.
 fn told_of_strays(archive: &Archive<'_>, painted: &[PaintedSample], report: &mut FileReport) {
     if archive.has_duplicates() {
-        let message = "the zip file has two entries of one name; the last is taken";
-        report.add(Diagnostic::warning("hcbtf-archive", message).hint("remove one of them"));
+        let message = tr!("the zip file has two entries of one name; the last is taken");
+        report.add(Diagnostic::warning("hcbtf-archive", message).hint(tr!("remove one of them")));
     }
     let named: HashSet<&str> = painted.iter().map(|listed| listed.file.as_str()).collect();
     let is_stray = |name: &String| {
@@ -126,8 +129,8 @@ fn told_of_strays(archive: &Archive<'_>, painted: &[PaintedSample], report: &mut
     };
     for name in archive.names().filter(is_stray) {
         let message =
-            format!("`{name}` is not listed in `{NAME}`; it is not used, and saving loses it");
-        let hint = "add it to `painted`, or import it with `chiaro hcbtf import`";
+            tr!("`{name}` is not listed in `{NAME}`; it is not used, and saving loses it");
+        let hint = tr!("add it to `painted`, or import it with `chiaro hcbtf import`");
         report.add(Diagnostic::warning("hcbtf-stray", message).hint(hint));
     }
 }
@@ -145,9 +148,10 @@ fn samples(
         let address = sample.address();
         let file = sample.file;
         if let Some((_, other)) = samples.get(&address) {
-            let message = format!("`{other}` and `{file}` are both the sample at {address}");
-            let hint = "at the normal there is one sample, whatever the step around it: remove one \
-                        from `painted`";
+            let message = tr!("`{other}` and `{file}` are both the sample at {address}");
+            let hint =
+                tr!("at the normal there is one sample, whatever the step around it: remove one \
+                        from `painted`");
             report.add(Diagnostic::error("duplicate-sample", message).hint(hint));
             continue;
         }
@@ -182,9 +186,11 @@ pub(super) fn tile(
 ) -> Option<Tile> {
     let accept = |[width, height]: [u32; 2]| {
         let message = || {
-            format!(
-                "it has {width} x {height} texels; the grid's tiles have {} x {}",
-                size[0], size[1]
+            tr!(
+                "it has {width} x {height} texels; the grid's tiles have {grid_width} x \
+                 {grid_height}",
+                grid_width = size[0],
+                grid_height = size[1]
             )
         };
         if [width, height] == size { Ok(()) } else { Err(message()) }
@@ -197,9 +203,8 @@ pub(super) fn tile(
             Tile::new(decoded.picture.size, decoded.picture.rgba)
         }
         Err(why) => {
-            let problem =
-                Diagnostic::error("hcbtf-sample", format!("{what} cannot be used: {why}"));
-            report.add(problem.hint("export the sample again as a PNG of the tile's size"));
+            let problem = Diagnostic::error("hcbtf-sample", tr!("{what} cannot be used: {why}"));
+            report.add(problem.hint(tr!("export the sample again as a PNG of the tile's size")));
             None
         }
     }
@@ -214,12 +219,12 @@ pub(super) fn idle_rules(hcbtf: &Hcbtf, report: &mut FileReport) {
             _ => Vec::new(),
         };
         if let Some(from) = needed.into_iter().find(|from| hcbtf.painted(*from).is_none()) {
-            let message = format!(
+            let message = tr!(
                 "this rule takes the sample at {from}, which is not painted, so it fills nothing"
             );
             let problem = Diagnostic::warning("hcbtf-idle-rule", message)
                 .json_path(format!("rules[{index}]"));
-            report.add(problem.hint("paint the sample, or let the rule take another"));
+            report.add(problem.hint(tr!("paint the sample, or let the rule take another")));
         }
     }
 }
@@ -232,7 +237,7 @@ pub(super) fn idle_rules(hcbtf: &Hcbtf, report: &mut FileReport) {
 pub fn write(hcbtf: &Hcbtf) -> Result<Vec<u8>, Box<Diagnostic>> {
     check(hcbtf)?;
     let cannot = |why: String| {
-        Box::new(Diagnostic::error("cannot-write", format!("the HCBTF cannot be packed: {why}")))
+        Box::new(Diagnostic::error("cannot-write", tr!("the HCBTF cannot be packed: {why}")))
     };
     let text = manifest::text(hcbtf);
     let painted: Vec<(&Address, &Arc<Tile>)> = hcbtf.painted.iter().collect();
@@ -271,27 +276,23 @@ fn check(hcbtf: &Hcbtf) -> Result<(), Box<Diagnostic>> {
         [("samples", hcbtf.painted.len(), MAX_PAINTED), ("rules", hcbtf.rules.len(), MAX_RULES)]
     {
         if count > most {
-            return fail(
-                "too-many",
-                format!("there are {count} {name}; a file holds at most {most}"),
-            );
+            return fail("too-many", tr!("there are {count} {name}; a file holds at most {most}"));
         }
     }
     for (index, rule) in hcbtf.rules.iter().enumerate() {
-        rule.check(&hcbtf.grid)
-            .or_else(|why| fail("hcbtf-rule", format!("rule {index}, {}: {why}", rule.word())))?;
+        rule.check(&hcbtf.grid).or_else(|why| {
+            fail("hcbtf-rule", tr!("rule {index}, {rule}: {why}", rule = rule.word()))
+        })?;
     }
     for (address, tile) in &hcbtf.painted {
         if !hcbtf.grid.contains(*address) || address.canonical() != *address {
-            return fail("out-of-range", format!("there is no sample at {address} in the grid"));
+            return fail("out-of-range", tr!("there is no sample at {address} in the grid"));
         }
         if tile.size() != hcbtf.grid.size {
             let ([width, height], [w, h]) = (tile.size(), hcbtf.grid.size);
             return fail(
                 "hcbtf-sample",
-                format!(
-                    "the sample at {address} is {width} x {height}, the grid's tiles {w} x {h}"
-                ),
+                tr!("the sample at {address} is {width} x {height}, the grid's tiles {w} x {h}"),
             );
         }
     }

@@ -12,6 +12,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::{tr, trn};
+
 use super::file::{idle_rules, read_bytes, tile};
 use super::fill::{FilledSamples, MAX_SAMPLES, SampleChoice};
 use super::listing::{self, Listing};
@@ -21,7 +23,6 @@ use super::sheet::gathered;
 use super::{MAX_PAINTED, MAX_PAINTED_BYTES};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Tile};
-use crate::figures::count;
 use crate::files::{Files, WalkBounds};
 use crate::progress::Progress;
 
@@ -72,15 +73,16 @@ pub fn load(
     let name = folder.display().to_string();
     let found = files.walk(folder, BOUNDS, &|_| false);
     if let Some((_, error)) = found.unreadable.first() {
-        let problem =
-            Diagnostic::error("cannot-read", format!("the folder cannot be read: {error}"));
-        let hint = "check the spelling, and whether you may read it";
+        let problem = Diagnostic::error("cannot-read", tr!("the folder cannot be read: {error}"));
+        let hint = tr!("check the spelling, and whether you may read it");
         return Err(vec![problem.in_file(name).hint(hint)]);
     }
     if found.is_cut {
-        let message = format!("the folder holds more than {} entries", BOUNDS.entries);
+        let message = tr!("the folder holds more than {entries} entries", entries = BOUNDS.entries);
         let problem = Diagnostic::error("too-large", message);
-        return Err(vec![problem.in_file(name).hint("name a folder that holds the images alone")]);
+        return Err(vec![
+            problem.in_file(name).hint(tr!("name a folder that holds the images alone")),
+        ]);
     }
     let plain = found.files.iter().filter(|path| files.has_file(path));
     let names = plain.filter_map(|path| Some(path.file_name()?.to_str()?.to_owned())).collect();
@@ -102,9 +104,12 @@ pub(super) fn told_grid(files: &dyn Files, folder: &Path) -> Option<Grid> {
 /// The content of an `hcbtf.json`.
 fn listed(bytes: &[u8], report: &mut FileReport) -> Option<Listing> {
     if bytes.len() as u64 > listing::MAX_BYTES {
-        let message =
-            format!("`{}` is larger than {} MiB", listing::NAME, listing::MAX_BYTES >> 20);
-        report.add(Diagnostic::error("too-large", message).hint("export the folder again"));
+        let message = tr!(
+            "`{name}` is larger than {most} MiB",
+            name = listing::NAME,
+            most = listing::MAX_BYTES >> 20
+        );
+        report.add(Diagnostic::error("too-large", message).hint(tr!("export the folder again")));
         return None;
     }
     listing::parse(bytes, report)
@@ -179,8 +184,8 @@ fn import_into(
 
 fn told(read: Result<Vec<u8>, String>, name: &str, report: &mut FileReport) -> Option<Vec<u8>> {
     let told = |why| {
-        let problem = Diagnostic::error("cannot-read", format!("`{name}` cannot be read: {why}"));
-        report.add(problem.hint("name a folder whose files you may read"));
+        let problem = Diagnostic::error("cannot-read", tr!("`{name}` cannot be read: {why}"));
+        report.add(problem.hint(tr!("name a folder whose files you may read")));
     };
     read.map_err(told).ok()
 }
@@ -191,8 +196,9 @@ fn check_count(painted: usize, grid: &Grid, report: &mut FileReport) -> Option<(
     if painted <= MAX_PAINTED && needed <= MAX_PAINTED_BYTES {
         return Some(());
     }
-    let message = format!("{painted} images take {} MiB", needed >> 20);
-    let hint = format!("at most {MAX_PAINTED} images and {} MiB can be", MAX_PAINTED_BYTES >> 20);
+    let message = tr!("{painted} images take {mib} MiB", mib = needed >> 20);
+    let hint =
+        tr!("at most {MAX_PAINTED} images and {most} MiB can be", most = MAX_PAINTED_BYTES >> 20);
     report.add(Diagnostic::error("too-large", message).hint(hint));
     None
 }
@@ -212,15 +218,15 @@ fn other_grid(placed: &BTreeMap<Address, &str>, grid: &Grid) -> Option<Diagnosti
         )
     };
     let problem = |message: String, grid: &str| {
-        let hint = format!(
-            "name the grid that they were made with, on the command line as `--grid {grid}`"
-        );
+        let hint =
+            tr!("name the grid that they were made with, on the command line as `--grid {grid}`");
         Some(Diagnostic::warning("hcbtf-other-grid", message).hint(hint))
     };
     if !placed.values().any(|name| parse_name(name).is_some()) {
-        let (images, samples) = (count(found, "numbered image"), grid.sample_count());
+        let samples = grid.sample_count();
+        let images = trn!(found, "{found} numbered image", "{found} numbered images");
         let message =
-            format!("there are {images}, and the grid {} has {samples} samples", told(grid));
+            tr!("there are {images}, and the grid {grid} has {samples} samples", grid = told(grid));
         return if found == samples { None } else { problem(message, &told(&Grid::THESIS)) };
     }
     let spanned = |of: fn(&Address) -> Direction| {
@@ -245,10 +251,11 @@ fn other_grid(placed: &BTreeMap<Address, &str>, grid: &Grid) -> Option<Diagnosti
     if !is_smaller || !is_whole(smaller.light) || !is_whole(smaller.view) {
         return None;
     }
-    let message = format!(
-        "the images are all {found} samples of the grid {}, and they are taken for some of {}",
-        told(&smaller),
-        told(grid)
+    let message = tr!(
+        "the images are all {found} samples of the grid {smaller}, and they are taken for some of \
+         {grid}",
+        smaller = told(&smaller),
+        grid = told(grid)
     );
     problem(message, &told(&smaller))
 }
@@ -259,7 +266,7 @@ fn placed<'a>(
     grid: &Grid,
     report: &mut FileReport,
 ) -> Option<BTreeMap<Address, &'a str>> {
-    let hint = "name images like `l2.3_v1.4.png`, or number them";
+    let hint = tr!("name images like `l2.3_v1.4.png`, or number them");
     let named: Vec<(&str, Option<Address>)> =
         names.iter().map(|name| (name.as_str(), parse_name(name))).collect();
     let found: Vec<(&str, Option<Address>)> = if named.iter().any(|(_, address)| address.is_some())
@@ -288,27 +295,33 @@ fn placed<'a>(
     let mut placed: BTreeMap<Address, &str> = BTreeMap::new();
     for (name, address) in found {
         let Some(address) = address else {
-            let message = format!("`{name}` does not say which sample it is; it is not used");
+            let message = tr!("`{name}` does not say which sample it is; it is not used");
             report.add(Diagnostic::warning("hcbtf-stray", message).hint(hint));
             continue;
         };
         if !grid.contains(address) {
-            let message =
-                format!("`{name}` is outside the grid, which has {} samples", grid.sample_count());
+            let message = tr!(
+                "`{name}` is outside the grid, which has {count} samples",
+                count = grid.sample_count()
+            );
             report.add(
                 Diagnostic::error("out-of-range", message)
-                    .hint("name the grid that the images were made with"),
+                    .hint(tr!("name the grid that the images were made with")),
             );
         } else if let Some(other) = placed.insert(address.canonical(), name) {
-            let message =
-                format!("`{other}` and `{name}` are both the sample at {}", address.canonical());
-            let hint = "at the normal there is one sample, whatever the step around it: remove one";
+            let message = tr!(
+                "`{other}` and `{name}` are both the sample at {address}",
+                address = address.canonical()
+            );
+            let hint =
+                tr!("at the normal there is one sample, whatever the step around it: remove one");
             report.add(Diagnostic::error("duplicate-sample", message).hint(hint));
         }
     }
     if placed.is_empty() && !report.has_errors() {
-        report
-            .add(Diagnostic::error("hcbtf-folder", "there is no sample in this folder").hint(hint));
+        report.add(
+            Diagnostic::error("hcbtf-folder", tr!("there is no sample in this folder")).hint(hint),
+        );
     }
     Some(placed)
 }
@@ -344,7 +357,7 @@ pub fn export(
     taken.map(|(address, tile, _)| {
         let png = encode(tile.size(), tile.bytes());
         let cannot = |why| {
-            Box::new(Diagnostic::error("cannot-write", format!("the sample at {address}: {why}")))
+            Box::new(Diagnostic::error("cannot-write", tr!("the sample at {address}: {why}")))
         };
         Ok((file_name(address), png.map_err(cannot)?))
     })

@@ -4,6 +4,8 @@
 //! The file has one level of an array of RGBA8 or BC7 layers as [`LayeredTexture`] describes them;
 //! its first row is at the top.
 
+use chiaro_locale::tr;
+
 use super::blocks::TexelCoding;
 use super::layers::{LayeredTexture, MAX_LAYERS_BYTES};
 use crate::diag::Diagnostic;
@@ -88,19 +90,19 @@ fn keys() -> Vec<u8> {
 /// or BC7 layers.
 pub fn read(bytes: &[u8], name: &str) -> Result<LayeredTexture, Diagnostic> {
     let wrong = |message: &str| {
-        Diagnostic::error("bad-ktx2", message.to_owned()).in_file(name).hint(
-            "export the HCBTF anew; only one level of RGBA8 or BC7 layers, without \
-                   supercompression, is read",
-        )
+        Diagnostic::error("bad-ktx2", message.to_owned())
+            .in_file(name)
+            .hint(tr!("export the HCBTF anew; only one level of RGBA8 or BC7 layers, without \
+                   supercompression, is read"))
     };
     if !bytes.starts_with(&IDENTIFIER) {
-        return Err(wrong("this is no KTX2 file"));
+        return Err(wrong(tr!("this is no KTX2 file")));
     }
     let word = |at: usize| {
         bytes.get(at..at + 4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]]))
     };
     let long = |at: usize| Some(u64::from(word(at)?) | u64::from(word(at + 4)?) << 32);
-    let cut = || wrong("the file is cut short");
+    let cut = || wrong(tr!("the file is cut short"));
     let number = |index: usize| word(12 + 4 * index).ok_or_else(cut);
     let [format, width, height, depth, count] =
         [number(0)?, number(2)?, number(3)?, number(4)?, number(5)?];
@@ -113,17 +115,17 @@ pub fn read(bytes: &[u8], name: &str) -> Result<LayeredTexture, Diagnostic> {
     let is_plain =
         (depth, faces, levels, compression) == (0, 1, 1, 0) && width > 0 && height > 0 && count > 0;
     let Some(coding) = coding.filter(|_| is_plain) else {
-        return Err(wrong("the texture is not one level of RGBA8 or BC7 layers"));
+        return Err(wrong(tr!("the texture is not one level of RGBA8 or BC7 layers")));
     };
     let (Some(at), Some(length)) = (long(HEADER - 24), long(HEADER - 16)) else {
         return Err(cut());
     };
     let texels = [width, height, count].into_iter().map(u64::from).fold(1, u64::saturating_mul);
     if length != coding.bytes(texels) {
-        return Err(wrong("its size is not that of its texels"));
+        return Err(wrong(tr!("its size is not that of its texels")));
     }
     if TexelCoding::Rgba8.bytes(texels) > MAX_LAYERS_BYTES {
-        return Err(wrong("its texels would take more memory than one may"));
+        return Err(wrong(tr!("its texels would take more memory than one may")));
     }
     let texels = at
         .checked_add(length)

@@ -15,6 +15,8 @@ use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use super::blocks::{self, TexelCoding};
 use super::compact;
 use super::fill::MAX_SAMPLES;
@@ -114,13 +116,13 @@ fn check_bytes(bytes: u64) -> Result<u64, Diagnostic> {
     if bytes <= MAX_LAYERS_BYTES {
         return Ok(bytes);
     }
-    let message = format!(
-        "its texture would take {} MiB; it may take {}",
-        bytes >> 20,
-        MAX_LAYERS_BYTES >> 20
+    let message = tr!(
+        "its texture would take {mib} MiB; it may take {most}",
+        mib = bytes >> 20,
+        most = MAX_LAYERS_BYTES >> 20
     );
     let hint =
-        "divide it into fewer texels, lights or views, or let its nodes store it as `compact`";
+        tr!("divide it into fewer texels, lights or views, or let its nodes store it as `compact`");
     Err(Diagnostic::error("too-large", message).hint(hint))
 }
 
@@ -241,19 +243,19 @@ fn layers_of<'a>(
 /// `hcbtf-layers`: the header describes no grid, or the texture does not have the size of its grid.
 pub fn from_layers(layers: &LayeredTexture) -> Result<Hcbtf, Diagnostic> {
     let wrong = |message: &str| {
-        Diagnostic::error("hcbtf-layers", message).hint("export it anew from an .hcbtf file")
+        Diagnostic::error("hcbtf-layers", message).hint(tr!("export it anew from an .hcbtf file"))
     };
     let [width, height] = layers.size.map(|side| side as usize);
     let layer = layers.coding.bytes(width as u64 * height as u64) as usize;
     let whole = layer * layers.count as usize;
     if layers.bytes.len() != whole {
-        return Err(wrong("the texture has not the size that it tells"));
+        return Err(wrong(tr!("the texture has not the size that it tells")));
     }
     let told =
         whole.checked_sub(layer).and_then(|at| read_header(layers.coding, &layers.bytes[at..]));
     let Some([low_x, low_y, high, flags, light_theta, light_phi, view_theta, view_phi]) = told
     else {
-        return Err(wrong("the texture tells no grid"));
+        return Err(wrong(tr!("the texture tells no grid")));
     };
     let [low_x, low_y, high] = [low_x, low_y, high].map(u32::from);
     let directions = |theta: u8, phi: u8| Directions { theta: theta.into(), phi: phi.into() };
@@ -264,20 +266,20 @@ pub fn from_layers(layers: &LayeredTexture) -> Result<Hcbtf, Diagnostic> {
     };
     let samples = grid.view.count() as u64 * grid.light.count() as u64;
     if grid.check().is_err() || flags & (SHARED | COMPACT) != 0 && samples > MAX_SAMPLES {
-        return Err(wrong("the texture tells a grid that cannot be"));
+        return Err(wrong(tr!("the texture tells a grid that cannot be")));
     }
     if (flags & BLOCKS != 0) != (layers.coding == TexelCoding::Bc7) {
-        return Err(wrong("the texture is not stored as it tells"));
+        return Err(wrong(tr!("the texture is not stored as it tells")));
     }
     if layers.coding == TexelCoding::Bc7 {
         let read = blocks::read(&grid, layers, flags & 1 == 1);
-        return read.ok_or_else(|| wrong("the texture does not hold what it tells of"));
+        return read.ok_or_else(|| wrong(tr!("the texture does not hold what it tells of")));
     }
     if flags & COMPACT != 0 {
         let texels =
             layers.bytes.chunks_exact(4 * width * height).rev().collect::<Vec<_>>().concat();
         return compact::read(&grid, &texels)
-            .ok_or_else(|| wrong("the texture does not hold what it tells of"));
+            .ok_or_else(|| wrong(tr!("the texture does not hold what it tells of")));
     }
     let layer_of = |view: usize| match flags & SHARED != 0 {
         true => {
@@ -297,7 +299,7 @@ pub fn from_layers(layers: &LayeredTexture) -> Result<Hcbtf, Diagnostic> {
     let Some(of_views) =
         of_views.filter(|_| is_whole && most[..2] == [width as u64, height as u64])
     else {
-        return Err(wrong("the texture has not the size of the grid that it tells"));
+        return Err(wrong(tr!("the texture has not the size of the grid that it tells")));
     };
     let mut hcbtf = Hcbtf::new(grid);
     // A tile that views share is made once.

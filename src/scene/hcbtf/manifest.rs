@@ -1,5 +1,7 @@
 //! `manifest.json`: the contents of an `.hcbtf` file, and their places in the archive.
 
+use chiaro_locale::tr;
+
 use super::folder;
 use super::report::FileReport;
 use crate::diag::Diagnostic;
@@ -48,8 +50,8 @@ pub(super) fn parse(text: &[u8], report: &mut FileReport) -> Option<HcbtfManifes
         let path = format!("painted[{index}].file");
         index += 1;
         if leads_outside(file) {
-            let message = format!("`{NAME}`: the path `{file}` leads outside the file");
-            let hint = "samples lie inside the zip: name them like `samples/l2.3_v1.4.png`";
+            let message = tr!("`{NAME}`: the path `{file}` leads outside the file");
+            let hint = tr!("samples lie inside the zip: name them like `samples/l2.3_v1.4.png`");
             let problem = Diagnostic::error("hcbtf-path", message);
             report.add(problem.json_path(path).hint(hint));
             return false;
@@ -85,9 +87,11 @@ pub(super) fn document<T>(
         Ok(text) => text,
         Err(error) => {
             let part = report.part();
-            let message =
-                format!("`{part}` is not UTF-8 text after its first {} bytes", error.valid_up_to());
-            report.add(Diagnostic::error("not-utf8", message).hint("save it as UTF-8"));
+            let message = tr!(
+                "`{part}` is not UTF-8 text after its first {bytes} bytes",
+                bytes = error.valid_up_to()
+            );
+            report.add(Diagnostic::error("not-utf8", message).hint(tr!("save it as UTF-8")));
             return None;
         }
     };

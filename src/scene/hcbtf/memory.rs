@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use super::blocks::{self, TexelCoding};
 use super::compact;
 use super::fill::{MAX_FILLED_BYTES, MAX_SAMPLES, NotFilled, filled_at_most};
@@ -37,15 +39,15 @@ pub struct Device {
 impl Device {
     /// The device of the limits that every device has, which stands in where there is none.
     pub fn guaranteed() -> Self {
-        Self { name: "what WebGPU guarantees".to_owned(), limits: Limits::GUARANTEED }
+        Self { name: tr!("what WebGPU guarantees").to_owned(), limits: Limits::GUARANTEED }
     }
 
     /// A phrase that tells whether the device can hold a texture, and whether every GPU can.
     pub fn word(&self, need: &Need) -> &'static str {
         match (need.fits(self.limits), need.fits(Limits::GUARANTEED)) {
-            (true, true) => "fits every GPU",
-            (true, false) => "fits this one, not every GPU",
-            (false, _) => "does not fit",
+            (true, true) => tr!("fits every GPU"),
+            (true, false) => tr!("fits this one, not every GPU"),
+            (false, _) => tr!("does not fit"),
         }
     }
 
@@ -69,19 +71,21 @@ impl Device {
         let wrong =
             |what: String| Diagnostic::error("too-large", format!("{what} ({})", self.name));
         if width.max(height) > side {
-            let what = format!(
+            let what = tr!(
                 "its texture would have {width} x {height} texels; the device takes {side} along a \
                  side"
             );
-            return Err(wrong(what).hint("take fewer texels, or fewer lights"));
+            return Err(wrong(what).hint(tr!("take fewer texels, or fewer lights")));
         }
         if layers > most {
             let views = grid.view.count();
-            let what = format!(
+            let what = tr!(
                 "its texture would have {layers} layers for {views} views; the device takes {most}"
             );
-            return Err(wrong(what)
-                .hint(format!("take fewer views: rings times steps may be {}", most.max(1) - 1)));
+            return Err(wrong(what).hint(tr!(
+                "take fewer views: rings times steps may be {most_views}",
+                most_views = most.max(1) - 1
+            )));
         }
         Ok(())
     }

@@ -42,6 +42,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf};
 
 pub use blocks::{Loss, TexelCoding, loss};
+use chiaro_locale::tr;
 pub use cover::{Cover, cover};
 pub use file::{load, read, read_bytes, write};
 pub use fill::{
@@ -82,13 +83,14 @@ fn check_painted(grid: &Grid, count: u64) -> Result<(), Diagnostic> {
     {
         return Ok(());
     }
-    let message = format!(
-        "{count} painted samples of {} x {} texels are too much",
-        grid.size[0], grid.size[1]
+    let message = tr!(
+        "{count} painted samples of {width} x {height} texels are too much",
+        width = grid.size[0],
+        height = grid.size[1]
     );
-    let hint = format!(
-        "a file holds {MAX_PAINTED} of them, and {} MiB: take a smaller tile or a coarser grid",
-        MAX_PAINTED_BYTES >> 20
+    let hint = tr!(
+        "a file holds {MAX_PAINTED} of them, and {most} MiB: take a smaller tile or a coarser grid",
+        most = MAX_PAINTED_BYTES >> 20
     );
     Err(Diagnostic::error("too-large", message).hint(hint))
 }

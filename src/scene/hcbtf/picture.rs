@@ -2,6 +2,7 @@
 
 use std::io::Cursor;
 
+use chiaro_locale::tr;
 use image::codecs::png::{CompressionType, FilterType, PngDecoder, PngEncoder};
 use image::{
     ColorType, DynamicImage, ExtendedColorType, ImageDecoder as _, ImageEncoder as _, Limits,
@@ -48,13 +49,13 @@ impl BytePicture {
         let bytes = u64::from(size[0]) * u64::from(size[1]) * 4;
         if bytes > MAX_PAINTED_BYTES {
             let [width, height] = size;
-            let message = format!(
-                "the {what} would have {width} x {height} texels, which take {} MiB",
-                bytes >> 20
+            let message = tr!(
+                "the {what} would have {width} x {height} texels, which take {mib} MiB",
+                mib = bytes >> 20
             );
-            let hint = format!(
-                "at most {} MiB can be written; take a coarser grid",
-                MAX_PAINTED_BYTES >> 20
+            let hint = tr!(
+                "at most {most} MiB can be written; take a coarser grid",
+                most = MAX_PAINTED_BYTES >> 20
             );
             return Err(Box::new(Diagnostic::error("too-large", message).hint(hint)));
         }
@@ -67,10 +68,7 @@ impl BytePicture {
     /// The reason why the picture cannot be encoded; only a picture without texels cannot.
     pub fn to_png(&self) -> Result<Vec<u8>, Box<Diagnostic>> {
         encode(self.size, &self.rgba).map_err(|why| {
-            Box::new(Diagnostic::error(
-                "cannot-write",
-                format!("the picture cannot be encoded: {why}"),
-            ))
+            Box::new(Diagnostic::error("cannot-write", tr!("the picture cannot be encoded: {why}")))
         })
     }
 
@@ -109,14 +107,14 @@ pub(super) fn decode(
     accept: impl FnOnce([u32; 2]) -> Result<(), String>,
 ) -> Result<DecodedPicture, String> {
     let header = png.strip_prefix(PNG_START).and_then(|rest| rest.first_chunk::<8>());
-    let [a, b, c, d, e, f, g, h] = *header.ok_or("it is no PNG")?;
+    let [a, b, c, d, e, f, g, h] = *header.ok_or_else(|| tr!("it is no PNG"))?;
     let size = [u32::from_be_bytes([a, b, c, d]), u32::from_be_bytes([e, f, g, h])];
     accept(size)?;
     let texels = u64::from(size[0]) * u64::from(size[1]);
     let mut limits = Limits::default();
     (limits.max_image_width, limits.max_image_height) = (Some(size[0]), Some(size[1]));
     limits.max_alloc = Some(texels.saturating_mul(8).saturating_add(MAX_PNG_EXTRAS));
-    let broken = |error: image::ImageError| format!("it cannot be decoded: {error}");
+    let broken = |error: image::ImageError| tr!("it cannot be decoded: {error}");
     let decoder = PngDecoder::with_limits(Cursor::new(png), limits).map_err(broken)?;
     let kind = decoder.color_type();
     let had_16_bits =
@@ -139,9 +137,9 @@ pub(super) fn encode(size: [u32; 2], rgba: &[u8]) -> Result<Vec<u8>, String> {
 
 /// The warning for a picture of 16 bits a channel.
 pub(super) fn reduced(what: &str) -> Diagnostic {
-    let message = format!("{what} has 16 bits a channel; samples keep 8");
+    let message = tr!("{what} has 16 bits a channel; samples keep 8");
     Diagnostic::warning("hcbtf-16-bit", message)
-        .hint("export it with 8 bits a channel to choose the rounding yourself")
+        .hint(tr!("export it with 8 bits a channel to choose the rounding yourself"))
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Collector of the diagnostics of one file, up to a bound.
 
+use chiaro_locale::{tr, trn};
+
 use super::NotFilled;
 use crate::diag::{Diagnostic, WithWarnings};
 
@@ -46,7 +48,7 @@ impl FileReport {
     /// Adds the diagnostics of a document that is the part that is being read, with its lines.
     pub(super) fn add_document(&mut self, problems: Vec<Diagnostic>) {
         for mut problem in problems {
-            let line = problem.place.at.take().map(|at| format!(", line {}", at.line));
+            let line = problem.place.at.take().map(|at| tr!(", line {line}", line = at.line));
             let line = line.unwrap_or_default();
             problem.message = format!("`{}`{line}: {}", self.part, problem.message);
             self.add(problem);
@@ -70,7 +72,11 @@ impl FileReport {
         value: Option<T>,
     ) -> Result<WithWarnings<T>, Vec<Diagnostic>> {
         if self.untold > 0 {
-            let message = format!("there are {} more problems, which are not listed", self.untold);
+            let message = trn!(
+                count = self.untold,
+                "there are {count} more problems, which are not listed",
+                "there are {count} more problems, which are not listed"
+            );
             self.told.push(Diagnostic::note("more-problems", message).in_file(self.file.as_str()));
         }
         match value {

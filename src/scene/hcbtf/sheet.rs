@@ -15,6 +15,7 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use rayon::iter::{IndexedParallelIterator as _, IntoParallelIterator as _, ParallelIterator as _};
 use rayon::slice::ParallelSliceMut as _;
 
@@ -166,15 +167,15 @@ fn decode_sheet(png: &[u8], grid: &Grid, report: &mut FileReport) -> Option<Byte
     match grid.check().and_then(|()| decode(png, |found| fits(found, grid))) {
         Ok(decoded) => {
             if decoded.had_16_bits {
-                report.add(reduced("the sheet"));
+                report.add(reduced(tr!("the sheet")));
             }
             Some(decoded.picture)
         }
         Err(why) => {
-            let problem =
-                Diagnostic::error("hcbtf-sheet", format!("the sheet cannot be used: {why}"));
-            report
-                .add(problem.hint("name the grid that it was made with (--grid 32x32,6x10,6x10)"));
+            let problem = Diagnostic::error("hcbtf-sheet", tr!("the sheet cannot be used: {why}"));
+            report.add(
+                problem.hint(tr!("name the grid that it was made with (--grid 32x32,6x10,6x10)")),
+            );
             None
         }
     }
@@ -183,13 +184,18 @@ fn decode_sheet(png: &[u8], grid: &Grid, report: &mut FileReport) -> Option<Byte
 fn fits([width, height]: [u32; 2], grid: &Grid) -> Result<(), String> {
     let [asked_width, asked_height] = size(grid);
     if [width, height] != [asked_width, asked_height] {
-        return Err(format!(
+        return Err(tr!(
             "it has {width} x {height} texels; the grid asks for {asked_width} x {asked_height}"
         ));
     }
     let bytes = u64::from(width) * u64::from(height) * 4;
-    let too_large =
-        || format!("it takes {} MiB; at most {} MiB can be", bytes >> 20, MAX_PAINTED_BYTES >> 20);
+    let too_large = || {
+        tr!(
+            "it takes {mib} MiB; at most {most} MiB can be",
+            mib = bytes >> 20,
+            most = MAX_PAINTED_BYTES >> 20
+        )
+    };
     if bytes > MAX_PAINTED_BYTES { Err(too_large()) } else { Ok(()) }
 }
 
@@ -213,8 +219,7 @@ pub fn import(
         }
         Ok(()) => None,
         Err(why) => {
-            report
-                .add(Diagnostic::error("hcbtf-sheet", format!("the sheet cannot be used: {why}")));
+            report.add(Diagnostic::error("hcbtf-sheet", tr!("the sheet cannot be used: {why}")));
             None
         }
     };
@@ -328,9 +333,18 @@ fn check(sheet: &BytePicture, grid: &Grid, report: &mut FileReport) {
     let none = || [DifferenceCount::default(); 3];
     let found = found.reduce(none, |a, b| std::array::from_fn(|i| a[i].and(b[i])));
     let kinds = [
-        ("texels of padding rows differ from the rows that they copy", "the rows within are taken"),
-        ("texels at the normal differ between steps of the light around it", "step 0 is taken"),
-        ("texels at the normal differ between steps of the view around it", "step 0 is taken"),
+        (
+            tr!("texels of padding rows differ from the rows that they copy"),
+            tr!("the rows within are taken"),
+        ),
+        (
+            tr!("texels at the normal differ between steps of the light around it"),
+            tr!("step 0 is taken"),
+        ),
+        (
+            tr!("texels at the normal differ between steps of the view around it"),
+            tr!("step 0 is taken"),
+        ),
     ];
     for (DifferenceCount { count, first }, (what, taken)) in found.into_iter().zip(kinds) {
         let Some([y, x]) = first else { continue };
@@ -339,11 +353,13 @@ fn check(sheet: &BytePicture, grid: &Grid, report: &mut FileReport) {
             .addresses(grid)
             .nth(x % (grid.view.theta * grid.light.theta) as usize)
             .unwrap_or_default();
-        let message =
-            format!("{count} {what}, the first at x {x}, y {y} (`{}`)", folder::file_name(address));
+        let message = tr!(
+            "{count} {what}, the first at x {x}, y {y} (`{sample}`)",
+            sample = folder::file_name(address)
+        );
         report.add(
             Diagnostic::warning("hcbtf-copies", message)
-                .hint(format!("{taken}; exporting makes all copies equal")),
+                .hint(tr!("{taken}; exporting makes all copies equal")),
         );
     }
 }

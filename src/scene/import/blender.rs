@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use chiaro_locale::tr;
 use serde::Deserialize;
 
 use super::foreign::{ForeignGraph, ForeignInput, ForeignNode, ForeignSource, bounded};
@@ -108,8 +109,9 @@ struct FileImage {
 pub(super) fn read(text: &str) -> Result<ForeignGraph, Box<Diagnostic>> {
     let file: File = serde_json::from_str(text).map_err(|error| {
         let at = LineColumn { line: error.line() as u32, column: error.column() as u32 };
-        let problem = Diagnostic::error("import-json", format!("these are no nodes: {error}"));
-        let hint = "write the file with blender_nodes.py, which `chiaro import --script` prints";
+        let problem = Diagnostic::error("import-json", tr!("these are no nodes: {error}"));
+        let hint =
+            tr!("write the file with blender_nodes.py, which `chiaro import --script` prints");
         Box::new(problem.at(at).hint(hint))
     })?;
     let mut reader =
@@ -209,8 +211,8 @@ impl<'f> Reader<'f> {
 
     fn node(&mut self, index: usize, node: &'f FileNode) -> Result<Member, Box<Diagnostic>> {
         if node.inputs.len().max(node.outputs.len()) > MAX_PORTS {
-            let message = format!("`{}` has more than {MAX_PORTS} sockets", node.name);
-            return Err(error("too-many", message, "take some of them out in Blender"));
+            let message = tr!("`{name}` has more than {MAX_PORTS} sockets", name = node.name);
+            return Err(error("too-many", message, tr!("take some of them out in Blender")));
         }
         let passages = ["NodeReroute", "NodeGroupInput", "NodeGroupOutput", "NodeFrame"];
         if passages.contains(&node.kind.as_str()) {
@@ -221,8 +223,8 @@ impl<'f> Reader<'f> {
         let member = if let Some(tree) = group {
             let depth = self.uses[index].depth + 1;
             if depth > MAX_DEPTH {
-                let message = format!("`{}` lies {depth} groups deep", node.name);
-                let hint = "ungroup some of them in Blender, and export again";
+                let message = tr!("`{name}` lies {depth} groups deep", name = node.name);
+                let hint = tr!("ungroup some of them in Blender, and export again");
                 return Err(error("import-deep", message, hint));
             }
             let outer = &self.uses[index].title;
@@ -236,8 +238,8 @@ impl<'f> Reader<'f> {
             Member::Node(self.nodes.len() - 1)
         };
         if self.nodes.len() > MAX_FOREIGN_NODES || self.uses.len() > MAX_FOREIGN_NODES {
-            let message = format!("the material has more than {MAX_FOREIGN_NODES} nodes");
-            return Err(error("too-many", message, "take parts of it out in Blender"));
+            let message = tr!("the material has more than {MAX_FOREIGN_NODES} nodes");
+            return Err(error("too-many", message, tr!("take parts of it out in Blender")));
         }
         Ok(member)
     }
@@ -337,11 +339,12 @@ impl<'f> Reader<'f> {
                 ));
             };
             let Some((source, member)) = tree.members.get(from).copied() else {
-                let message = format!(
-                    "`{}` of `{}` is linked to `{from}`, which is no node",
-                    socket.id, node.name
+                let message = tr!(
+                    "`{id}` of `{name}` is linked to `{from}`, which is no node",
+                    id = socket.id,
+                    name = node.name
                 );
-                let hint = "write the file again with blender_nodes.py";
+                let hint = tr!("write the file again with blender_nodes.py");
                 return Err(error("import-link", message, hint));
             };
             let by_id = |sockets: &'f [Socket], id: &str| sockets.iter().find(|it| it.id == id);
@@ -372,8 +375,8 @@ impl<'f> Reader<'f> {
             (at, node, socket) = next;
         }
         let (node, socket) = first;
-        let message = format!("`{socket}` of `{node}` leads in a circle");
-        Err(error("import-circle", message, "unlink it in Blender, and export again"))
+        let message = tr!("`{socket}` of `{node}` leads in a circle");
+        Err(error("import-circle", message, tr!("unlink it in Blender, and export again")))
     }
 
     /// Color of the surface of the material's output.
@@ -384,8 +387,12 @@ impl<'f> Reader<'f> {
             Some((node, node.inputs.iter().find(|socket| socket.id == "Surface")?))
         });
         let Some((node, surface)) = surface else {
-            let message = "the material has no Material Output with a surface".to_owned();
-            return Err(error("import-empty", message, "add one in Blender, and export again"));
+            let message = tr!("the material has no Material Output with a surface").to_owned();
+            return Err(error(
+                "import-empty",
+                message,
+                tr!("add one in Blender, and export again"),
+            ));
         };
         Ok(self.source(0, node, surface)?.0)
     }

@@ -1,10 +1,12 @@
 //! Shader nodes of Blender 5 with their twins here. Inputs are named by the sockets' identifiers,
 //! in lower case: `Base Color` is `base_color`; `set_` and a name is a property of the node.
 
+use chiaro_locale::text;
+
 use super::twins::{Twin, twin};
 
 /// Told of surfaces: what light does to them is simpler here.
-const LIT: &str = "the surface is lit by the look's own light `key`";
+const LIT: &str = text!("the surface is lit by the look's own light `key`").english();
 
 /// Our vector in Blender's axes, of which z is up: (x, -z, y).
 macro_rules! in_axes_of_blender {
@@ -186,7 +188,7 @@ pub(super) const TWINS: &[Twin] = &[
         "ShaderNodeFloatCurve",
         "mix_values(a: value|0, b: curve(value: value|0, curve: curve_0), factor: factor|1)",
     )
-    .told("its curve goes through the same points, with other handles"),
+    .told(text!("its curve goes through the same points, with other handles").english()),
     twin(
         "ShaderNodeMix:FLOAT",
         "mix_values(a: a_float|0, b: b_float|0, factor: factor_float|0.5, \
@@ -241,7 +243,7 @@ pub(super) const TWINS: &[Twin] = &[
         "mix_values(a: color|[0, 0, 0], b: color_curves(color: color|[0, 0, 0], all: curve_3, \
          red: curve_0, green: curve_1, blue: curve_2), factor: fac|1)",
     )
-    .told("its curves go through the same points, with other handles"),
+    .told(text!("its curves go through the same points, with other handles").english()),
     twin("ShaderNodeValToRGB", "ramp(value: fac|0.5, ramp: ramp)").outputs("color=color"),
     twin("ShaderNodeSeparateColor:RGB", "separate_color(color: color|[0, 0, 0])")
         .outputs("red=red green=green blue=blue"),
@@ -257,9 +259,9 @@ pub(super) const TWINS: &[Twin] = &[
             ", b: 0.5), b: 0.5)"
         ),
     )
-    .told("the box around the object is the one from -1 to 1 here"),
+    .told(text!("the box around the object is the one from -1 to 1 here").english()),
     twin("ShaderNodeTexCoord>normal", in_axes_of_blender!("normal()"))
-        .told("the object's own space is the world's here"),
+        .told(text!("the object's own space is the world's here").english()),
     twin("ShaderNodeTexCoord>camera", "multiply(a: position(space: \"camera\"), b: [1, 1, -1])"),
     twin("ShaderNodeTexCoord>window", "screen_place().uv"),
     twin("ShaderNodeTexCoord>reflection", in_axes_of_blender!("mirrored_view()")),
@@ -297,7 +299,7 @@ pub(super) const TWINS: &[Twin] = &[
               b: 1)), exponent: 2))"
         ),
     )
-    .told("what is reflected is Schlick's approximation"),
+    .told(text!("what is reflected is Schlick's approximation").english()),
     twin(
         "ShaderNodeNormalMap",
         "rotate_vector(vector: normal_map(color: color|[0.5, 0.5, 1], strength: strength|1), \
@@ -312,7 +314,7 @@ pub(super) const TWINS: &[Twin] = &[
             "), axis: [1, 0, 0], angle: 1.5707963267948966)"
         ),
     )
-    .told("heights are in parts of the object's size here"),
+    .told(text!("heights are in parts of the object's size here").english()),
     // Textures.
     twin(
         "ShaderNodeTexImage",
@@ -393,9 +395,14 @@ pub(super) const TWINS: &[Twin] = &[
               emission_strength|0)), alpha: alpha|1)"
         ),
     )
-    .told("the surface is lit by the look's own light `key`, with a matt and a glossy part"),
-    twin("ShaderNodeBsdfTransparent", "set_alpha(color: [0, 0, 0], alpha: 0)")
-        .told("mixed with another shader it darkens that one; give the mix its color by Set alpha"),
+    .told(
+        text!("the surface is lit by the look's own light `key`, with a matt and a glossy part")
+            .english(),
+    ),
+    twin("ShaderNodeBsdfTransparent", "set_alpha(color: [0, 0, 0], alpha: 0)").told(
+        text!("mixed with another shader it darkens that one; give the mix its color by Set alpha")
+            .english(),
+    ),
     twin("ShaderNodeAddShader", "add(a: shader|0, b: shader_001|0)"),
     twin("ShaderNodeMixShader", "mix_values(a: shader|0, b: shader_001|0, factor: fac|0.5)"),
     twin("ShaderNodeShaderToRGB", "shader|0"),

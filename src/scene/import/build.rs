@@ -2,6 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
+use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use super::foreign::{ForeignGraph, ForeignInput, ForeignNode, ForeignSource, shown};
@@ -78,9 +79,10 @@ fn order(graph: &ForeignGraph) -> Result<Vec<usize>, Box<Diagnostic>> {
             1 => {
                 let node = &graph.nodes[index];
                 let other = &graph.nodes[next].name;
-                let message = format!("`{}` reads `{other}`, which reads it: a circle", node.name);
+                let message =
+                    tr!("`{name}` reads `{other}`, which reads it: a circle", name = node.name);
                 let problem = Diagnostic::error("import-circle", message);
-                let problem = problem.hint("unlink one of the two there, and export again");
+                let problem = problem.hint(tr!("unlink one of the two there, and export again"));
                 return Err(Box::new(match node.place {
                     Some(place) => problem.at(place),
                     None => problem,
@@ -175,11 +177,11 @@ impl<'a> Builder<'a> {
         let left: Vec<&str> =
             node.inputs.iter().filter(is_left).map(|input| input.name.as_str()).collect();
         if !left.is_empty() {
-            let message = format!(
-                "`{}` ({}) has no counterpart here for {}, which is left out",
-                node.name,
-                node.kind,
-                left.join(", ")
+            let message = tr!(
+                "`{name}` ({kind}) has no counterpart here for {left}, which is left out",
+                name = node.name,
+                kind = node.kind,
+                left = left.join(", ")
             );
             self.tell(node, Diagnostic::note("import-left-out", message));
         }
@@ -302,12 +304,14 @@ impl<'a> Builder<'a> {
                     node.values.insert(port.into(), switched(value, is_switch));
                 }
                 Source::Port(_) if is_setting => {
-                    let message = format!(
-                        "`{}` ({}) is given its {port} by a node, and here it is a fixed value",
-                        foreign.name, foreign.kind
+                    let message = tr!(
+                        "`{name}` ({kind}) is given its {port} by a node, and here it is a fixed \
+                         value",
+                        name = foreign.name,
+                        kind = foreign.kind
                     );
                     let problem = Diagnostic::warning("import-setting", message);
-                    self.tell(foreign, problem.hint("set it in the inspector"));
+                    self.tell(foreign, problem.hint(tr!("set it in the inspector")));
                 }
                 Source::Port(from) => {
                     let to = Endpoint::new(id.clone(), port);
@@ -381,7 +385,8 @@ impl<'a> Builder<'a> {
             return result;
         };
         if !twin.told.is_empty() {
-            let message = format!("`{}` of `{}`: {}", output, node.name, twin.told);
+            let message =
+                tr!("`{output}` of `{name}`: {told}", name = node.name, told = tr(twin.told));
             self.tell(node, Diagnostic::note("import-differs", message));
         }
         self.make(&recipe, &RecipeNode { node, is_kept: false }, false)
@@ -409,9 +414,11 @@ impl<'a> Builder<'a> {
     fn stand_in(&mut self, node: &ForeignNode) -> Source {
         let variant = if node.variant.is_empty() { "" } else { ":" };
         let kind = format!("{}{variant}{}", node.kind, node.variant);
-        let message = format!("`{}` ({kind}) has no twin here, and came as a note", node.name);
+        let message =
+            tr!("`{name}` ({kind}) has no twin here, and came as a note", name = node.name);
         let problem = Diagnostic::warning("import-no-twin", message);
-        let hint = "its note on the canvas has the values; a stand-in value is wired in its place";
+        let hint =
+            tr!("its note on the canvas has the values; a stand-in value is wired in its place");
         self.tell(node, problem.hint(hint));
         let (holder, port, value) = match node.ty.as_str() {
             "float" | "integer" | "boolean" => ("number", "value", Value::Number(0.5)),

@@ -1,5 +1,7 @@
 //! The graph of another program, as its reader hands it to [`build`](super::build).
 
+use chiaro_locale::tr;
+
 use crate::diag::{Diagnostic, LineColumn};
 use crate::document::Value;
 
@@ -86,7 +88,7 @@ pub(super) fn shown(value: &Value) -> String {
             numbers.join(", ")
         }
         Value::Text(text) => text.chars().take(200).collect(),
-        Value::Curve(_) => "a curve".to_owned(),
-        Value::Ramp(_) => "a ramp".to_owned(),
+        Value::Curve(_) => tr!("a curve").to_owned(),
+        Value::Ramp(_) => tr!("a ramp").to_owned(),
     }
 }

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use chiaro_locale::tr;
 use roxmltree::{Document, Node, ParsingOptions};
 
 use super::foreign::{ForeignGraph, ForeignInput, ForeignNode, ForeignSource, bounded};
@@ -66,15 +67,18 @@ pub(super) fn read(text: &str) -> Result<ForeignGraph, Box<Diagnostic>> {
     };
     let document = Document::parse_with_options(text, options).map_err(|error| {
         let at = LineColumn { line: error.pos().row, column: error.pos().col };
-        let problem = Diagnostic::error("import-xml", format!("this is no XML: {error}"));
-        Box::new(problem.at(at).hint("export the document again from the program that wrote it"))
+        let problem = Diagnostic::error("import-xml", tr!("this is no XML: {error}"));
+        Box::new(
+            problem.at(at).hint(tr!("export the document again from the program that wrote it")),
+        )
     })?;
     let root = document.root_element();
     if root.tag_name().name() != "materialx" {
-        let message = format!("the document is `{}`, and no `materialx`", root.tag_name().name());
+        let message =
+            tr!("the document is `{name}`, and no `materialx`", name = root.tag_name().name());
         let problem = Diagnostic::error("import-no-materialx", message);
         return Err(Box::new(
-            problem.hint("choose a file that MaterialX or a program has written"),
+            problem.hint(tr!("choose a file that MaterialX or a program has written")),
         ));
     }
     let mut reader = Reader::new(text, &document);
@@ -175,12 +179,12 @@ impl<'d> Reader<'d> {
         let kind = element.tag_name().name();
         let name = element.attribute("name").unwrap_or(kind);
         if kind == "include" {
-            let message = format!(
-                "`{}` is a file of its own and is not read",
-                element.attribute("href").unwrap_or_default()
+            let message = tr!(
+                "`{file}` is a file of its own and is not read",
+                file = element.attribute("href").unwrap_or_default()
             );
             let problem = Diagnostic::warning("import-include", message).at(self.at(element));
-            let hint = "flatten the document in the program that wrote it";
+            let hint = tr!("flatten the document in the program that wrote it");
             self.graph.problems.push(problem.hint(hint));
             return Ok(());
         }
@@ -189,8 +193,8 @@ impl<'d> Reader<'d> {
             false => element.children().filter(Node::is_element).count(),
         };
         if ports > MAX_PORTS {
-            let message = format!("`{name}` has more than {MAX_PORTS} inputs");
-            return Err(self.error(element, "too-many", message, "take some of them out"));
+            let message = tr!("`{name}` has more than {MAX_PORTS} inputs");
+            return Err(self.error(element, "too-many", message, tr!("take some of them out")));
         }
         let ty = element.attribute("type").unwrap_or_default();
         let is_graph = kind == "nodegraph" && element.attribute("nodedef").is_none();
@@ -198,8 +202,8 @@ impl<'d> Reader<'d> {
         let member = if is_graph || used.is_some() {
             let depth = self.containers[container].depth + 1;
             if depth > MAX_DEPTH {
-                let message = format!("`{name}` lies {depth} graphs deep");
-                let hint = "flatten the graphs there, and export again";
+                let message = tr!("`{name}` lies {depth} graphs deep");
+                let hint = tr!("flatten the graphs there, and export again");
                 return Err(self.error(element, "import-deep", message, hint));
             }
             let outer = &self.containers[container].title;
@@ -229,8 +233,8 @@ impl<'d> Reader<'d> {
             Member::Node(self.graph.nodes.len() - 1)
         };
         if self.graph.nodes.len() > MAX_FOREIGN_NODES || self.containers.len() > MAX_FOREIGN_NODES {
-            let message = format!("the document has more than {MAX_FOREIGN_NODES} nodes");
-            let hint = "export the one material that is wanted to a file of its own";
+            let message = tr!("the document has more than {MAX_FOREIGN_NODES} nodes");
+            let hint = tr!("export the one material that is wanted to a file of its own");
             return Err(self.error(element, "too-many", message, hint));
         }
         self.containers[container].members.insert(name, member);
@@ -281,8 +285,8 @@ impl<'d> Reader<'d> {
                         let found =
                             if output.is_empty() { outputs.next() } else { outputs.find(is_named) };
                         let Some(found) = found else {
-                            let message = format!("`{name}` has no output `{output}`");
-                            let hint = "name one of its outputs, or leave `output` out";
+                            let message = tr!("`{name}` has no output `{output}`");
+                            let hint = tr!("name one of its outputs, or leave `output` out");
                             return Err(self.error(element, "import-link", message, hint));
                         };
                         (container, element) = (graph, found);
@@ -291,11 +295,11 @@ impl<'d> Reader<'d> {
                     None => {
                         let port = element.attribute("name").unwrap_or_default();
                         let of = element.parent_element().and_then(|it| it.attribute("name"));
-                        let message = format!(
-                            "`{port}` of `{}` reads `{name}`, and there is no such node",
-                            of.unwrap_or("the document")
+                        let message = tr!(
+                            "`{port}` of `{node}` reads `{name}`, and there is no such node",
+                            node = of.unwrap_or(tr!("the document"))
                         );
-                        let hint = "give the input a value, or the name of a node beside it";
+                        let hint = tr!("give the input a value, or the name of a node beside it");
                         return Err(self.error(element, "import-link", message, hint));
                     }
                 }
@@ -326,9 +330,8 @@ impl<'d> Reader<'d> {
             (container, element) = (outer, given);
         }
         let name = first.attribute("name").unwrap_or_default();
-        let message =
-            format!("`{name}` leads through more than {MAX_STEPS} graphs, or in a circle");
-        Err(self.error(first, "import-circle", message, "unlink it there, and export again"))
+        let message = tr!("`{name}` leads through more than {MAX_STEPS} graphs, or in a circle");
+        Err(self.error(first, "import-circle", message, tr!("unlink it there, and export again")))
     }
 
     /// A node or a graph beside an element, or of the document.
@@ -381,8 +384,9 @@ impl<'d> Reader<'d> {
                 return Ok(());
             }
         }
-        let message = "the document has no material, no surface shader and no output".to_owned();
-        let hint = "export a material, or give a node graph an output";
+        let message =
+            tr!("the document has no material, no surface shader and no output").to_owned();
+        let hint = tr!("export a material, or give a node graph an output");
         Err(self.error(root, "import-empty", message, hint))
     }
 }

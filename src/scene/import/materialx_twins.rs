@@ -1,9 +1,13 @@
 //! Nodes of MaterialX 1.39 with their twins here.
 
+use chiaro_locale::text;
+
 use super::twins::{Twin, twin};
 
 /// Told of surfaces: what light does to them is simpler here.
-const LIT: &str = "the surface is lit by the look's own light `key`, with a matt and a glossy part";
+const LIT: &str =
+    text!("the surface is lit by the look's own light `key`, with a matt and a glossy part")
+        .english();
 
 /// All rows.
 pub(super) const TWINS: &[Twin] = &[
@@ -195,13 +199,14 @@ pub(super) const TWINS: &[Twin] = &[
     twin("position:model", "position(space: \"object\")"),
     twin("position:world", "position(space: \"world\")"),
     twin("normal:world", "normal()"),
-    twin("normal:object", "normal()").told("its object space is the world's here"),
-    twin("normal:model", "normal()").told("its object space is the world's here"),
+    twin("normal:object", "normal()").told(text!("its object space is the world's here").english()),
+    twin("normal:model", "normal()").told(text!("its object space is the world's here").english()),
     twin("tangent:world", "tangent_frame().tangent"),
-    twin("tangent:object", "tangent_frame().tangent").told("its object space is the world's here"),
+    twin("tangent:object", "tangent_frame().tangent")
+        .told(text!("its object space is the world's here").english()),
     twin("bitangent:world", "tangent_frame().bitangent"),
     twin("bitangent:object", "tangent_frame().bitangent")
-        .told("its object space is the world's here"),
+        .told(text!("its object space is the world's here").english()),
     twin("viewdirection:world", "negate(value: view())"),
     twin(
         "facingratio.float",
@@ -286,19 +291,20 @@ pub(super) const TWINS: &[Twin] = &[
     ),
     twin("surface", "set_alpha(color: add(a: bsdf|0, b: edf|0), alpha: opacity|1)"),
     twin("uniform_edf", "color|[1, 1, 1]"),
-    twin("layer", "add(a: base|0, b: top|0)").told("the top layer hides nothing of the base"),
+    twin("layer", "add(a: base|0, b: top|0)")
+        .told(text!("the top layer hides nothing of the base").english()),
     twin(
         "oren_nayar_diffuse_bsdf",
         "multiply(a: multiply(a: color|[0.18, 0.18, 0.18], b: weight|1), \
          b: reflectance(model: \"lambert\", light: light(light: \"key\"), normal: normal))",
     )
-    .told("the surface is lit by the look's own light `key`, and evenly rough"),
+    .told(text!("the surface is lit by the look's own light `key`, and evenly rough").english()),
     twin(
         "burley_diffuse_bsdf",
         "multiply(a: multiply(a: color|[0.18, 0.18, 0.18], b: weight|1), \
          b: reflectance(model: \"lambert\", light: light(light: \"key\"), normal: normal))",
     )
-    .told("the surface is lit by the look's own light `key`, and evenly rough"),
+    .told(text!("the surface is lit by the look's own light `key`, and evenly rough").english()),
     twin(
         "standard_surface",
         "set_alpha(color: add(a: add(\

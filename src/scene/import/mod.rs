@@ -17,6 +17,8 @@ mod twins;
 
 use std::path::Path;
 
+use chiaro_locale::tr;
+
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Look, Value};
 use crate::library::Library;
@@ -75,8 +77,8 @@ pub fn import_graph(
     let in_file = |problem: Diagnostic| vec![problem.in_file(file)];
     if text.len() > MAX_BYTES {
         let message =
-            format!("the file has {} bytes, and at most {MAX_BYTES} are read", text.len());
-        let hint = "export the one material that is wanted to a file of its own";
+            tr!("the file has {bytes} bytes, and at most {MAX_BYTES} are read", bytes = text.len());
+        let hint = tr!("export the one material that is wanted to a file of its own");
         return Err(in_file(Diagnostic::error("too-large", message).hint(hint)));
     }
     let (graph, twins) = match kind {

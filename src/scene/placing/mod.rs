@@ -9,6 +9,7 @@
 mod angle;
 mod profile;
 
+use chiaro_locale::tr;
 use glam::{DMat3, DQuat, DVec3};
 
 use crate::document::{Light, LightFrames, LightKind, LightValues};
@@ -84,13 +85,17 @@ impl PlacingObstacle {
     /// The reason in words, as a sentence without its end.
     pub fn words(self) -> &'static str {
         match self {
-            Self::TurnedFromEye => "The surface there is turned away from the eye",
+            Self::TurnedFromEye => tr!("The surface there is turned away from the eye"),
             Self::TurnedFromCaster => {
-                "That place is turned away from the caster, so that no shadow of it falls there"
+                tr!(
+                    "That place is turned away from the caster, so that no shadow of it falls there"
+                )
             }
-            Self::SamePlace => "The shadow must fall somewhere else than on its caster's own point",
-            Self::LampOnPoint => "The lamp lies on that very point: move it away first",
-            Self::NoSuchAngle => "No light has that angle there",
+            Self::SamePlace => {
+                tr!("The shadow must fall somewhere else than on its caster's own point")
+            }
+            Self::LampOnPoint => tr!("The lamp lies on that very point: move it away first"),
+            Self::NoSuchAngle => tr!("No light has that angle there"),
         }
     }
 }

@@ -397,5 +397,5 @@ pub(in crate::document) fn with_article(name: &str) -> String {
         _ if name.starts_with(['a', 'e', 'i', 'o', 'u']) => "an",
         _ => "a",
     };
-    tr_in("shape", &format!("{article} {name}")).to_owned()
+    tr_in("part", &format!("{article} {name}")).to_owned()
 }

@@ -255,7 +255,7 @@ impl Look {
         match first {
             "lights" => part.lights = only::<LightId, _>(&self.lights, id, tr!("part" => "light"))?,
             "nodes" => {
-                part.graph.nodes = only::<NodeId, _>(&self.graph.nodes, id, tr!("part" => "node"))?
+                part.graph.nodes = only::<NodeId, _>(&self.graph.nodes, id, tr!("part" => "node"))?;
             }
             "name" | "about" | "tuned" | "tier" | "max_error" | "color_space" => {
                 part = Self {
@@ -456,9 +456,9 @@ fn member<'j>(
     let field = shape.field(step).filter(|_| !IDENTITY.contains(&step));
     let (Some((_, field)), Some(members)) = (field, json.as_object_mut()) else {
         let message = if step.is_empty() {
-            tr!("a field of the {name} is missing", name = tr_in("shape", shape.name))
+            tr!("a field of the {name} is missing", name = tr_in("part", shape.name))
         } else {
-            tr!("the {name} has no `{step}` that can be changed", name = tr_in("shape", shape.name))
+            tr!("the {name} has no `{step}` that can be changed", name = tr_in("part", shape.name))
         };
         let known = shape.fields().map(|field| field.name);
         return Err(Diagnostic::error("bad-target", message)
@@ -522,7 +522,7 @@ fn item_of<'j>(
     let index = known.iter().position(|known| known.as_deref() == Some(step));
     let may_be_new = shape.field("node").is_some() && crate::ids::is_slug(step);
     let missing = || {
-        let message = tr!("there is no {name} `{step}`", name = tr_in("shape", shape.name));
+        let message = tr!("there is no {name} `{step}`", name = tr_in("part", shape.name));
         Diagnostic::error("unknown-target", message)
             .suggest(step, known.iter().flatten().map(String::as_str))
     };

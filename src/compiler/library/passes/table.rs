@@ -194,7 +194,7 @@ pub(super) const TABLE: &[PassRow] = &[
         writes: SEEN,
         map: "shadow_map_behind",
         purpose: text!("shadows behind the first object"),
-        result: text!(""),
+        result: Text::new(""),
         help: "Draws what each light sees behind the first object.",
     },
     PassRow {
@@ -205,7 +205,7 @@ pub(super) const TABLE: &[PassRow] = &[
         writes: SURFACE,
         map: "",
         purpose: text!("curvature of the surface"),
-        result: text!(""),
+        result: Text::new(""),
         help: "Draws normals and depth, for the curvature pass.",
     },
     PassRow {
@@ -277,7 +277,7 @@ pub(super) const TABLE: &[PassRow] = &[
         writes: SURFACE,
         map: "",
         purpose: text!("curvature of the detail normals"),
-        result: text!(""),
+        result: Text::new(""),
         help: "Draws detail normals and depth, for the curvature pass.",
     },
     PassRow {
@@ -310,7 +310,7 @@ pub(super) const TABLE: &[PassRow] = &[
         writes: SURFACE,
         map: "facet_map",
         purpose: text!("outlines"),
-        result: text!(""),
+        result: Text::new(""),
         help: "Draws normals, depth, objects, materials and ids, for lines.",
     },
     PassRow {
@@ -402,7 +402,7 @@ pub(super) const TABLE: &[PassRow] = &[
         writes: COLOR,
         map: "",
         purpose: text!("the picture"),
-        result: text!(""),
+        result: Text::new(""),
         help: "Draws a mesh with the look; the result is straight RGBA.",
     },
 ];

@@ -8,8 +8,11 @@ use super::{ALT, CTRL, CTRL_SHIFT, CommandRow, Menu, NONE, RowLabel, SHIFT, row}
 use crate::commands::Heading::{Down, Left, Right, Up};
 use crate::commands::{Command as C, GraphCommand as G};
 
-/// Digits of the bookmarks, as labels tell them, and with their keys.
-static DIGITS: [(u8, &str, [(Modifiers, Key); 2]); 9] = {
+/// Digit of a bookmark, as labels tell it, and its keys.
+type Bookmark = (u8, &'static str, [(Modifiers, Key); 2]);
+
+/// Bookmarks, in the order of their keys.
+static DIGITS: [Bookmark; 9] = {
     const fn keys(key: Key) -> [(Modifiers, Key); 2] {
         [(CTRL, key), (NONE, key)]
     }

@@ -9,7 +9,7 @@ use chiaro_locale::{Text, fill};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RowLabel {
     text: Text,
-    /// Names that stand in the text, by the words in its braces; those without a word stand nowhere.
+    /// Names that stand in the text, by the words in its braces; without a word there is none.
     names: [(&'static str, &'static str); 2],
 }
 

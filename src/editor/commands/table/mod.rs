@@ -212,7 +212,7 @@ pub(crate) const LIGHT_TABLE: &[(Text, Text)] = &[
     (text!("Alt+Up, Alt+Down"), text!("Nudge")),
     (text!("K"), text!("Key, or take the key away")),
     (text!("Space"), text!("Turn a switch")),
-    (text!("Delete"), text!("Reset")),
+    (text!("Del"), text!("Reset")),
     (text!("Ctrl+C, Ctrl+V"), text!("Copy and paste cells")),
     (text!("Ctrl+A"), text!("Select more")),
 ];

@@ -23,6 +23,14 @@ fn place(mark: LightMark, label: Text, keys: &'static [(Modifiers, Key)]) -> Com
 }
 
 pub(super) fn rows() -> Vec<CommandRow> {
+    let mut rows = lights_and_probe();
+    rows.extend(views());
+    rows.extend(painted_light());
+    rows
+}
+
+/// Rows that place lights, and the probe.
+fn lights_and_probe() -> Vec<CommandRow> {
     vec![
         place(LightMark::Highlight, text!("Place the light by its highlight"), &[(SHIFT, Key::H)]),
         place(LightMark::Shadow, text!("Place the light by its shadow"), &[(SHIFT, Key::S)]),
@@ -39,10 +47,16 @@ pub(super) fn rows() -> Vec<CommandRow> {
         )
         .help(text!(
             "Puts the light of the selected layer where its highlight, its shadow or its \
-                 terminator is at the place that is clicked"
+             terminator is at the place that is clicked"
         )),
         row(C::Probe(Switch::Toggle), text!("Probe a pixel"), &[(NONE, Key::I)], KeyScope::Picture)
             .help(text!("Reads the value on every wire at a pixel, f32 beside f64")),
+    ]
+}
+
+/// Rows about the camera, the object and its links.
+fn views() -> Vec<CommandRow> {
+    vec![
         view(V::Reset, text!("Reset camera and lights"), &[(NONE, Key::R)])
             .help(text!("Turns both back; in a scene to where the scene has them")),
         view(V::FrameObject, text!("Frame the object"), &[(NONE, Key::F)])
@@ -100,6 +114,12 @@ pub(super) fn rows() -> Vec<CommandRow> {
         .help(text!(
             "Keeps the lights that are selected in Links from the object under the pointer"
         )),
+    ]
+}
+
+/// Rows about light that is painted on the picture.
+fn painted_light() -> Vec<CommandRow> {
+    vec![
         fit(
             F::Fit(FitGoal::Local),
             text!("Light it as painted, there alone"),

@@ -20,7 +20,7 @@ pub(super) fn files() -> Vec<CommandRow> {
         row(C::New, text!("New look"), &[(CTRL, Key::N)], Window).help(text!("A new look")),
         row(C::Open(None), text!("Open a look"), &[(CTRL, Key::O)], Window).help(text!(
             "Opens a look, a scene, a shot, a painted surface or the sheet of a wedge, or makes a \
-                 look of a MaterialX document or of Blender's shader nodes"
+             look of a MaterialX document or of Blender's shader nodes"
         )),
         row(C::SaveAs, text!("Save under another name"), &[(CTRL_SHIFT, Key::S)], Window)
             .help(text!("Saves the look under another name")),
@@ -41,7 +41,7 @@ pub(super) fn files() -> Vec<CommandRow> {
         )
         .help(text!(
             "A shot over the open scene, or over the open shot: frames, and values that are \
-                 changed over it, in a file of its own"
+             changed over it, in a file of its own"
         )),
         row(C::Redo, text!("Redo"), &[(CTRL_SHIFT, Key::Z), (CTRL, Key::Y)], Window),
         row(C::Undo, text!("Undo"), &[(CTRL, Key::Z)], Window),
@@ -109,6 +109,14 @@ pub(super) fn languages() -> impl Iterator<Item = CommandRow> {
 
 /// Rows that follow those of the languages of exports.
 pub(super) fn rows() -> Vec<CommandRow> {
+    let mut rows = films_and_scales();
+    rows.extend(panels());
+    rows.extend(paintings());
+    rows
+}
+
+/// Rows about pictures as files, the palette and the scale of the window.
+fn films_and_scales() -> Vec<CommandRow> {
     vec![
         row(C::ExportPicture, text!("Export the picture as PNG..."), &[], Window)
             .in_menu(Menu::Export),
@@ -153,6 +161,12 @@ pub(super) fn rows() -> Vec<CommandRow> {
         row(C::Scale(ScaleCommand::To(125)), scaled("125"), &[], Window),
         row(C::Scale(ScaleCommand::To(150)), scaled("150"), &[], Window),
         row(C::Scale(ScaleCommand::To(200)), scaled("200"), &[], Window),
+    ]
+}
+
+/// Rows that show panels, and painting on the picture.
+fn panels() -> Vec<CommandRow> {
+    vec![
         row(
             C::Fit(FitCommand::Turn(Switch::Toggle)),
             text!("Paint light on the picture"),
@@ -168,6 +182,12 @@ pub(super) fn rows() -> Vec<CommandRow> {
         row(C::ShowPanel(PanelId::LINKS), text!("Links of lights and objects"), &[], Window)
             .help(text!("Which lights light which objects, and by which rule")),
         row(C::Paint(P::PaintShown), text!("Paint what the look shows"), &[], Window),
+    ]
+}
+
+/// Rows about the HCBTF that is painted.
+fn paintings() -> Vec<CommandRow> {
+    vec![
         painting(
             new_hcbtf(GridPreset::Small),
             text!("New painted surface, small (16 x 16, 3 x 6 directions)"),

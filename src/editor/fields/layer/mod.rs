@@ -7,6 +7,8 @@ mod regions;
 
 use std::f64::consts::PI;
 
+use chiaro_locale::tr;
+
 use crate::document::{Target, Value};
 use crate::fields::bands::{self, Bands};
 use crate::fields::edge::{self, ProfileEdge};
@@ -14,16 +16,10 @@ use crate::fields::lighting::light_in_view;
 use crate::ids::{LightId, NodeId, NodePath};
 use crate::placing::Parametrization;
 use crate::state::session::Session;
-use chiaro_locale::tr;
 use place::NodeInGraph;
 
 pub(crate) use highlight::{SelectedHighlight, selected_highlight};
 pub(crate) use regions::RegionLayers;
-
-/// Name of the place where a parametrization's angle is 0.
-pub(crate) fn middle_name(parametrization: Parametrization) -> &'static str {
-    if parametrization.mirrors() { tr!("highlight") } else { tr!("bright middle") }
-}
 
 /// Input with its value.
 #[derive(Clone, Debug, PartialEq)]

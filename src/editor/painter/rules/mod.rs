@@ -66,6 +66,11 @@ fn help(rule: &Rule) -> &'static str {
     }
 }
 
+/// Name of a rule for the user.
+fn label(rule: &Rule) -> &'static str {
+    rule.about().label.tr()
+}
+
 /// Explanation of a rule, with its name in files.
 fn tip(rule: &Rule) -> String {
     let (help, word) = (help(rule), rule.word());
@@ -105,7 +110,7 @@ pub(super) fn show(
     ui.horizontal(|ui| {
         ui.menu_button(tr!("+ Add a rule"), |ui| {
             for rule in fresh(work) {
-                let (name, help) = (rule.about().label.tr(), tip(&rule));
+                let (name, help) = (label(&rule), tip(&rule));
                 let button = ui.button(name);
                 button.widget_info(|| WidgetInfo::labeled(Role::MenuItem, true, name));
                 if button.on_hover_text(help).clicked() {
@@ -188,7 +193,7 @@ fn card(
     count: usize,
     out: &mut Vec<Command>,
 ) {
-    let (name, help) = (rule.about().label.tr(), help(rule));
+    let (name, help) = (label(rule), help(rule));
     let (rules, number) = (&work.hcbtf().rules, index + 1);
     let frame =
         eframe::egui::Frame::new().fill(theme::of(ui).node).corner_radius(4.0).inner_margin(8.0);

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use chiaro_locale::{Text, text, tr, tr_in, trn};
+use chiaro_locale::{Text, text, tr, trn};
 use eframe::egui::{
     Button, CollapsingHeader, ComboBox, DragValue, Id, RichText, Role, Ui, WidgetInfo,
 };
@@ -97,7 +97,7 @@ fn beginning(ui: &mut Ui, strokes: &mut Strokes) -> Option<Id> {
     let mut taken = None;
     let menu = ui.menu_button(tr!("Begin with"), |ui| {
         for name in Strokes::PRESETS {
-            let label = tr_in("strokes", name);
+            let label = preset_label(name);
             let button = ui.button(label);
             button.widget_info(|| WidgetInfo::labeled(Role::MenuItem, true, label));
             if button.clicked() {
@@ -111,6 +111,18 @@ fn beginning(ui: &mut Ui, strokes: &mut Strokes) -> Option<Id> {
     taken.map(|name| ui.scope_id().with(name))
 }
 
+/// Name of a preset as it is shown.
+fn preset_label(name: &'static str) -> &'static str {
+    match name {
+        "Grass" => tr!("Grass"),
+        "Pencil" => tr!("strokes" => "Pencil"),
+        "Stripes" => tr!("strokes" => "Stripes"),
+        "Half-tone dots" => tr!("Half-tone dots"),
+        other => other,
+    }
+}
+
+/// Number of a bundle's strokes, in words.
 fn counted(bundle: &Bundle) -> String {
     let n = match &bundle.place {
         Placement::Scatter(count) | Placement::Lattice(count) => *count,

@@ -74,7 +74,7 @@ pub(super) fn show(ui: &mut Ui, session: &Session, cost: &PictureCost, out: &mut
 /// Shows values that passes are needed for, with the button that takes them away.
 fn show_cause(ui: &mut Ui, session: &Session, cause: &PassCause, out: &mut Vec<Command>) {
     let names: Vec<String> = cause.values.iter().map(|value| name(session, value)).collect();
-    let passes: Vec<&str> = cause.passes.iter().map(|pass| pass.label()).collect();
+    let passes: Vec<&str> = cause.passes.iter().map(|pass| pass.title()).collect();
     let text = cost_text(&names, &passes);
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(&text).color(theme::of(ui).warning));

@@ -167,7 +167,7 @@ impl Cost {
 fn name(subject: &MeasurementSubject) -> String {
     match subject {
         MeasurementSubject::Whole => tr!("Whole look").to_owned(),
-        MeasurementSubject::Pass(kind) => tr!("{name} pass", name = kind.label()),
+        MeasurementSubject::Pass(kind) => tr!("{name} pass", name = kind.title()),
         MeasurementSubject::Node { name, .. } => name.clone(),
     }
 }

@@ -283,10 +283,11 @@ fn for_each_row(
     if !is_group && node.for_each.is_none() {
         return;
     }
-    let help =
-        tr!("Runs the group once for each light of a set: a light that nothing in it names is \
-                that one, and nodes such as Sum of lights join what comes of them. * is every \
-                light; key | group:rim - group:set says more");
+    let help = tr!(
+        "Runs the group once for each light of a set: a light that nothing in it names is that \
+         one, and nodes such as Sum of lights join what comes of them. * is every light; key | \
+         group:rim - group:set says more"
+    );
     row::labelled(ui, tr!("For each light"), help, |ui, label| {
         let read = |text: &str| match text.trim() {
             "" => Ok(None),
@@ -558,8 +559,8 @@ fn tier_help(tier: Option<Tier>) -> &'static str {
 fn difference_row(ui: &mut Ui, look: &Look, out: &mut Vec<Command>) {
     let help =
         tr!("Greatest difference from the exact tier that an automatic one may make, in the 255 \
-                steps of a screen; 1 is seen by nobody. More allows cheaper tiers, and 0 none. It \
-                is estimated; Cost and accuracy measures it");
+             steps of a screen; 1 is seen by nobody. More allows cheaper tiers, and 0 none. It is \
+             estimated; Cost and accuracy measures it");
     row::labelled(ui, tr!("Difference"), help, |ui, label| {
         // A whole number of steps is shown as one, in spite of rounding.
         let mut steps = (look.max_error * STEPS * 1e6).round() / 1e6;

@@ -20,7 +20,7 @@ use eframe::egui::{
 
 use super::thumbs::{Shot, Thumbs, key_on, surroundings_key};
 use crate::commands::{Command, LibraryCommand, PanelId};
-use crate::document::{Edit, Endpoint, GraphId, Node, Wire};
+use crate::document::{ColorSpace, Edit, Endpoint, GraphId, Node, Wire};
 use crate::fields::shot::ChangedRow;
 use crate::ids::{NodeId, NodePath, make_slug};
 use crate::panels::table::{PanelPlace, PanelRow};
@@ -30,6 +30,7 @@ use crate::state::session::Session;
 use crate::state::stack::BELOW;
 use crate::state::stack::tree::{LayerPlace, LayerTree, TreeRow};
 use crate::state::worker::BackgroundJobs;
+use crate::values;
 use crate::viewport::solo_bar;
 use crate::widgets::menu::scrolling;
 use crate::widgets::rows::{NameEdit, leave_with_pointer, undo_keys};
@@ -548,7 +549,7 @@ fn texture(
     }
     // One thumbnail at a time: while one is being drawn, preparing the next gains nothing.
     if !is_known && thumbs.rests() && !thumbs.is_busy() && session.journals.held().is_none() {
-        let look = picture::of(session.look(), id, mode);
+        let look = picture::of(session.look(), id, mode, is_dark(session, id));
         let lifts = mode.is_some_and(|mode| mode == "add" || mode.is_empty());
         let shot = if lifts { Shot::Lifted } else { Shot::Near };
         let side = (row::PICTURE - 2.0) * ui.pixels_per_point();
@@ -565,6 +566,16 @@ fn texture(
         seen.shown = Some(seen.key);
     }
     thumbs.known(seen.shown?)
+}
+
+/// True for a layer of one color that is not seen on a dark ground.
+fn is_dark(session: &Session, id: &NodeId) -> bool {
+    let color = session.look().graph.nodes.get(id).and_then(|node| {
+        let kind = session.project.catalog.of(node)?;
+        let port = &kind.inputs[kind.input("color")?];
+        values::current(port, node.values.get(&port.name))?.color_in(ColorSpace::Display)
+    });
+    color.is_some_and(|[r, g, b, _]| r.max(g).max(b) < DARK)
 }
 
 /// Commands that add a layer of the preset with this name, as the menu does.
@@ -629,6 +640,9 @@ fn add_ground(session: &Session, to: Endpoint) -> Vec<Edit> {
         Edit::AddWire { graph: GraphId::Look, wire, index: None },
     ]
 }
+
+/// Greatest part of a color that counts as dark, as displayed: the half-tone layer's blue is.
+const DARK: f64 = 0.45;
 
 /// Names of the input that sets a layer's blend mode.
 const MODES: [&str; 2] = ["blend", "mode"];

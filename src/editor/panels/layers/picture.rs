@@ -13,8 +13,9 @@ const GROUND: &str = "chiaro-ground";
 /// Id of the output node that shows the layer.
 const SHOWN: &str = "chiaro-output";
 
-/// Look with nothing but one layer, or, where `mode` is `None`, with the ground of the stack.
-pub(super) fn of(look: &Look, id: &NodeId, mode: Option<&str>) -> Look {
+/// Look with nothing but one layer, or, where `mode` is `None`, with the ground of the stack. A layer
+/// `is_dark` if it covers in a dark color, such as ink.
+pub(super) fn of(look: &Look, id: &NodeId, mode: Option<&str>, is_dark: bool) -> Look {
     let mut shown = Look {
         color_space: look.color_space,
         tier: look.tier,
@@ -38,6 +39,7 @@ pub(super) fn of(look: &Look, id: &NodeId, mode: Option<&str>) -> Look {
         // Blending that darkens is seen on white, blending that brightens on black.
         let ground = match mode {
             "multiply" | "shade" | "subtract" => 1.0,
+            "alpha" if is_dark => 0.8,
             "alpha" => 0.35,
             _ => 0.0,
         };

@@ -16,6 +16,8 @@ enum LightChoice {
     Front,
     /// First light behind the object, added where there is none.
     Behind,
+    /// No light: lines lie where forms end.
+    Nothing,
 }
 
 /// Direction to a light behind the object, in the camera's axes: right, up and to the eye.
@@ -51,9 +53,9 @@ pub(super) struct LayerPreset {
 use PresetValue::{Bands, Number, Word};
 
 /// Presets in the order in which a look is built up: from what lies below to what lies on top.
-pub(super) static PRESETS: [LayerPreset; 9] = [
+pub(super) static PRESETS: [LayerPreset; 12] = [
     LayerPreset {
-        name: text!("Fill"),
+        name: text!("layer" => "Fill"),
         help: text!("Ambient light: a tint everywhere, so that nothing is black"),
         kind: LIGHT_LAYER,
         profile: Some("Ambient"),
@@ -127,6 +129,28 @@ pub(super) static PRESETS: [LayerPreset; 9] = [
         light: LightChoice::Front,
     },
     LayerPreset {
+        name: text!("Half-tone shadow"),
+        help: text!(
+            "Dots of a print in a color where the light does not reach, growing into the dark; \
+             lines or crosses, too"
+        ),
+        kind: "halftone_layer",
+        profile: None,
+        values: &[],
+        light: LightChoice::Front,
+    },
+    LayerPreset {
+        name: text!("Hatched shadow"),
+        help: text!(
+            "Strokes of a pen where the light does not reach, which cross in the dark and stay on \
+             the surface"
+        ),
+        kind: "hatching_layer",
+        profile: None,
+        values: &[],
+        light: LightChoice::Front,
+    },
+    LayerPreset {
         name: text!("Highlight"),
         help: text!("Phong's highlight: the light's mirror image, which moves with the eye"),
         kind: LIGHT_LAYER,
@@ -176,6 +200,14 @@ pub(super) static PRESETS: [LayerPreset; 9] = [
         ],
         light: LightChoice::Behind,
     },
+    LayerPreset {
+        name: text!("Ink lines"),
+        help: text!("Silhouettes, creases and borders of objects in a color, as wide as you like"),
+        kind: "ink_layer",
+        profile: None,
+        values: &[],
+        light: LightChoice::Nothing,
+    },
 ];
 
 impl LayerPreset {
@@ -191,11 +223,15 @@ impl LayerPreset {
             name: free_name(look, self.name.english()),
             ..Node::default()
         };
-        let (light, edits) = match self.light {
-            LightChoice::Front => front_light(look, beside),
-            LightChoice::Behind => back_light(session),
+        let light = match self.light {
+            LightChoice::Front => Some(front_light(look, beside)),
+            LightChoice::Behind => Some(back_light(session)),
+            LightChoice::Nothing => None,
         };
-        node.values.insert("light".into(), Value::Text(light.to_string()));
+        let (light, edits) = light.unzip();
+        if let Some(light) = light {
+            node.values.insert("light".into(), Value::Text(light.to_string()));
+        }
         for (port, value) in
             self.profile.map(|label| profile(&session.project.catalog, label)).unwrap_or_default()
         {
@@ -210,7 +246,7 @@ impl LayerPreset {
             node.values.insert((*port).into(), value);
         }
         let id = NodeId::new(make_slug(&node.name, |slug| look.graph.nodes.contains_key(slug)));
-        (edits, id, node)
+        (edits.unwrap_or_default(), id, node)
     }
 }
 
@@ -325,7 +361,7 @@ mod tests {
             let (edits, id, node) = preset.make(&session, None);
             assert_eq!(
                 edits.is_empty(),
-                preset.light == LightChoice::Front,
+                preset.light != LightChoice::Behind,
                 "{id}: a new look has no light behind"
             );
             assert!(

@@ -87,10 +87,10 @@ impl PaintingSummary {
 /// Card of a look, a scene or a painting that can be opened.
 pub(crate) struct Card {
     origin: CardOrigin,
-    /// Name that crashes are recorded under.
+    /// Name that crashes are recorded under, in English.
     name: String,
-    /// Name as it is shown.
-    title: String,
+    /// Name of the document and number of the figure, for an example that is one.
+    figure: Option<(String, &'static str)>,
     /// Words that say more, to find the card by.
     tags: String,
     /// Paragraph on what is shown, in English; empty for none.
@@ -114,11 +114,6 @@ impl Card {
             let figure = stem
                 .strip_prefix("figure")
                 .map(|rest| rest.split_once('-').map_or(rest, |(number, _)| number));
-            let called = |name: &str| match figure {
-                _ if name.is_empty() => stem.to_owned(),
-                Some(figure) => tr!("{name} · Figure {figure}"),
-                None => name.to_owned(),
-            };
             let listed = path.to_str().and_then(|path| path.strip_prefix(PREFIX));
             let stage = listing.stage(listed.unwrap_or_default());
             let (name, about, content, key) = match content {
@@ -133,12 +128,16 @@ impl Card {
                     (scene.name, scene.about, CardContent::Scene, key)
                 }
             };
-            let title = called(tr_in("example", &name));
-            let name = called(&name);
+            let figure = figure.filter(|_| !name.is_empty()).map(|number| (name.clone(), number));
+            let name = match &figure {
+                Some((name, number)) => format!("{name} · Figure {number}"),
+                None if name.is_empty() => stem.to_owned(),
+                None => name,
+            };
             let tags = listing.tags(listed.unwrap_or_default());
             let origin = CardOrigin::Example(index, path);
             let stage = Some(stage);
-            Some(Self { origin, name, title, tags, about, content, key, stage, side })
+            Some(Self { origin, name, figure, tags, about, content, key, stage, side })
         };
         (0..count()).filter_map(card).collect()
     }
@@ -179,15 +178,26 @@ impl Card {
         side: f32,
     ) -> Self {
         let [tags, about] = [String::new(), String::new()];
-        let title = name.clone();
-        Self { origin, name, title, tags, about, content, key, stage: None, side }
+        let (figure, stage) = (None, None);
+        Self { origin, name, figure, tags, about, content, key, stage, side }
+    }
+
+    /// Name as it is shown.
+    fn title(&self) -> String {
+        match (&self.figure, &self.origin) {
+            (Some((name, figure)), _) => {
+                tr!("{name} · Figure {figure}", name = tr_in("example", name))
+            }
+            (None, CardOrigin::Example(..)) => tr_in("example", &self.name).to_owned(),
+            (None, CardOrigin::File(_)) => self.name.clone(),
+        }
     }
 
     /// Rank of the card in a search, 0 best; `None` where a word of the query begins no word of the
     /// card, nor of `more`.
     fn rank(&self, query: &str, more: &str) -> Option<usize> {
         let both = |text: &str| format!("{text} {}", tr_in("example", text));
-        let name = format!("{} {}", self.name, self.title);
+        let name = format!("{} {}", self.name, self.title());
         words::rank(query, &[&name, &both(&self.tags), &both(more), &both(&self.about)])
     }
 
@@ -223,7 +233,7 @@ impl Card {
     ) -> Response {
         let (rect, response) = ui.allocate_exact_size(vec2(side, side + NAME), Sense::click());
         let suspect = self.suspect(&session.journals.crashes);
-        let name = &self.title;
+        let name = self.title();
         let label = match self.content {
             CardContent::Scene => tr!("Open the scene {name}"),
             CardContent::Painting(_) => tr!("Open the painting {name}"),
@@ -284,46 +294,44 @@ impl Card {
                 eframe::egui::StrokeKind::Inside,
             );
         }
-        name_below(ui, rect, picture, &self.title, theme::of(ui).text);
-        let (help, command) = match &self.origin {
-            CardOrigin::Example(index, _) => (
-                format!(
-                    "{}\n{}\n\n{}",
-                    self.title,
-                    tr_in("example", &self.about),
-                    match self.content {
-                        CardContent::Scene => {
-                            tr!("Opens it as a new scene; the example itself stays as it is")
-                        }
-                        _ => tr!("Opens it as a new look; the example itself stays as it is"),
+        name_below(ui, rect, picture, &name, theme::of(ui).text);
+        if response.clicked() {
+            out.push(match &self.origin {
+                CardOrigin::Example(index, _) => Command::OpenExample(*index),
+                CardOrigin::File(path) => Command::Open(Some(path.clone())),
+            });
+        }
+        response.on_hover_text(self.help(suspect.as_ref()))
+    }
+
+    /// Description of what is opened, and of the crash that is suspected of it.
+    fn help(&self, suspect: Option<&Suspect>) -> String {
+        let path = match &self.origin {
+            CardOrigin::File(path) => path,
+            CardOrigin::Example(..) => {
+                let opens = match self.content {
+                    CardContent::Scene => {
+                        tr!("Opens it as a new scene; the example itself stays as it is")
                     }
-                ),
-                Command::OpenExample(*index),
-            ),
-            CardOrigin::File(path) => {
-                let about = match &self.content {
-                    CardContent::Painting(painting) => format!("\n{}", painting.about),
-                    _ => String::new(),
+                    _ => tr!("Opens it as a new look; the example itself stays as it is"),
                 };
-                let help = match suspect {
-                    Some(Suspect { step: CrashStep::Read, .. }) => {
-                        tr!("Chiaro ended while reading this file the last time")
-                    }
-                    Some(_) => {
-                        tr!("Chiaro ended while drawing this file the last time: it is opened \
-                             without being drawn")
-                    }
-                    None => "",
-                };
-                let opens = tr!("Opens {file}", file = path.display());
-                let help = format!("{opens}{about}\n{help}");
-                (help.trim_end().to_owned(), Command::Open(Some(path.clone())))
+                let about = tr_in("example", &self.about);
+                return format!("{}\n{about}\n\n{opens}", self.title());
             }
         };
-        if response.clicked() {
-            out.push(command);
+        let mut lines = vec![tr!("Opens {file}", file = path.display())];
+        if let CardContent::Painting(painting) = &self.content {
+            lines.push(painting.about.clone());
         }
-        response.on_hover_text(help)
+        let ended = suspect.map(|suspect| match suspect.step {
+            CrashStep::Read => tr!("Chiaro ended while reading this file the last time"),
+            _ => tr!(
+                "Chiaro ended while drawing this file the last time: it is opened without being \
+                 drawn"
+            ),
+        });
+        lines.extend(ended.map(str::to_owned));
+        lines.join("\n")
     }
 
     /// Crash that is suspected of this card's document.

@@ -238,8 +238,9 @@ impl SavedParts {
         };
         let with_rank = |card: &'_ PartCard| {
             let part = &card.part;
-            let kind = part.content.as_ref().map_or("", |content| content.kind.word());
-            let kind = format!("{kind} {}", chiaro_locale::tr(kind));
+            let kind = part.content.as_ref().ok().map(|content| content.kind.text());
+            let kind = kind.map(|kind| format!("{} {}", kind.english(), kind.tr()));
+            let kind = kind.unwrap_or_default();
             words::rank(query, &[&part.name, &part.tags, &kind, &part.about])
         };
         let mut found: Vec<(usize, &PartCard)> = self

@@ -4,7 +4,7 @@ use chiaro_locale::tr;
 use indexmap::IndexMap;
 
 use super::column::{Column, inside};
-use super::sheet::{CellValue, Row, Sheet, exposure_form, kind_name};
+use super::sheet::{CellValue, Row, Sheet, exposure_form};
 use super::typed::{NumberForm, read_color, read_switch, read_word};
 use crate::commands::{Command, SceneCommand};
 use crate::document::{
@@ -13,7 +13,7 @@ use crate::document::{
 use crate::fields::lighting::{Change, Owner};
 use crate::fields::mix::SceneMix;
 use crate::ids::{LightGroup, LightId};
-use crate::panels::lights::{keep_within, read_groups, space_name};
+use crate::panels::lights::{keep_within, kind_name, read_groups, space_name};
 use crate::state::solo::Solo;
 use eframe::egui::Id;
 

@@ -109,7 +109,7 @@ impl Column {
             Self::Groups => tr!("Groups"),
             Self::Space => tr!("light" => "Frame"),
             Self::Exposure => tr!("Exposure"),
-            Self::Field(field) => chiaro_locale::tr(field.label()),
+            Self::Field(field) => field.label(),
         }
     }
 
@@ -135,7 +135,7 @@ impl Column {
             }
             Self::Space => tr!("What its direction and its position turn with"),
             Self::Exposure => tr!("Of a group's master, in stops: each doubles the intensity"),
-            Self::Field(field) => chiaro_locale::tr(field.help()),
+            Self::Field(field) => field.help(),
         }
     }
 

@@ -97,7 +97,7 @@ fn keys(
     }
     let Some((owned, target)) = sheet.target(id, field) else { return };
     let ty = Type::of_light_field(field);
-    let label = chiaro_locale::tr(field.label());
+    let label = field.label();
     let marked = FieldTarget { owned, target, ty: &ty, label, reset: None };
     marks::menu(ui, &marked, out);
 }

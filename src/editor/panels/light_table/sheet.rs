@@ -8,14 +8,12 @@ use eframe::egui::Color32;
 
 use super::column::Column;
 use super::typed::NumberForm;
-use crate::document::{
-    GroupMaster, LightField, LightKind, LightSet, MAX_EXPOSURE, Scene, SetTerm, Target,
-};
+use crate::document::{GroupMaster, LightField, LightSet, MAX_EXPOSURE, Scene, SetTerm, Target};
 use crate::fields::lighting::{OwnedKeys, OwnedLight, Owner};
 use crate::fields::mark;
 use crate::fields::mix::{MixedLights, SceneMix};
 use crate::ids::{LightGroup, LightId};
-use crate::panels::lights::{groups_text, space_name, swatch};
+use crate::panels::lights::{groups_text, kind_name, space_name, swatch};
 use crate::state::keying::KeyedBy;
 use crate::state::session::Session;
 use crate::widgets::color;
@@ -203,7 +201,7 @@ impl<'s> Sheet<'s> {
 
     /// A cell in words, for who cannot see how it looks.
     pub(super) fn words(self, cell: &Cell) -> String {
-        let Some(value) = &cell.value else { return tr!("none").to_owned() };
+        let Some(value) = &cell.value else { return tr!("cell" => "none").to_owned() };
         let value = value.text(self.session);
         let told = match cell.origin {
             Origin::Own => value,
@@ -407,15 +405,6 @@ impl<'s> Sheet<'s> {
             },
             (Row::Light(_), ..) => tr!("Set here, in the look.").to_owned(),
         }
-    }
-}
-
-/// Name of a kind of lights.
-pub(super) fn kind_name(kind: LightKind) -> &'static str {
-    match kind {
-        LightKind::Directional => tr!("Directional"),
-        LightKind::Point => tr!("Point"),
-        LightKind::Spot => tr!("Spot"),
     }
 }
 

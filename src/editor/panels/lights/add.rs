@@ -67,8 +67,7 @@ pub(in crate::panels) fn menus(
 /// Shows an entry for each kind of light, which adds a new one to a document and chooses it.
 fn kinds(ui: &mut Ui, session: &Session, owner: Owner, out: &mut Vec<Command>) {
     for &kind in LightKind::ALL {
-        let help = spoken(kind.help());
-        let help = tr_in("light", &help);
+        let help = spoken(tr_in("choice", kind.help()));
         let button = ui.button(kind_name(kind));
         let button = match owner {
             Owner::Look => button.on_hover_text(help),

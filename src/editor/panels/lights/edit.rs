@@ -1,6 +1,6 @@
 //! Fields of a light: its type, its frame, and the fields that lights of its type have.
 
-use chiaro_locale::{Text, text, tr, tr_in};
+use chiaro_locale::{Text, text, tr};
 use eframe::egui;
 use eframe::egui::{
     Color32, ComboBox, DragValue, Id, Pos2, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2,
@@ -66,7 +66,7 @@ pub(crate) fn edit(
         for field in fields {
             let ty = Type::of_light_field(field);
             let target = owned_light.target(field.name());
-            let label = tr_in("light", field.label());
+            let label = field.label();
             let owned = OwnedKeys::of(session, owned_light.owner);
             let marked = owned.map(|owned| {
                 let target = target.clone();
@@ -74,7 +74,7 @@ pub(crate) fn edit(
             });
             let text = egui::RichText::new(label).color(theme::of(ui).text);
             let help = marked.as_ref().map(FieldTarget::help).unwrap_or_default();
-            let help = format!("{}\n{help}", tr_in("light", field.help()));
+            let help = format!("{}\n{help}", field.help());
             row::marked(ui, text, help.trim_end(), marked.as_ref(), &mut asked, |ui, label, _| {
                 widget = widget.or(value(ui, label, field, &mut new, session.look().color_space));
             });
@@ -226,7 +226,7 @@ fn kind(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
 }
 
 /// Display name of a type of lights.
-pub(super) fn kind_name(kind: LightKind) -> &'static str {
+pub(crate) fn kind_name(kind: LightKind) -> &'static str {
     match kind {
         LightKind::Directional => tr!("light" => "Directional"),
         LightKind::Point => tr!("light" => "Point"),

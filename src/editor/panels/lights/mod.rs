@@ -33,7 +33,7 @@ use crate::viewport::solo_bar;
 use crate::widgets::rows::{ICON, Icon, NameEdit, icon, picture_frame};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
-pub(crate) use edit::{edit, groups_text, keep_within, read_groups, space_name, swatch};
+pub(crate) use edit::{edit, groups_text, keep_within, kind_name, read_groups, space_name, swatch};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LIGHTS,
@@ -262,8 +262,8 @@ impl Lights {
                 let count =
                     self.mixed.shared().get(owned_light.id).map_or(0, |shared| shared.looks);
                 let none =
-                    tr!("No look of the scene has a light of this id, or runs for each light, \
-                            so it lights nothing: let it stand in for one");
+                    tr!("No look of the scene has a light of this id, or runs for each light, so \
+                         it lights nothing: let it stand in for one");
                 let drawn = self.drawn.get(owned_light.id).copied().unwrap_or(0);
                 let help = match count {
                     0 => tr!("So many looks run for each light, and for this one among them"),

@@ -1,6 +1,6 @@
 //! Fields of an object: mesh, looks by material, position, rotation and scale.
 
-use chiaro_locale::{tr, tr_in};
+use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Ui};
 
@@ -82,7 +82,7 @@ impl Details {
             });
             let help =
                 tr!("How it is turned: around the axis to the right, around the vertical one, \
-                        around the one toward the viewer");
+                     around the one toward the viewer");
             fields.row(ui, (tr!("object" => "Turn"), help), &["transform.rotate"], |ui, _| {
                 widget = widget.or(self.turn(ui, id, &mut new));
             });
@@ -98,8 +98,7 @@ impl Details {
             labelled(
                 ui,
                 tr!("object" => "Fit"),
-                tr!("Brings the mesh to the middle, and its sphere to radius 1, before \
-                                 all else"),
+                tr!("Brings the mesh to the middle, and its sphere to radius 1, before all else"),
                 |ui, _| {
                     let fit = ui.add(Checkbox::without_text(&mut new.fit));
                     ui.ctx()
@@ -189,8 +188,8 @@ fn mesh(
     let combo = combo.show_ui(ui, |ui| {
         for shape in SHAPES {
             let is_it = object.mesh.strip_prefix(SHAPE_PREFIX) == Some(shape.name);
-            let shown = ui.selectable_label(is_it, tr_in("shape", shape.label));
-            if shown.on_hover_text(tr_in("shape", shape.help)).clicked() && !is_it {
+            let shown = ui.selectable_label(is_it, shape.label.tr());
+            if shown.on_hover_text(shape.help.tr()).clicked() && !is_it {
                 let mesh = format!("{SHAPE_PREFIX}{}", shape.name);
                 out.extend(
                     open_scene.change(id, |object| object.mesh = mesh).map(SceneCommand::Edit),

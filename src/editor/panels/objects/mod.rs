@@ -8,7 +8,7 @@ mod outlines;
 mod parameters;
 mod words;
 
-use chiaro_locale::{text, tr, tr_in};
+use chiaro_locale::{text, tr};
 use eframe::egui;
 use eframe::egui::{
     Button, Id, Key, Label, Layout, Modifiers, Popup, Rect, RichText, Role, ScrollArea, Sense, Ui,
@@ -54,9 +54,8 @@ impl Objects {
         let Some(open_scene) = session.open_scene() else {
             hint(
                 ui,
-                tr!(
-                    "The look is on one object. Add another, and both are a scene that can be saved."
-                ),
+                tr!("The look is on one object. Add another, and both are a scene that can be \
+                     saved."),
             );
             hint(ui, tr!("Open shows the objects of a scene file, each in its own look."));
             return out.into_iter().map(Command::Scene).collect();
@@ -274,8 +273,8 @@ fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<SceneCommand>) {
     ui.horizontal(|ui| {
         let menu = ui.menu_button(tr!("Add an object"), |ui| {
             for shape in SHAPES {
-                let button = ui.button(tr_in("shape", shape.label));
-                if button.on_hover_text(tr_in("shape", shape.help)).clicked() {
+                let button = ui.button(shape.label.tr());
+                if button.on_hover_text(shape.help.tr()).clicked() {
                     out.push(SceneCommand::Add(Some(format!(
                         "{}{}",
                         crate::frame::SHAPE_PREFIX,

@@ -93,9 +93,10 @@ pub(super) fn camera(
         return;
     }
     let targets = ["file_camera.object", "file_camera.name"].map(str::to_owned);
-    let help =
-        tr!("Whose camera pictures of the scene are drawn from: its own, or one that a mesh's \
-                file brings");
+    let help = tr!(
+        "Whose camera pictures of the scene are drawn from: its own, or one that a mesh's file \
+         brings"
+    );
     let text = RichText::new(tr!("Camera")).color(theme::of(ui).text);
     let slot = |ui: &mut Ui, size| shot::mark(ui, size, session, &targets, tr!("Camera"), commands);
     row::with_slot(ui, text, help, slot, |ui, label| {

@@ -50,10 +50,11 @@ const KINDS: [Kind; 5] = [
 /// Shows the lines of the scene, a row each; those of their kinds where there are any.
 pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<SceneCommand>) {
     let mut edit = Edit { outlines: scene.outlines, out };
-    let help =
-        tr!("Lines over the whole picture, drawn after the looks, beside objects too: their \
-                width in thousandths of the picture's height, 0 for none. For lines that belong \
-                to a look, wire the node Outline");
+    let help = tr!(
+        "Lines over the whole picture, drawn after the looks, beside objects too: their width in \
+         thousandths of the picture's height, 0 for none. For lines that belong to a look, wire \
+         the node Outline"
+    );
     let range = 0.0..=SceneOutlines::MOST_WIDTH;
     edit.slider(ui, (tr!("Outlines"), help), range, |outlines| &mut outlines.width);
     if scene.outlines.width == 0.0 {

@@ -201,7 +201,7 @@ impl DrawnWedge {
         }
         match line {
             Ok((line, _)) => {
-                command_text(ui, &line, tr!("Copy the command that draws the wedge"), out)
+                command_text(ui, &line, tr!("Copy the command that draws the wedge"), out);
             }
             Err(reason) => {
                 ui.label(RichText::new(reason).color(colors.error));

@@ -9,12 +9,13 @@ pub(crate) mod times;
 
 use std::path::{Path, PathBuf};
 
+use chiaro_locale::{Text, text, tr};
+
 use crate::diag::Diagnostic;
 use crate::document::{DocumentRevision, History};
 use crate::files::journal::{DocumentInfo, JournalDocument, JournalSlot, Op};
 use crate::state::document::journal_writer::JournalStart;
 use crate::state::revision::{GestureId, StepTime};
-use chiaro_locale::{Text, text, tr};
 use journal::DocumentJournal;
 pub(crate) use text::TextFile;
 use times::{Gestures, Times};

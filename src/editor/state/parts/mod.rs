@@ -111,8 +111,10 @@ impl PartKind {
                 tr!("A double click opens it; drop it on an object, which then wears its file")
             }
             Self::Layer => {
-                tr!("A double click lays it over the selected layer; drop it on a layer, on a \
-                            wire or on the canvas")
+                tr!(
+                    "A double click lays it over the selected layer; drop it on a layer, on a wire \
+                     or on the canvas"
+                )
             }
             Self::Nodes => {
                 tr!("A double click adds it to the graph; drop it on the canvas or on a wire")
@@ -121,12 +123,12 @@ impl PartKind {
                 tr!("A double click adds a node of it; drop it on the canvas or on a wire")
             }
             Self::Lights => {
-                tr!("A double click sets up the look's lights: those of the same id are set \
-                             anew, others are added")
+                tr!("A double click sets up the look's lights: those of the same id are set anew, \
+                     others are added")
             }
             Self::Profile => {
-                tr!("A double click gives it to the selected node; drop it on a layer or on \
-                              the inspector")
+                tr!("A double click gives it to the selected node; drop it on a layer or on the \
+                     inspector")
             }
             Self::Ramp => {
                 tr!("A double click gives it to the selected node; drop it on a ramp's field")

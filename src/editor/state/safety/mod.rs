@@ -16,6 +16,8 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use chiaro_locale::tr;
+
 use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::frame::SHAPE_PREFIX;
@@ -24,7 +26,6 @@ use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown_in;
 use crate::state::settings::{Settings, Theme};
 use crate::state::shot::OpenShot;
-use chiaro_locale::tr;
 use disk::DiskState;
 use offers::Offers;
 use places::Places;

@@ -26,7 +26,8 @@ impl UnopenedFile {
         let problem = problems.iter().find(|problem| problem.is_error()).or(problems.first());
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
         let why = problem.map(|problem| problem.message.as_str()).unwrap_or_default();
-        let why = why.strip_prefix("cannot read the file: ").unwrap_or(why);
+        let said = tr!("cannot read the file: {reason}", reason = "");
+        let why = why.strip_prefix(said.as_str()).unwrap_or(why);
         let at = problem.and_then(|problem| problem.place.at);
         let text = match at {
             Some(LineColumn { line, column }) => {

@@ -35,7 +35,7 @@ pub(crate) struct ObjectPlace {
 pub(crate) fn mesh_label(mesh: &str) -> String {
     let shape = mesh.strip_prefix(SHAPE_PREFIX);
     match SHAPES.iter().find(|known| shape == Some(known.name)) {
-        Some(known) => known.label.to_owned(),
+        Some(known) => known.label.tr().to_owned(),
         None => file_label(mesh),
     }
 }

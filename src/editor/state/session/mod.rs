@@ -24,6 +24,8 @@ use std::collections::{BTreeMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use crate::diag::{Diagnostic, Severity};
 use crate::document::{Document, Edit, Graph, History, Look, SourceMap};
 use crate::files::{Disk, SharedFiles, write_atomic};
@@ -47,7 +49,6 @@ use crate::state::shelf::SnapshotShelf;
 use crate::state::solo::Solo;
 use crate::state::view::ViewState;
 use crate::state::wire::ShownWire;
-use chiaro_locale::tr;
 pub(crate) use nodes::NodeFiles;
 use parts::{Compilation, Journals, Project, Revisions, Sketchbook};
 pub(crate) use shading::DrawableLook;

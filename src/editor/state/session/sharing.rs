@@ -111,8 +111,8 @@ fn handed_over(look: &Look, own: &DefinitionId, shared: &DefinitionId) -> Result
         || trial.time_keys != look.time_keys;
     if loses {
         return Err(tr!(
-            "Values inside of it are keyed or exposed in this look: make them inputs of the \
-                 group, and key those"
+            "Values inside of it are keyed or exposed in this look: make them inputs of the group, \
+             and key those"
         )
         .to_owned());
     }

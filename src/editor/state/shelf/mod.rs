@@ -11,11 +11,12 @@ use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::state::document::times::Times;
 use crate::state::revision::StepTime;
-use chiaro_locale::tr;
 use file::ShelfFile;
 pub(crate) use file::{date_text, file_of};
 

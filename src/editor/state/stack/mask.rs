@@ -50,7 +50,7 @@ pub(crate) static SOURCES: [MaskSource; 7] = [
         name: text!("A picture"),
         help: text!(
             "White shows the layer, black hides it; painted over the mesh's UVs in any paint \
-               program. Choose the file in the inspector"
+             program. Choose the file in the inspector"
         ),
         chain: &[SourceNode { words: &[("encoding", "data")], ..SourceNode::of("image", "") }],
         is_of_stack: false,
@@ -64,8 +64,8 @@ pub(crate) static SOURCES: [MaskSource; 7] = [
     MaskSource {
         name: text!("Brightness below"),
         help: text!(
-            "How bright the layers below are: from black, which hides, to white; Low and High \
-               say where it begins and ends"
+            "How bright the layers below are: from black, which hides, to white; Low and High say \
+             where it begins and ends"
         ),
         chain: &[
             SourceNode::of("color_luminance", "color"),

@@ -1,6 +1,6 @@
 //! List of the lights at the probed pixel: why it is lit so.
 
-use chiaro_locale::{Text, text, tr};
+use chiaro_locale::{Text, text, tr, tr_in};
 use eframe::egui::{Color32, FontId, Role, ScrollArea, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use super::panel::{ROW, column_of, wire_name};
@@ -108,8 +108,9 @@ fn mark(ui: &Ui, rect: eframe::egui::Rect, account: &LightAccount, is_lit: bool)
 }
 
 fn summary(readings: &[LightReading]) -> String {
-    let text =
-        |reading: &LightReading| format!("{} {}", reading.label, number_text(reading.value, 3));
+    let text = |reading: &LightReading| {
+        format!("{} {}", tr_in("node", &reading.label), number_text(reading.value, 3))
+    };
     readings.iter().map(text).collect::<Vec<_>>().join(" · ")
 }
 
@@ -124,7 +125,7 @@ fn in_full(ui: &mut Ui, session: &Session, account: &LightAccount, why: &str) {
         let name = wire_name(session, &reading.node);
         ui.label(tr!(
             "{label} of {name}: {value}",
-            label = reading.label,
+            label = tr_in("node", &reading.label),
             value = number_text(reading.value, 6)
         ));
     }

@@ -14,6 +14,7 @@
 use std::collections::HashSet;
 use std::fmt::Write as _;
 
+use chiaro_locale::{Text, text, tr};
 use naga::{Block, Expression, Function, Handle, SampleLevel, Statement, TypeInner};
 
 use crate::wgsl::ValidModule;
@@ -21,9 +22,9 @@ use crate::wgsl::ValidModule;
 /// Reason why a module cannot be run over the picture.
 pub(super) type Refusal = &'static str;
 
-const CONDITION: Refusal = "it takes a derivative under a condition";
-const NESTED: Refusal = "it takes a derivative of what another derivative decides";
-const SAMPLING: Refusal = "it samples an image in a way that is not foreseen";
+const CONDITION: Text = text!("it takes a derivative under a condition");
+const NESTED: Text = text!("it takes a derivative of what another derivative decides");
+const SAMPLING: Text = text!("it samples an image in a way that is not foreseen");
 
 /// Kinds of expressions that ask for differences between pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -107,7 +108,7 @@ impl Derivatives {
             let name = kind.builtin();
             let rest = text.get(*at..).unwrap_or_default();
             if !rest.strip_prefix(name).is_some_and(|after| after.starts_with('(')) {
-                return Err("its derivatives are not where they are looked for");
+                return Err(tr!("its derivatives are not where they are looked for"));
             }
             out.push_str(&text[end..*at]);
             let _ = match kind {
@@ -259,10 +260,10 @@ impl<'a> FunctionWalk<'a> {
                     let has_notes = notes != Notes::default();
                     let is_decided = arguments.iter().any(|handle| self.is_decided(*handle));
                     if has_notes && at.is_conditional {
-                        return Err(CONDITION);
+                        return Err(CONDITION.tr());
                     }
                     if has_notes && is_decided {
-                        return Err(NESTED);
+                        return Err(NESTED.tr());
                     }
                     (0..4).for_each(|index| self.notes[index] += notes[index]);
                     let is_decided = is_decided || has_notes || at.is_decided;
@@ -344,24 +345,24 @@ impl<'a> FunctionWalk<'a> {
                 ..
             } => Some((Difference::Level, *coordinate)),
             Expression::ImageSample { level: SampleLevel::Auto | SampleLevel::Bias(_), .. } => {
-                return Err(SAMPLING);
+                return Err(SAMPLING.tr());
             }
             _ => None,
         };
         if let Some((kind, of)) = difference {
             if at.is_conditional {
-                return Err(CONDITION);
+                return Err(CONDITION.tr());
             }
             if self.is_decided(of) {
-                return Err(NESTED);
+                return Err(NESTED.tr());
             }
             let components = match self.info[of].ty.inner_with(&self.module.types) {
                 TypeInner::Scalar(_) => 1,
                 TypeInner::Vector { size, .. } => *size as usize,
-                _ => return Err(SAMPLING),
+                _ => return Err(SAMPLING.tr()),
             };
             if kind == Difference::Level && components != 2 {
-                return Err(SAMPLING);
+                return Err(SAMPLING.tr());
             }
             let span = self.function.expressions.get_span(handle).to_range().unwrap_or_default();
             self.sites.push(Site { at: span.start, kind, components });
@@ -478,10 +479,10 @@ mod tests {
     #[test]
     fn conditions_are_refused() {
         assert_eq!(of("if a.x > 0.0 { return vec4f(width(a.y)); } return vec4f(0.0);"), {
-            Err(CONDITION)
+            Err(CONDITION.tr())
         });
         assert_eq!(of("if a.x > 0.0 { return vec4f(0.0); } return vec4f(dpdx(a.y));"), {
-            Err(CONDITION)
+            Err(CONDITION.tr())
         });
         // What comes after a branch that stays is the same for all.
         let stays = "var b = a; if a.x > 0.0 { b.x = 1.0; } return vec4f(dpdx(b.x));";
@@ -498,7 +499,7 @@ mod tests {
             "var b = 0.0; let w = width(a.x); for (var i = 0; i < 3; i++) { if w > b { b += 1.0; } \
              } return vec4f(dpdy(b));",
         ] {
-            assert_eq!(of(body), Err(NESTED), "{body}");
+            assert_eq!(of(body), Err(NESTED.tr()), "{body}");
         }
         assert_eq!(of("let w = width(a.x); return vec4f(w, width(a.y), 0.0, 1.0);"), {
             Ok([2, 0, 0, 0])

@@ -20,6 +20,7 @@ mod module;
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 pub use mesh::NumberedMesh;
 pub use module::{DeferredModule, MESH_TEXELS_PER_ROW};
 
@@ -65,7 +66,7 @@ impl DeferredLook {
     /// The reason why the look cannot be drawn so.
     pub fn new(look: &CompiledShader, surface: &CompiledShader) -> Result<Self, &'static str> {
         if !look.is_opaque {
-            return Err("it may be transparent, and shows what lies behind");
+            return Err(tr!("it may be transparent, and shows what lies behind"));
         }
         Ok(Self {
             look: DeferredModule::new(look)?,

@@ -5,6 +5,8 @@
 
 use std::fmt::Write as _;
 
+use chiaro_locale::tr;
+
 use super::derivatives::Derivatives;
 use crate::compile::{CompiledShader, VertexAttribute};
 use crate::wgsl::{self, ValidModule};
@@ -42,7 +44,7 @@ impl DeferredModule {
     /// The reason why the look cannot be drawn so.
     pub fn new(shader: &CompiledShader) -> Result<Self, &'static str> {
         if shader.wgsl.contains("discard;") {
-            return Err("it cuts parts of its surface away");
+            return Err(tr!("it cuts parts of its surface away"));
         }
         let derivatives = Derivatives::of(&shader.valid)?;
         let attributes = shader.needs.attributes();
@@ -52,7 +54,7 @@ impl DeferredModule {
         write_corners(&mut text, &attributes);
         text.push_str(SURFACE);
         write_fragment(&mut text, &derivatives, has_front);
-        let valid = wgsl::parse(&text).map_err(|_| "a name in it is one that this takes")?;
+        let valid = wgsl::parse(&text).map_err(|_| tr!("a name in it is one that this takes"))?;
         Ok(Self { text, valid, attributes })
     }
 }
@@ -104,7 +106,7 @@ fn fs_main(in: DeferredVaryings{parameter}) -> DeferredTexels {{
     );
     match wgsl::parse(&text) {
         Ok(_) => Ok(text),
-        Err(_) => Err("a name in its surface is one that this takes"),
+        Err(_) => Err(tr!("a name in its surface is one that this takes")),
     }
 }
 
@@ -134,7 +136,7 @@ fn turn_into_functions(text: &mut String) -> Result<bool, &'static str> {
     let has_front = text.contains(FRONT_HEAD);
     let head = if has_front { FRONT_HEAD } else { PLAIN_HEAD };
     if [VERTEX_HEAD, VARYINGS_HEAD, head].iter().any(|part| text.matches(part).count() != 1) {
-        return Err("its entry points are not those of a generated module");
+        return Err(tr!("its entry points are not those of a generated module"));
     }
     let parameter = if has_front { ", is_front: bool" } else { "" };
     *text = text

@@ -5,6 +5,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use indexmap::{IndexMap, IndexSet};
 
 use super::DroppedEffect;
@@ -178,8 +179,8 @@ impl ShadowReader {
 /// The effect of casters that no light needs.
 fn no_casters() -> DroppedEffect {
     DroppedEffect {
-        what: "shadow casters".to_owned(),
-        why: "no light whose shadows are drawn reaches an object".to_owned(),
+        what: tr!("shadow casters").to_owned(),
+        why: tr!("no light whose shadows are drawn reaches an object").to_owned(),
         kind: EffectKind::Casters,
         proof: Proof::NoLight,
         look: None,

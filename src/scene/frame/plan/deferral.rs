@@ -3,6 +3,8 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Weak};
 
+use chiaro_locale::tr;
+
 use super::omissions::quoted;
 use super::placement::{PlacedScene, VisibleObject};
 use super::{Draw, FramePlan, Pass};
@@ -62,14 +64,14 @@ impl DeferredLooks {
         };
         let Some(stage) = surface.stage() else { return Err(String::new()) };
         if draws.iter().any(|draw| !draw.look.aovs.is_empty()) {
-            return Err("layers are written beside the picture".to_owned());
+            return Err(tr!("layers are written beside the picture").to_owned());
         }
         let samples = scene.options.samples;
         if samples != 1 {
-            return Err(format!("a pixel has {samples} samples"));
+            return Err(tr!("a pixel has {samples} samples"));
         }
         if draws.len() > MOST_DRAWS {
-            return Err(format!("more than {MOST_DRAWS} parts are drawn"));
+            return Err(tr!("more than {MOST_DRAWS} parts are drawn"));
         }
         let areas: HashMap<_, _> =
             visible.iter().map(|visible| (&visible.object.id, scene.area(visible))).collect();
@@ -78,16 +80,18 @@ impl DeferredLooks {
         let mut first: u64 = 1;
         let mut deferred = Vec::with_capacity(draws.len());
         for draw in draws {
-            let missing = || "no module draws its surface";
+            let missing = || tr!("no module draws its surface");
             let look = draw.module(stage).ok_or_else(missing);
             let look = look.and_then(|surface| self.get(&draw.look, surface));
-            let look = look
-                .map_err(|why| format!("needed by {}, because {why}", quoted(&draw.look_name)))?;
+            let look = look.map_err(|why| {
+                tr!("needed by {look}, because {why}", look = quoted(&draw.look_name))
+            })?;
             // About half of the box around an object is the object.
             let own = (0.5 * area(draw).count() as f64, draw.indices.len() as f64 / 3.0);
             saved += saved_operations(look.operations, own.0, own.1);
             (pixels, triangles) = (pixels + own.0, triangles + own.1);
-            let begin = u32::try_from(first).map_err(|_| "the scene has too many triangles")?;
+            let begin =
+                u32::try_from(first).map_err(|_| tr!("the scene has too many triangles"))?;
             deferred.push(DeferredDraw {
                 shader: draw.look.clone(),
                 look,
@@ -99,10 +103,10 @@ impl DeferredLooks {
             });
             first += draw.mesh.indices.len() as u64 / 3;
         }
-        u32::try_from(first).map_err(|_| "the scene has too many triangles")?;
+        u32::try_from(first).map_err(|_| tr!("the scene has too many triangles"))?;
         if saved <= 0.0 {
             let share = pixels / f64::max(triangles, 1.0);
-            return Err(format!("a triangle fills about {share:.0} pixels, so that it is quicker"));
+            return Err(tr!("a triangle fills about {share:.0} pixels, so that it is quicker"));
         }
         Ok(Deferral { surface, draws: deferred })
     }
@@ -114,10 +118,10 @@ pub(super) fn tell(passes: &mut [Pass], deferral: &Result<Deferral, String>) {
         Ok(deferral) => {
             let over = deferral.surface.label();
             mark(passes, deferral.surface);
-            format!(", shaded once a pixel over what the {over} pass shows")
+            tr!(", shaded once a pixel over what the {over} pass shows")
         }
         Err(why) if why.is_empty() => String::new(),
-        Err(why) => format!(", drawn triangle by triangle: {why}"),
+        Err(why) => tr!(", drawn triangle by triangle: {why}"),
     };
     if let Some(pass) = passes.iter_mut().find(|pass| pass.id.writes_picture()) {
         pass.reason += &told;
@@ -137,7 +141,7 @@ impl FramePlan {
         let mut plan = self.clone();
         if let Ok(deferral) = &self.deferral {
             mark(&mut plan.passes, deferral.surface);
-            plan.deferral = Err("it is compared".to_owned());
+            plan.deferral = Err(tr!("it is compared").to_owned());
         }
         plan
     }

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use crate::compile::{CompiledShader, ImageShape};
 use crate::diag::Diagnostic;
 use crate::frame::assets::{Assets, Image, MESH_PREFIX, plain_hcbtf};
@@ -22,10 +24,10 @@ pub fn named_map(path: &str) -> Result<Option<MaterialMap>, Diagnostic> {
     let Some(name) = path.strip_prefix(MESH_PREFIX) else { return Ok(None) };
     MaterialMap::named(name).map(Some).ok_or_else(|| {
         let names = MaterialMap::NAMES.map(|(_, name)| format!("{MESH_PREFIX}{name}"));
-        let problem = Diagnostic::error("missing-asset", format!("`{path}` is no map of a mesh"));
+        let problem = Diagnostic::error("missing-asset", tr!("`{path}` is no map of a mesh"));
         problem
             .suggest(path, names.iter().map(String::as_str))
-            .hint(format!("the maps are `{}`", names.join("`, `")))
+            .hint(tr!("the maps are `{names}`", names = names.join("`, `")))
     })
 }
 

@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use chiaro_locale::tr;
+
 use super::DroppedEffect;
 use super::variants::{DarkLights, LookShaders, Variants};
 use crate::compile::{Proof, node_reach};
@@ -25,10 +27,10 @@ pub(super) fn push_lights(
         let (why, proof) = match found {
             Some((_, why)) => (why.as_ref(), Proof::NoLight),
             None if is_read(id) => continue,
-            None => ("no live node reads it, so that it has no uniforms", Proof::Unreachable),
+            None => (tr!("no live node reads it, so that it has no uniforms"), Proof::Unreachable),
         };
         let one = DroppedEffect {
-            what: format!("light `{id}`"),
+            what: tr!("light `{id}`"),
             why: why.to_owned(),
             kind: EffectKind::Light,
             proof,
@@ -47,9 +49,9 @@ pub(super) fn push_node_links(dropped: &mut Vec<DroppedEffect>, look: &Look, lib
         let (light, node) = (&reach.light, &reach.node);
         let (what, proof) = match reach.relation {
             LightRelation::Filtered => {
-                (format!("filter `{node}` of the light `{light}`"), Proof::Unreachable)
+                (tr!("filter `{node}` of the light `{light}`"), Proof::Unreachable)
             }
-            _ => (format!("light `{light}` on the node `{node}`"), Proof::NoLight),
+            _ => (tr!("light `{light}` on the node `{node}`"), Proof::NoLight),
         };
         let one = DroppedEffect {
             what,
@@ -82,8 +84,10 @@ pub(super) fn push_equal_looks(
             let name = &setup.looks[look].look.name;
             dropped.push(DroppedEffect {
                 what: quoted(name),
-                why: "another look says the same: both are compiled once and share their pipelines"
-                    .to_owned(),
+                why: tr!(
+                    "another look says the same: both are compiled once and share their pipelines"
+                )
+                .to_owned(),
                 kind: EffectKind::Look,
                 proof: Proof::Equal,
                 look: Some(name.clone()),
@@ -95,5 +99,5 @@ pub(super) fn push_equal_looks(
 
 /// The name of a look as sentences quote it.
 pub(super) fn quoted(name: &str) -> String {
-    if name.is_empty() { "a look".to_owned() } else { format!("the look \"{name}\"") }
+    if name.is_empty() { tr!("a look").to_owned() } else { tr!("the look \"{name}\"") }
 }

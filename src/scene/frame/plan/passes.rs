@@ -59,7 +59,7 @@ impl<'a> ContextReaders<'a> {
         let reads = |(_, _, shaders): &&(_, _, &LookShaders)| shaders.draw.needs.context(context);
         let (object, look, _) = self.first_wearers.iter().find(reads)?;
         let name = &self.scene.setup.looks[*look].look.name;
-        Some(format!("object `{object}` wears {}, which reads {what}", quoted(name)))
+        Some(tr!("object `{object}` wears {look}, which reads {what}", look = quoted(name)))
     }
 }
 
@@ -75,9 +75,9 @@ impl WantedPasses {
     /// The passes that `readers` read, and those that they are made from. Looks of different tiers
     /// may want curvature in different ways, side by side. `has_ink` if the scene draws lines.
     pub(super) fn new(readers: &ContextReaders<'_>, has_ink: bool) -> Self {
-        let mut wanted = BTreeMap::from([(PassId::LOOK, "it is the picture".to_owned())]);
+        let mut wanted = BTreeMap::from([(PassId::LOOK, tr!("it is the picture").to_owned())]);
         if has_ink {
-            wanted.insert(PassId::OUTLINES, "the scene draws outlines".to_owned());
+            wanted.insert(PassId::OUTLINES, tr!("the scene draws outlines").to_owned());
         }
         // Passes are visited from the last to the first, so that the readers of a pass are known
         // before it.
@@ -120,7 +120,7 @@ impl WantedPasses {
         let unwanted = PassId::all().filter(|pass| is_first(pass) && !self.0.contains_key(pass));
         dropped.extend(unwanted.map(|pass| DroppedEffect {
             what: pass.row().purpose.tr().to_owned(),
-            why: "no live node of a visible object reads it".to_owned(),
+            why: tr!("no live node of a visible object reads it").to_owned(),
             kind: EffectKind::Pass,
             proof: Proof::Unreachable,
             look: None,

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use glam::DVec3;
 use indexmap::IndexMap;
 
@@ -140,7 +141,7 @@ impl Planner {
             let hidden = hidden(object, &scene.placed[number], &scene.view);
             match hidden.filter(|_| self.cull != CullMode::Nothing) {
                 Some((proof, why)) => dropped.push(DroppedEffect {
-                    what: format!("object `{}`", object.id),
+                    what: tr!("object `{id}`", id = object.id),
                     why: why.to_owned(),
                     kind: EffectKind::Object,
                     proof,

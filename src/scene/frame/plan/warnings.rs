@@ -3,6 +3,8 @@
 use std::cell::LazyCell;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
+use chiaro_locale::tr;
+
 use super::placement::{PlacedScene, VisibleObject};
 use super::planner::Planner;
 use super::variants::{LookShaders, Variants};
@@ -92,10 +94,10 @@ fn scene_key_warnings(scene: &PlacedScene<'_>) -> Vec<Diagnostic> {
         for driver in drivers {
             let Driver::Near(id) = driver else { continue };
             if !ids.contains(id) {
-                let message = format!("there is no object `{id}` in the scene");
+                let message = tr!("there is no object `{id}` in the scene");
                 let problem = Diagnostic::warning("unknown-object", message)
                     .suggest(id.as_str(), setup.objects.iter().map(|object| object.id.as_str()))
-                    .hint("until there is, it counts as far away");
+                    .hint(tr!("until there is, it counts as far away"));
                 found.push(located(setup, problem, format!("direction_keys[{index}].by")));
             }
         }
@@ -138,16 +140,19 @@ fn missing_objects(
             }
             let is_own = *id == *own;
             let message = if is_own {
-                format!("object `{id}` wears a look whose keys go by how near it is to itself")
+                tr!("object `{id}` wears a look whose keys go by how near it is to itself")
             } else {
-                format!("there is no object `{id}` in the scene")
+                tr!("there is no object `{id}` in the scene")
             };
             let ids = setup.objects.iter().map(|object| &object.id).filter(|other| *other != own);
             let known: Vec<String> = ids.take(8).map(|id| format!("`{id}`")).collect();
             let hint = if known.is_empty() {
-                "add another object to the scene, or let something else decide".to_owned()
+                tr!("add another object to the scene, or let something else decide").to_owned()
             } else {
-                format!("other objects are {}; until then it counts as far away", known.join(", "))
+                tr!(
+                    "other objects are {names}; until then it counts as far away",
+                    names = known.join(", ")
+                )
             };
             let mut problem = Diagnostic::warning("unknown-object", message)
                 .json_path(format!("direction_keys[{index}].by"))

@@ -1,5 +1,6 @@
 //! Keys of overrides: from frames to seconds, checked, and held by steps.
 
+use chiaro_locale::tr;
 use serde_json::{Value as Json, json};
 
 use super::FrameClock;
@@ -143,9 +144,9 @@ fn held_frames(clock: FrameClock, track: Track<'_>, step: u32) -> Result<(i32, i
     let first = clock.held_frame(first, step);
     let count = (i64::from(last) - i64::from(first)) / i64::from(step) + 2;
     if count > MOST_HELD {
-        let message = format!("the keys reach over {count} steps; at most {MOST_HELD} are held");
+        let message = tr!("the keys reach over {count} steps; at most {MOST_HELD} are held");
         return Err(Diagnostic::error("too-many", message)
-            .hint("write a greater step, or interpolation `stepped` for the keys"));
+            .hint(tr!("write a greater step, or interpolation `stepped` for the keys")));
     }
     Ok((first, count))
 }

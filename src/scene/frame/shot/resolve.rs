@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use serde_json::Value as Json;
 
 use super::keys::{json_of_keys, timed_keys};
@@ -125,7 +126,8 @@ impl<'s> ShotResolver<'s> {
         let file = &self.stack.shots[0];
         for mut problem in self.scene.check().into_iter().filter(Diagnostic::is_error) {
             let at = problem.place.json_path.take().unwrap_or_default();
-            problem.message = format!("`{at}`, as the shot changes it: {}", problem.message);
+            problem.message =
+                tr!("`{at}`, as the shot changes it: {message}", message = problem.message);
             self.problems.push(located(file, problem, "overrides"));
         }
     }
@@ -158,7 +160,7 @@ impl<'s> ShotResolver<'s> {
         let address = at.changed.target.as_str();
         let place = self.scene.value_at(address).map_err(|problem| {
             let is_light = address.starts_with("lights.") && problem.code == "unknown-target";
-            let hint = "name the look in \"look\" where it is a light of a look";
+            let hint = tr!("name the look in \"look\" where it is a light of a look");
             at.problem(if is_light { problem.hint(hint) } else { problem }, "target")
         })?;
         self.tell_directions(at);
@@ -170,7 +172,7 @@ impl<'s> ShotResolver<'s> {
             if let Some(why) = why_fixed(address) {
                 let message = format!("`{address}` {why}");
                 let problem = Diagnostic::error("bad-target", message);
-                let problem = problem.hint("write \"value\" in place of \"keys\"");
+                let problem = problem.hint(tr!("write \"value\" in place of \"keys\""));
                 return Err(at.problem(problem, "keys").into());
             }
             let check = |value: &Value| self.scene.check_value(address, value);
@@ -200,9 +202,9 @@ impl<'s> ShotResolver<'s> {
         let keys = self.scene.direction_keys.iter().flat_map(|keys| &keys.keys);
         let mut targets = keys.flat_map(|key| key.values.keys());
         if targets.any(|target| target.to_string() == at.changed.target) {
-            let message = format!(
-                "`{}` is keyed by a direction in the scene, which stands over the shot",
-                at.changed.target
+            let message = tr!(
+                "`{target}` is keyed by a direction in the scene, which stands over the shot",
+                target = at.changed.target
             );
             let problem = Diagnostic::warning("idle-override", message);
             self.problems.push(at.problem(problem, "target"));
@@ -241,12 +243,12 @@ impl<'s> ShotResolver<'s> {
         let folder = self.stack.scene_folder();
         let mut named = self.scene.objects.values().flat_map(|object| object.looks.values());
         let problem = if named.any(|look| is_same_file(files, &folder.join(look), path)) {
-            Diagnostic::warning("idle-override", format!("no visible object wears `{name}`"))
+            Diagnostic::warning("idle-override", tr!("no visible object wears `{name}`"))
         } else if files.has_file(path) {
-            Diagnostic::error("unknown-look", format!("no object of the scene wears `{name}`"))
+            Diagnostic::error("unknown-look", tr!("no object of the scene wears `{name}`"))
         } else {
-            Diagnostic::error("missing-asset", format!("there is no look `{name}`"))
-                .hint("paths of looks are relative to the shot's own file")
+            Diagnostic::error("missing-asset", tr!("there is no look `{name}`"))
+                .hint(tr!("paths of looks are relative to the shot's own file"))
         };
         // As the shot would name them, so that what is suggested can be written there.
         let own = super::stack::folder(&at.file.path);
@@ -269,7 +271,7 @@ impl<'s> ShotResolver<'s> {
         let worn = &mut setup.looks[index];
         let place = worn.look.value_at(address).map_err(|problem| at.problem(problem, "target"))?;
         if let Some(why) = covering {
-            let message = format!("`{address}` of the look has no effect: {why}");
+            let message = tr!("`{address}` of the look has no effect: {why}");
             let problem = Diagnostic::warning("idle-override", message);
             self.problems.push(at.problem(problem, "target"));
         }
@@ -279,9 +281,9 @@ impl<'s> ShotResolver<'s> {
         } else {
             let Some(target) = keyed_target(address).filter(|_| !address.starts_with("nodes."))
             else {
-                let message = format!("`{address}` is built into the shader of the look");
+                let message = tr!("`{address}` is built into the shader of the look");
                 let problem = Diagnostic::error("bad-target", message);
-                let problem = problem.hint("write \"value\" in place of \"keys\"");
+                let problem = problem.hint(tr!("write \"value\" in place of \"keys\""));
                 return Err(at.problem(problem, "keys").into());
             };
             let check = |value: &Value| worn.look.check_value(address, value);
@@ -352,11 +354,11 @@ fn why_fixed(address: &str) -> Option<&'static str> {
     let field = object_of(address).map(|_| address.splitn(3, '.').nth(2).unwrap_or_default());
     match field {
         Some(field) if field == "mesh" || field == "looks" || field.starts_with("looks.") => {
-            Some("is read once for all frames")
+            Some(tr!("is read once for all frames"))
         }
-        Some("transform.fit") => Some("does not move"),
+        Some("transform.fit") => Some(tr!("does not move")),
         None if ["time", "name", "about"].contains(&address.split('.').next().unwrap_or("")) => {
-            Some("does not move")
+            Some(tr!("does not move"))
         }
         _ => None,
     }
@@ -367,7 +369,7 @@ fn covering(setup: &Setup, look: usize, address: &str) -> Option<String> {
     if let Some(Target::Light { light, .. }) = keyed_target(address)
         && setup.scene.lights.contains_key(&light)
     {
-        return Some(format!(
+        return Some(tr!(
             "the scene has a light `{light}`, which stands in its place; leave \"look\" out to \
              change that"
         ));
@@ -382,5 +384,5 @@ fn covering(setup: &Setup, look: usize, address: &str) -> Option<String> {
     let object = setup.objects.iter().find(sets)?;
     let name = names.iter().find(|name| object.values.contains_key(**name))?;
     let id = &object.id;
-    Some(format!("object `{id}` sets it; change `objects.{id}.values.{name}`"))
+    Some(tr!("object `{id}` sets it; change `objects.{id}.values.{name}`"))
 }

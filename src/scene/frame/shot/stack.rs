@@ -3,6 +3,8 @@
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
+
 use crate::diag::{Diagnostic, WithWarnings, has_errors};
 use crate::document::{Document, FrameRate, LoadedDocument, Scene, Shot, SourceMap, read_text};
 use crate::files::{Files, shortened};
@@ -70,9 +72,9 @@ impl ShotStack {
             shots.push(ShotFile { path, shot, source: loaded.source.into() });
             let last = &shots[shots.len() - 1];
             if !files.has_file(&next) {
-                let message = format!("there is no file `{}`", next.display());
+                let message = tr!("there is no file `{file}`", file = next.display());
                 let problem = Diagnostic::error("missing-asset", message)
-                    .hint("paths of scenes are relative to the shot's own file");
+                    .hint(tr!("paths of scenes are relative to the shot's own file"));
                 problems.push(located(last, problem, "scene"));
                 return Err(problems);
             }
@@ -80,14 +82,14 @@ impl ShotStack {
             if let Some(around) = shots.iter().position(names) {
                 let circle = shots[around..].iter().map(|shot| shot.path.display().to_string());
                 let circle: Vec<String> = circle.collect();
-                let message = format!("shots change one another: {}", circle.join(", "));
+                let message = tr!("shots change one another: {paths}", paths = circle.join(", "));
                 let problem = Diagnostic::error("cycle", message)
-                    .hint("let one of them name a scene in `scene`");
+                    .hint(tr!("let one of them name a scene in `scene`"));
                 problems.push(located(last, problem, "scene"));
                 return Err(problems);
             }
             if shots.len() >= MOST {
-                let message = format!("more than {MOST} shots lie one over the other");
+                let message = tr!("more than {MOST} shots lie one over the other");
                 let problem = Diagnostic::error("too-many", message);
                 problems.push(located(last, problem, "scene"));
                 return Err(problems);
@@ -106,8 +108,11 @@ impl ShotStack {
                 Document::Look(found) => {
                     problems.extend(found.diagnostics.into_iter().filter(Diagnostic::is_error));
                     let problem =
-                        Diagnostic::error("wrong-document", "a shot changes a scene").hint(
-                            format!("`{}` is a look: name a scene that shows it", last.shot.scene),
+                        Diagnostic::error("wrong-document", tr!("a shot changes a scene")).hint(
+                            tr!(
+                                "`{scene}` is a look: name a scene that shows it",
+                                scene = last.shot.scene
+                            ),
                         );
                     problems.push(located(last, problem, "scene"));
                     return Err(problems);

@@ -17,6 +17,8 @@ mod stl;
 use std::io::Cursor;
 use std::path::Path;
 
+use chiaro_locale::tr;
+
 use self::report::{ImportProblem, ImportReport};
 use self::source::{Source, unreadable};
 use super::build::build;
@@ -53,7 +55,7 @@ pub type Siblings<'a> = &'a dyn Fn(&str) -> Result<Box<dyn OpenFile>, String>;
 /// # Errors
 /// Always.
 pub fn no_siblings(_: &str) -> Result<Box<dyn OpenFile>, String> {
-    Err("only the file itself was given".to_owned())
+    Err(tr!("only the file itself was given").to_owned())
 }
 
 /// Reads a file's `bytes` as the format that the ending of `name` says (obj, ply, stl, gltf, glb),
@@ -98,9 +100,9 @@ pub fn load(files: &dyn Files, path: &Path) -> Result<WithWarnings<Mesh>, Vec<Di
     let name = path.display().to_string();
     let file = files.open(path, MAX_FILE_BYTES).map_err(|why| {
         let hint = if files.metadata(path).is_some() {
-            "name a file that you may read"
+            tr!("name a file that you may read")
         } else {
-            "check the spelling and the folder"
+            tr!("check the spelling and the folder")
         };
         vec![unreadable(&why).in_file(name.as_str()).hint(hint)]
     })?;
@@ -138,8 +140,10 @@ fn read(
     report: &mut ImportReport,
 ) -> Result<TriangleSoup, ImportProblem> {
     if file.length() > MAX_FILE_BYTES {
-        let message =
-            format!("the file has {} bytes, more than the {MAX_FILE_BYTES} allowed", file.length());
+        let message = tr!(
+            "the file has {bytes} bytes, more than the {MAX_FILE_BYTES} allowed",
+            bytes = file.length()
+        );
         return Err(Diagnostic::error("mesh-too-large", message).into());
     }
     let file_name = name.rsplit(['/', '\\']).next().unwrap_or(name);
@@ -156,9 +160,9 @@ fn read(
         _ if head.starts_with(b"glTF") => gltf::read(file, siblings, report)?,
         _ if head.starts_with(b"ply\n") || head.starts_with(b"ply\r") => ply::read(file, report)?,
         _ => {
-            let message = format!("`{ending}` is no mesh format that can be read");
+            let message = tr!("`{ending}` is no mesh format that can be read");
             let problem = Diagnostic::error("mesh-format", message);
-            return Err(problem.hint("use an OBJ, PLY, STL, glTF or GLB file").into());
+            return Err(problem.hint(tr!("use an OBJ, PLY, STL, glTF or GLB file")).into());
         }
     };
     if soup.name.is_empty() {
@@ -171,14 +175,14 @@ fn read(
 /// it.
 fn foreign(head: &[u8], length: u64, ending: &str) -> Option<Diagnostic> {
     if head.starts_with(b"DRACO") {
-        let message = "the mesh is compressed with Draco, which cannot be read";
-        let hint = "export without compression, as glTF, OBJ or PLY";
+        let message = tr!("the mesh is compressed with Draco, which cannot be read");
+        let hint = tr!("export without compression, as glTF, OBJ or PLY");
         return Some(Diagnostic::error("mesh-unsupported", message).hint(hint));
     }
     let is_binary = ending.eq_ignore_ascii_case("stl") && stl::is_binary(head, length);
     if !is_binary && files::is_utf16(head) {
-        let problem = Diagnostic::error("mesh-encoding", "the file is text in UTF-16");
-        return Some(problem.hint("save it as UTF-8"));
+        let problem = Diagnostic::error("mesh-encoding", tr!("the file is text in UTF-16"));
+        return Some(problem.hint(tr!("save it as UTF-8")));
     }
     None
 }
@@ -188,49 +192,53 @@ fn finish(soup: TriangleSoup, report: &mut ImportReport) -> Mesh {
     let count = soup.triangles.len();
     if count == 0 {
         let message = if soup.points.is_empty() {
-            "the mesh is empty"
+            tr!("the mesh is empty")
         } else {
-            "the mesh has points but no faces"
+            tr!("the mesh has points but no faces")
         };
         report.add(
             Diagnostic::error("mesh-empty", message)
-                .hint("export the surface as polygons or triangles"),
+                .hint(tr!("export the surface as polygons or triangles")),
         );
         return Mesh::default();
     }
     let (mesh, made) = build(soup, CREASE_ANGLE);
     if mesh.indices.is_empty() {
-        report.error("mesh-empty", format!("none of the {count} triangles has an area"));
+        report.error("mesh-empty", tr!("none of the {count} triangles has an area"));
         return mesh;
     }
     if made.degenerate > 0 {
-        let message =
-            format!("{} of {count} triangles have no area and were left out", made.degenerate);
+        let message = tr!(
+            "{left_out} of {count} triangles have no area and were left out",
+            left_out = made.degenerate
+        );
         report.add(Diagnostic::warning("mesh-degenerate", message));
     }
     let radius = mesh.bounds().radius;
     if !RADII.contains(&radius) {
-        let message = format!(
-            "the mesh has a radius of {radius:e} units; only {:e} to {:e} can be drawn",
-            RADII.start(),
-            RADII.end()
+        let message = tr!(
+            "the mesh has a radius of {radius:e} units; only {least:e} to {most:e} can be drawn",
+            least = RADII.start(),
+            most = RADII.end()
         );
-        report
-            .add(Diagnostic::error("mesh-scale", message).hint("scale the mesh where it was made"));
+        report.add(
+            Diagnostic::error("mesh-scale", message).hint(tr!("scale the mesh where it was made")),
+        );
     }
     let far = mesh.positions.iter().flatten().fold(0.0_f32, |far, x| far.max(x.abs()));
     if far > FARTHEST && RADII.contains(&radius) {
-        let message = format!(
+        let message = tr!(
             "the mesh reaches to the coordinate {far:e}; only those up to {FARTHEST:e} can be drawn"
         );
-        report
-            .add(Diagnostic::error("mesh-scale", message).hint("move the mesh where it was made"));
+        report.add(
+            Diagnostic::error("mesh-scale", message).hint(tr!("move the mesh where it was made")),
+        );
     }
     if made.normals > 0 {
         let degrees = CREASE_ANGLE.to_degrees().round();
-        let message = format!(
-            "normals were made for {} corners, with creases above {degrees} degrees",
-            made.normals
+        let message = tr!(
+            "normals were made for {corners} corners, with creases above {degrees} degrees",
+            corners = made.normals
         );
         report.add(Diagnostic::note("mesh-normals-made", message));
     }

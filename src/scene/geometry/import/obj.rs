@@ -5,6 +5,8 @@
 //! name a point that comes later. Smoothing groups are left to the crease angle; material
 //! libraries, lines, points and groups say nothing that Chiaro uses.
 
+use chiaro_locale::{Text, text, tr};
+
 use super::report::ImportReport;
 use super::{MAX_TRIANGLES, MAX_VERTICES};
 use crate::diag::Diagnostic;
@@ -33,7 +35,7 @@ pub(super) fn read(bytes: &[u8], report: &mut ImportReport) -> TriangleSoup {
     if counts.iter().any(|&count| count > MAX_VERTICES) {
         reader.report.error(
             "mesh-too-large",
-            format!("the file has more than {MAX_VERTICES} points, normals or UVs"),
+            tr!("the file has more than {MAX_VERTICES} points, normals or UVs"),
         );
         return TriangleSoup::default();
     }
@@ -104,8 +106,8 @@ impl Reader<'_, '_> {
 
     fn unsupported(&mut self, keyword: &str) {
         let diagnostic =
-            Diagnostic::warning("mesh-unsupported", format!("`{keyword}` surfaces are left out"))
-                .hint("export the surface as polygons");
+            Diagnostic::warning("mesh-unsupported", tr!("`{keyword}` surfaces are left out"))
+                .hint(tr!("export the surface as polygons"));
         self.report.add_at(self.text, keyword, diagnostic);
     }
 
@@ -115,13 +117,14 @@ impl Reader<'_, '_> {
         &mut self,
         tokens: &[&str],
         least: usize,
-        what: &str,
+        what: Text,
         index: usize,
     ) -> ([f32; N], usize) {
         let mut values = [0.0; N];
         let given = tokens.len() - 1;
         if given < least {
-            let message = format!("{what} {} has {given} of its {least} numbers", index + 1);
+            let message =
+                tr!("{what} {number} has {given} of its {least} numbers", number = index + 1);
             self.error(tokens[0], "mesh-syntax", message);
             return (values, 0);
         }
@@ -129,14 +132,15 @@ impl Reader<'_, '_> {
             match token.parse::<f32>() {
                 Ok(number) if number.is_finite() => *value = number,
                 Ok(_) => {
-                    let message = format!(
-                        "{what} {} has the coordinate `{token}`, which is not finite",
-                        index + 1
+                    let message = tr!(
+                        "{what} {number} has the coordinate `{token}`, which is not finite",
+                        number = index + 1
                     );
                     self.error(token, "mesh-not-finite", message);
                 }
                 Err(_) => {
-                    let message = format!("`{token}` in {what} {} is not a number", index + 1);
+                    let message =
+                        tr!("`{token}` in {what} {number} is not a number", number = index + 1);
                     self.error(token, "mesh-syntax", message);
                 }
             }
@@ -146,7 +150,7 @@ impl Reader<'_, '_> {
 
     fn point(&mut self, tokens: &[&str]) {
         let index = self.soup.points.len();
-        let ([x, y, z, r, g, b, a], given) = self.numbers::<7>(tokens, 3, "vertex", index);
+        let ([x, y, z, r, g, b, a], given) = self.numbers::<7>(tokens, 3, text!("vertex"), index);
         self.soup.points.push([x, y, z]);
         // Four numbers are x y z w: w matters to rational curves only. An alpha below 0 marks a
         // point without color.
@@ -160,13 +164,13 @@ impl Reader<'_, '_> {
 
     fn normal(&mut self, tokens: &[&str]) {
         let index = self.soup.normals.len();
-        let (normal, _) = self.numbers::<3>(tokens, 3, "normal", index);
+        let (normal, _) = self.numbers::<3>(tokens, 3, text!("normal"), index);
         self.soup.normals.push(normal);
     }
 
     fn uv(&mut self, tokens: &[&str]) {
         let index = self.soup.uvs.len();
-        let (uv, _) = self.numbers::<2>(tokens, 1, "UV", index);
+        let (uv, _) = self.numbers::<2>(tokens, 1, Text::new("UV"), index);
         self.soup.uvs.push(uv);
     }
 
@@ -198,7 +202,7 @@ impl Reader<'_, '_> {
                 _ => {}
             }
             if self.soup.triangles.len() > MAX_TRIANGLES {
-                let message = format!("the file has more than {MAX_TRIANGLES} triangles");
+                let message = tr!("the file has more than {MAX_TRIANGLES} triangles");
                 self.error(tokens[0], "mesh-too-large", message);
                 return;
             }
@@ -207,7 +211,8 @@ impl Reader<'_, '_> {
 
     fn face(&mut self, tokens: &[&str], before: [usize; 3], material: u32, polygon: &mut Polygon) {
         if tokens.len() < 4 {
-            let message = format!("a face has {} corners; it needs 3 or more", tokens.len() - 1);
+            let message =
+                tr!("a face has {count} corners; it needs 3 or more", count = tokens.len() - 1);
             self.error(tokens[0], "mesh-syntax", message);
             return;
         }
@@ -226,15 +231,16 @@ impl Reader<'_, '_> {
         let mut indices = [NONE; 3];
         let mut fields = token.split('/');
         let counts = [self.soup.points.len(), self.soup.uvs.len(), self.soup.normals.len()];
-        for (slot, what) in ["vertex", "UV", "normal"].into_iter().enumerate() {
+        for (slot, what) in
+            [text!("vertex"), Text::new("UV"), text!("normal")].into_iter().enumerate()
+        {
             let field = fields.next().unwrap_or("");
             if field.is_empty() && slot > 0 {
                 continue;
             }
             let Ok(number) = field.parse::<i64>() else {
-                let message = format!(
-                    "`{token}` is not a corner: write vertex, vertex/uv or vertex/uv/normal"
-                );
+                let message =
+                    tr!("`{token}` is not a corner: write vertex, vertex/uv or vertex/uv/normal");
                 self.error(token, "mesh-syntax", message);
                 return None;
             };
@@ -242,8 +248,7 @@ impl Reader<'_, '_> {
             let index =
                 if number < 0 { number.saturating_add(before[slot] as i64) } else { number - 1 };
             if number == 0 || index < 0 || index >= count as i64 {
-                let message =
-                    format!("{what} {number} is out of range: there are {count} in the file");
+                let message = tr!("{what} {number} is out of range: there are {count} in the file");
                 self.error(token, "mesh-index", message);
                 return None;
             }

@@ -1,5 +1,7 @@
 //! Collector of a reader's diagnostics, up to a bound.
 
+use chiaro_locale::trn;
+
 use crate::diag::{Diagnostic, LineColumn, has_errors};
 
 /// Greatest number of problems of one file that are told; further ones are counted.
@@ -75,7 +77,11 @@ impl ImportReport {
     fn take(&mut self) -> Vec<Diagnostic> {
         let mut list = std::mem::take(&mut self.list);
         if self.untold > 0 {
-            let message = format!("there are {} more problems of this kind", self.untold);
+            let message = trn!(
+                count = self.untold,
+                "there are {count} more problems of this kind",
+                "there are {count} more problems of this kind"
+            );
             list.push(Diagnostic::note("mesh-more", message).in_file(self.file.as_str()));
         }
         list

@@ -6,6 +6,8 @@ use std::io::{self, Read as _, Seek as _, SeekFrom};
 use std::ops::Range;
 use std::rc::Rc;
 
+use chiaro_locale::tr;
+
 use super::report::ImportProblem;
 use crate::diag::Diagnostic;
 use crate::files::OpenFile;
@@ -68,7 +70,7 @@ impl<'f> Source<'f> {
 
 /// The error for a file that the system does not read.
 pub(super) fn unreadable(why: &dyn Display) -> Diagnostic {
-    Diagnostic::error("mesh-read", format!("the mesh cannot be read: {why}"))
+    Diagnostic::error("mesh-read", tr!("the mesh cannot be read: {why}"))
 }
 
 #[cfg(test)]

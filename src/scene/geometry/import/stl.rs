@@ -1,6 +1,8 @@
 //! STL, as text and binary. Facet normals are left out: the winding says the same, and better.
 //! Points repeat for every facet; [`super::super::build`] welds them.
 
+use chiaro_locale::tr;
+
 use super::cursor::Cursor;
 use super::report::ImportReport;
 use super::{MAX_TRIANGLES, MAX_VERTICES};
@@ -64,14 +66,16 @@ fn binary(bytes: &[u8], declared: Option<u64>, report: &mut ImportReport) -> Vec
     let Some(count) = declared else {
         report.error(
             "mesh-truncated",
-            format!("the file has {} bytes; an STL file has at least {HEADER}", bytes.len()),
+            tr!(
+                "the file has {bytes} bytes; an STL file has at least {HEADER}",
+                bytes = bytes.len()
+            ),
         );
         return Vec::new();
     };
     let there = ((bytes.len() - HEADER) / FACET) as u64;
     if there < count {
-        report
-            .error("mesh-truncated", format!("the file ends after {there} of its {count} facets"));
+        report.error("mesh-truncated", tr!("the file ends after {there} of its {count} facets"));
         return Vec::new();
     }
     if too_many(count, report) {
@@ -86,7 +90,10 @@ fn binary(bytes: &[u8], declared: Option<u64>, report: &mut ImportReport) -> Vec
             if corner.iter().any(|c| !c.is_finite()) {
                 report.error(
                     "mesh-not-finite",
-                    format!("facet {} has the point {corner:?}, which is not finite", facet + 1),
+                    tr!(
+                        "facet {number} has the point {corner:?}, which is not finite",
+                        number = facet + 1
+                    ),
                 );
             }
             points.push(corner);
@@ -100,7 +107,7 @@ fn too_many(facets: u64, report: &mut ImportReport) -> bool {
     if facets > most {
         report.error(
             "mesh-too-large",
-            format!("the file has {facets} facets, more than the {most} allowed"),
+            tr!("the file has {facets} facets, more than the {most} allowed"),
         );
     }
     facets > most
@@ -119,8 +126,10 @@ fn text(text: &str, report: &mut ImportReport) -> Vec<[f32; 3]> {
             "facet" => facet_start = points.len(),
             "vertex" => points.push(vertex(text, keyword, words, report)),
             "endfacet" if points.len() - facet_start != 3 => {
-                let message =
-                    format!("a facet has {} vertices instead of 3", points.len() - facet_start);
+                let message = tr!(
+                    "a facet has {count} vertices instead of 3",
+                    count = points.len() - facet_start
+                );
                 report.error_at(text, keyword, "mesh-syntax", message);
                 points.truncate(facet_start);
             }
@@ -129,7 +138,7 @@ fn text(text: &str, report: &mut ImportReport) -> Vec<[f32; 3]> {
                 text,
                 keyword,
                 "mesh-syntax",
-                format!("`{keyword}` is no word of an STL file"),
+                tr!("`{keyword}` is no word of an STL file"),
             ),
         }
         if too_many(points.len() as u64 / 3, report) {
@@ -137,7 +146,7 @@ fn text(text: &str, report: &mut ImportReport) -> Vec<[f32; 3]> {
         }
     }
     if open || !points.len().is_multiple_of(3) {
-        report.error("mesh-truncated", "the file ends before `endsolid`");
+        report.error("mesh-truncated", tr!("the file ends before `endsolid`"));
     }
     points
 }
@@ -161,10 +170,10 @@ fn vertex<'a>(
                 text,
                 word,
                 "mesh-not-finite",
-                format!("the coordinate `{word}` is not finite"),
+                tr!("the coordinate `{word}` is not finite"),
             ),
             Err(_) => {
-                report.error_at(text, word, "mesh-syntax", format!("`{word}` is not a number"));
+                report.error_at(text, word, "mesh-syntax", tr!("`{word}` is not a number"));
             }
         }
         count += 1;
@@ -174,7 +183,7 @@ fn vertex<'a>(
             text,
             keyword,
             "mesh-syntax",
-            format!("a vertex has {count} numbers instead of 3"),
+            tr!("a vertex has {count} numbers instead of 3"),
         );
     }
     point

@@ -1,5 +1,6 @@
 //! Curves of animations: a value of several numbers at each of some times.
 
+use chiaro_locale::tr;
 use glam::DQuat;
 
 /// Way from one key of a curve to the next, as glTF names it.
@@ -39,19 +40,19 @@ impl Curve {
     ) -> Result<Self, &'static str> {
         let of_key = if interpolation == KeyInterpolation::CubicSpline { 3 } else { 1 };
         if times.is_empty() || width == 0 {
-            return Err("it has no keys");
+            return Err(tr!("it has no keys"));
         }
         if !times.iter().all(|time| time.is_finite()) {
-            return Err("a time of it is not finite");
+            return Err(tr!("a time of it is not finite"));
         }
         if !times.is_sorted_by(|before, after| before < after) {
-            return Err("its times do not grow");
+            return Err(tr!("its times do not grow"));
         }
         if times.len().checked_mul(of_key * width) != Some(values.len()) {
-            return Err("it has not one value for each time");
+            return Err(tr!("it has not one value for each time"));
         }
         if !values.iter().all(|value| value.is_finite()) {
-            return Err("a value of it is not finite");
+            return Err(tr!("a value of it is not finite"));
         }
         Ok(Self { interpolation, times, values, width })
     }

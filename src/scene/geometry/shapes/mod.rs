@@ -18,6 +18,8 @@ mod uv;
 use std::convert::Infallible;
 use std::sync::OnceLock;
 
+use chiaro_locale::{Text, text};
+
 use super::build::build;
 use super::mesh::Mesh;
 use super::normals::CREASE_ANGLE;
@@ -30,9 +32,9 @@ pub struct OwnShape {
     /// Name of the shape in documents, after `shape:`.
     pub name: &'static str,
     /// Name of the shape for people.
-    pub label: &'static str,
+    pub label: Text,
     /// Use of the shape, in a sentence.
-    pub help: &'static str,
+    pub help: Text,
     /// Function that makes the shape.
     make: fn() -> TriangleSoup,
 }
@@ -41,71 +43,77 @@ pub struct OwnShape {
 pub const SHAPES: &[OwnShape] = &[
     OwnShape {
         name: "sphere",
-        label: "Sphere",
-        help: "Every direction once and one curvature: the plainest view of a look.",
+        label: text!("Sphere"),
+        help: text!("Every direction once and one curvature: the plainest view of a look."),
         make: revolve::sphere,
     },
     OwnShape {
         name: "torus",
-        label: "Torus",
-        help: "Curved outwards outside and like a saddle inside.",
+        label: text!("Torus"),
+        help: text!("Curved outwards outside and like a saddle inside."),
         make: revolve::torus,
     },
     OwnShape {
         name: "blob",
-        label: "Blob",
-        help: "Balls run together: convex lobes with soft hollows between them.",
+        label: text!("Blob"),
+        help: text!("Balls run together: convex lobes with soft hollows between them."),
         make: || uv::spherical(&nets::polygonize(&blob::sculpture(), blob::CELLS)),
     },
     OwnShape {
         name: "knot",
-        label: "Knot",
-        help: "A trefoil tube that passes over and under itself.",
+        label: text!("Knot"),
+        help: text!("A trefoil tube that passes over and under itself."),
         make: sweep::knot,
     },
     OwnShape {
         name: "creature",
-        label: "Creature",
-        help: "A seated cub with brows, eyes, mouth, ears and folds: a character with real \
-               hollows.",
+        label: text!("Creature"),
+        help: text!(
+            "A seated cub with brows, eyes, mouth, ears and folds: a character with real \
+               hollows."
+        ),
         make: || uv::boxed(&nets::polygonize(&creature::sculpture(), creature::CELLS)),
     },
     OwnShape {
         name: "cube",
-        label: "Rounded cube",
-        help: "Flat faces between rounded edges: where curvature is nothing, or high.",
+        label: text!("Rounded cube"),
+        help: text!("Flat faces between rounded edges: where curvature is nothing, or high."),
         make: cube::cube,
     },
     OwnShape {
         name: "vase",
-        label: "Vase",
-        help: "A thin wall, hollow inside, with a lip and a foot.",
+        label: text!("Vase"),
+        help: text!("A thin wall, hollow inside, with a lip and a foot."),
         make: revolve::vase,
     },
     OwnShape {
         name: "plane",
-        label: "Plane",
-        help: "A flat square, for textures and thresholds.",
+        label: text!("Plane"),
+        help: text!("A flat square, for textures and thresholds."),
         make: cube::plane,
     },
     OwnShape {
         name: "waves",
-        label: "Waves",
-        help: "A flat square in waves, for painted surfaces: every tile is lit and seen from \
-               somewhere else.",
+        label: text!("Waves"),
+        help: text!(
+            "A flat square in waves, for painted surfaces: every tile is lit and seen from \
+               somewhere else."
+        ),
         make: cube::waves,
     },
     OwnShape {
         name: "ball",
-        label: "Ball",
-        help: "A sphere of 400 triangles, beside the waves in the thesis's test scene.",
+        label: text!("Ball"),
+        help: text!("A sphere of 400 triangles, beside the waves in the thesis's test scene."),
         make: revolve::ball,
     },
     OwnShape {
         name: "city",
-        label: "City",
-        help: "2,785 houses between streets, with whole repeats of a tile on every wall: 27,860 \
-               triangles.",
+        label: text!("City"),
+        help: text!(
+            "2,785 houses between streets, with whole repeats of a tile on every wall: 27,860 \
+               triangles."
+        ),
         make: city::city,
     },
 ];

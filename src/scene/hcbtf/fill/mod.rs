@@ -22,6 +22,7 @@ use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 use thiserror::Error;
 
@@ -95,18 +96,22 @@ pub enum NotFilled {
         why: String,
     },
     /// The work was stopped.
-    #[error("it was stopped before it was done")]
+    #[error("{}", tr!("it was stopped before it was done"))]
     Stopped,
     /// The grid has more than [`MAX_SAMPLES`] samples.
-    #[error("the grid has {samples} samples; at most {MAX_SAMPLES} can be filled")]
+    #[error("{}", tr!("the grid has {samples} samples; at most {MAX_SAMPLES} can be filled"))]
     TooMany {
         /// Number of samples of the grid.
         samples: u64,
     },
     /// The result would take more than [`MAX_FILLED_BYTES`].
     #[error(
-        "the filled samples would take {} MiB; at most {} MiB can be", bytes >> 20,
-        MAX_FILLED_BYTES >> 20
+        "{}",
+        tr!(
+            "the filled samples would take {mib} MiB; at most {most} MiB can be",
+            mib = bytes >> 20,
+            most = MAX_FILLED_BYTES >> 20
+        )
     )]
     TooLarge {
         /// Memory that the result would take, in bytes.
@@ -119,7 +124,7 @@ impl From<NotFilled> for Diagnostic {
         match why {
             NotFilled::Stopped => Self::error("stopped", why.to_string()),
             NotFilled::BadGrid { why } => Self::error("hcbtf-grid", why),
-            _ => Self::error("too-large", why.to_string()).hint("take a coarser grid"),
+            _ => Self::error("too-large", why.to_string()).hint(tr!("take a coarser grid")),
         }
     }
 }

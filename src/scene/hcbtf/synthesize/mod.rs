@@ -11,6 +11,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use rayon::iter::{IntoParallelIterator as _, IntoParallelRefIterator as _, ParallelIterator as _};
 
 use super::check_painted;
@@ -80,8 +81,8 @@ pub fn synthesize_filled(
         || how.patch.is_some_and(|patch| !(LEAST_PATCH..smallest).contains(&patch))
     {
         let message =
-            format!("patches of {patch} texels do not fit tiles whose shorter side is {smallest}");
-        let hint = format!(
+            tr!("patches of {patch} texels do not fit tiles whose shorter side is {smallest}");
+        let hint = tr!(
             "patches have at least {LEAST_PATCH} texels along a side, and fewer than both tiles"
         );
         return Err(Diagnostic::error("bad-argument", message).hint(hint));

@@ -229,9 +229,9 @@ impl Keys {
         let KeySetView { owned, keys, key, .. } = shown;
         let can_edit = !keys.keys.is_empty();
         ui.horizontal_wrapped(|ui| {
-            let help =
-                tr!("Adds a key where the light or the view is now, with the values that are \
-                        seen now");
+            let help = tr!(
+                "Adds a key where the light or the view is now, with the values that are seen now"
+            );
             if ui.button(tr!("Add key here")).on_hover_text(help).clicked() {
                 out.extend(owned.once(owned.keys.key_here(shown.set)));
                 out.push(Command::SelectKey(Some(shown.place(keys.keys.len()))));

@@ -61,9 +61,10 @@ fn head(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
         if is_it && is_new {
             response.scroll_to_me(Some(egui::Align::Center));
         }
-        let help =
-            tr!("Values set elsewhere in the window are set at this key; press again to follow \
-                    the heaviest key");
+        let help = tr!(
+            "Values set elsewhere in the window are set at this key; press again to follow the \
+             heaviest key"
+        );
         if response.on_hover_text(help).clicked() {
             let place = shown.place(index);
             let is_held = shown.owned.session.selection.key == Some(place);

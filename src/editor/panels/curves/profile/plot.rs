@@ -318,7 +318,7 @@ fn paint_handle(
     let help = match whole_edge(ui, layer, part) {
         Some(_) => {
             tr!("{what}. Drag, or arrow keys (Shift: a tenth). It moves the whole edge; Ctrl-drag \
-             moves it alone.")
+                 moves it alone.")
         }
         None => tr!("{what}. Drag, or arrow keys (Shift: a tenth). Shift-drag moves all three."),
     };

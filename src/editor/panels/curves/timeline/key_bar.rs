@@ -249,9 +249,10 @@ fn commands(
         if ui.button(tr!("Copy keys")).on_hover_text(tr!("Ctrl+C over this panel")).clicked() {
             timeline.sheet.copy(session);
         }
-        let help =
-            tr!("Puts the copied keys at the playhead (Ctrl+V): into their tracks, or keys of \
-                    one track into that of the selected key");
+        let help = tr!(
+            "Puts the copied keys at the playhead (Ctrl+V): into their tracks, or keys of one \
+             track into that of the selected key"
+        );
         let can_paste = timeline.sheet.has_copies();
         let paste = ui.add_enabled(can_paste, Button::new(tr!("Paste keys")));
         if paste.on_hover_text(help).clicked() {

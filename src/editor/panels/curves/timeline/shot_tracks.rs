@@ -1,7 +1,7 @@
 //! Tracks of the shot that are no light's and no node's: the camera, objects, masters of groups.
 //! Their keys are overrides of the shot, in frames.
 
-use chiaro_locale::tr;
+use chiaro_locale::{Text, text, tr};
 use eframe::egui::{
     self, Key, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
@@ -24,6 +24,23 @@ use crate::widgets::theme;
 
 /// Fields of the camera that are offered to be keyed.
 const CAMERA: [&str; 4] = ["camera.eye", "camera.target", "camera.fov", "camera.height"];
+/// Words of a scene's fields, for people.
+const WORDS: [(&str, Text); 14] = [
+    ("camera", text!("scene" => "Camera")),
+    ("eye", text!("scene" => "Eye")),
+    ("target", text!("scene" => "Target")),
+    ("fov", text!("scene" => "Fov")),
+    ("height", text!("scene" => "Height")),
+    ("translate", text!("scene" => "Translate")),
+    ("rotate", text!("scene" => "Rotate")),
+    ("scale", text!("scene" => "Scale")),
+    ("visible", text!("scene" => "Visible")),
+    ("intensity", text!("scene" => "Intensity")),
+    ("exposure", text!("scene" => "Exposure")),
+    ("tint", text!("scene" => "Tint")),
+    ("backdrop", text!("scene" => "Backdrop")),
+    ("mesh", text!("scene" => "Mesh")),
+];
 /// Least distance of two keys, in frames.
 const GAP: f64 = 1e-3;
 
@@ -68,12 +85,16 @@ fn names_of(target: &str) -> [String; 2] {
     let mut parts = target.splitn(2, '.');
     let first = parts.next().unwrap_or_default();
     let rest = parts.next().unwrap_or_default();
+    let word = |name: &str| match WORDS.iter().find(|(known, _)| *known == name) {
+        Some((_, text)) => text.tr().to_owned(),
+        None => spoken(name),
+    };
     match (first, rest.split_once('.')) {
         ("objects" | "light_groups", Some((id, field))) => {
             let field = field.trim_start_matches("values.").trim_start_matches("transform.");
-            [id.to_owned(), spoken(field)]
+            [id.to_owned(), word(field)]
         }
-        _ => [spoken(first), spoken(rest)],
+        _ => [word(first), word(rest)],
     }
 }
 

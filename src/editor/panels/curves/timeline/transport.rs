@@ -133,9 +133,10 @@ pub(super) fn ways(
     combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, tr!("Speed")));
     combo.response.on_hover_text(tr!("Speed, as a factor of the frame rate"));
     if clock.part.is_some() {
-        let help =
-            tr!("Plays the whole range again. A drag on the ruler with Shift chooses a part; I \
-                    and O over this panel set its ends");
+        let help = tr!(
+            "Plays the whole range again. A drag on the ruler with Shift chooses a part; I and O \
+             over this panel set its ends"
+        );
         if ui.button(tr!("Whole range")).on_hover_text(help).clicked() {
             clock.part = None;
         }
@@ -145,9 +146,9 @@ pub(super) fn ways(
         return;
     }
     let mut waits = clock.pace == PlayPace::EveryFrame;
-    let help =
-        tr!("Shows every frame, later than its time where it is not drawn yet; else those are \
-                left out");
+    let help = tr!(
+        "Shows every frame, later than its time where it is not drawn yet; else those are left out"
+    );
     if ui.checkbox(&mut waits, tr!("Every frame")).on_hover_text(help).changed() {
         clock.pace = if waits { PlayPace::EveryFrame } else { PlayPace::RealTime };
     }
@@ -160,7 +161,7 @@ pub(super) fn ways(
     let has_frames = playback.cache().frames().next().is_some();
     let help =
         tr!("Keeps these frames, to compare later ones with: a flip book, for which the picture \
-                gets buttons");
+             gets buttons");
     let keep = ui.add_enabled(has_frames, Button::new(tr!("Keep")));
     keep.widget_info(|| WidgetInfo::labeled(Role::Button, has_frames, tr!("Keep version")));
     if keep.on_hover_text(help).clicked() {

@@ -1,6 +1,7 @@
 //! Reader of glTF accessors that checks every access: the crate's own readers trust counts and
 //! offsets.
 
+use chiaro_locale::tr;
 use gltf::Accessor;
 use gltf::accessor::DataType;
 use gltf::accessor::sparse::IndexType;
@@ -50,8 +51,10 @@ pub(super) fn rows_as<const N: usize, T: Clone>(
     let count = accessor.count();
     // Indices come three a triangle, more than any other kind of element.
     if count > 3 * MAX_TRIANGLES.max(MAX_VERTICES) {
-        let message =
-            format!("accessor {} has {count} elements, more than are allowed", accessor.index());
+        let message = tr!(
+            "accessor {index} has {count} elements, more than are allowed",
+            index = accessor.index()
+        );
         return Err(Diagnostic::error("mesh-too-large", message).into());
     }
     let layout = Layout {
@@ -61,7 +64,7 @@ pub(super) fn rows_as<const N: usize, T: Clone>(
         fill,
     };
     let outside = || {
-        let message = format!("accessor {} reaches beyond its buffer", accessor.index());
+        let message = tr!("accessor {index} reaches beyond its buffer", index = accessor.index());
         Diagnostic::error("mesh-truncated", message)
     };
     let mut rows = match accessor.view() {

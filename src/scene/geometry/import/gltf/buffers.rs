@@ -5,6 +5,7 @@ use std::io::Cursor;
 use base64::Engine as _;
 use base64::alphabet::STANDARD;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
+use chiaro_locale::tr;
 use gltf::Document;
 use gltf::buffer::Source as Place;
 
@@ -30,14 +31,14 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
 pub(super) fn chunks<'f>(
     file: &Source<'f>,
 ) -> Result<(Source<'f>, Option<Source<'f>>), ImportProblem> {
-    let short = || Box::new(Diagnostic::error("mesh-truncated", "the GLB file is cut short"));
+    let short = || Box::new(Diagnostic::error("mesh-truncated", tr!("the GLB file is cut short")));
     let words = |offset: u64, count: u64| -> Result<Vec<u32>, ImportProblem> {
         let bytes = file.part(offset, 4 * count).ok_or_else(short)?.all()?;
         Ok(bytes.as_chunks().0.iter().map(|word| u32::from_le_bytes(*word)).collect())
     };
     let [version, length] = words(4, 2)?[..] else { return Err(short()) };
     if version != 2 {
-        let message = format!("the GLB file has version {version}; only version 2 can be read");
+        let message = tr!("the GLB file has version {version}; only version 2 can be read");
         return Err(Diagnostic::error("mesh-unsupported", message).into());
     }
     if u64::from(length) > file.length() {
@@ -70,16 +71,20 @@ pub(super) fn load<'f>(
     let mut buffers = Vec::new();
     for buffer in document.buffers() {
         let bytes = match buffer.source() {
-            Place::Bin => binary.cloned().ok_or_else(|| "the file has no binary chunk".to_owned()),
+            Place::Bin => {
+                binary.cloned().ok_or_else(|| tr!("the file has no binary chunk").to_owned())
+            }
             Place::Uri(uri) => from_uri(uri, siblings)
                 .and_then(|file| Source::whole(file).map_err(|why| why.to_string())),
         };
         let bytes = match bytes {
             Ok(bytes) => bytes,
             Err(why) => {
-                let message = format!("buffer {} is missing: {why}", buffer.index());
+                let message = tr!("buffer {index} is missing: {why}", index = buffer.index());
                 let problem = Diagnostic::error("mesh-reference", message);
-                report.add(problem.hint("keep the .bin file beside the .gltf, or export as .glb"));
+                report.add(
+                    problem.hint(tr!("keep the .bin file beside the .gltf, or export as .glb")),
+                );
                 continue;
             }
         };
@@ -87,7 +92,7 @@ pub(super) fn load<'f>(
         if total > MAX_FILE_BYTES {
             report.error(
                 "mesh-too-large",
-                format!("the buffers have more than the {MAX_FILE_BYTES} bytes allowed"),
+                tr!("the buffers have more than the {MAX_FILE_BYTES} bytes allowed"),
             );
             return Vec::new();
         }
@@ -102,11 +107,11 @@ pub(super) fn load<'f>(
 /// The reason why it cannot be read, in words that follow what is named.
 pub(super) fn from_uri(uri: &str, siblings: Siblings) -> Result<Box<dyn OpenFile>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
-        let (kind, data) = data.split_once(',').ok_or("its data URI has no comma")?;
+        let (kind, data) = data.split_once(',').ok_or_else(|| tr!("its data URI has no comma"))?;
         if !kind.ends_with(";base64") {
-            return Err("its data URI is not in base64".to_owned());
+            return Err(tr!("its data URI is not in base64").to_owned());
         }
-        let bytes = BASE64.decode(data.trim()).map_err(|_| "its base64 is damaged")?;
+        let bytes = BASE64.decode(data.trim()).map_err(|_| tr!("its base64 is damaged"))?;
         return Ok(Box::new(Cursor::new(bytes)));
     }
     let path = decoded_path(uri)?;
@@ -118,10 +123,10 @@ pub(super) fn from_uri(uri: &str, siblings: Siblings) -> Result<Box<dyn OpenFile
 /// # Errors
 /// The reason why it means none.
 pub(super) fn decoded_path(uri: &str) -> Result<String, String> {
-    let path = decode_percent(uri).ok_or("its name is not UTF-8")?;
+    let path = decode_percent(uri).ok_or_else(|| tr!("its name is not UTF-8"))?;
     let has_scheme = path.split('/').next().is_some_and(|first| first.contains(':'));
     if has_scheme || path.starts_with(['/', '\\']) {
-        return Err(format!("`{path}` is not a relative path"));
+        return Err(tr!("`{path}` is not a relative path"));
     }
     Ok(path)
 }

@@ -1,6 +1,7 @@
 //! Extensions that a glTF asks of its reader beyond the core of 2.0: those that change the
 //! triangles are read or refused, never passed over.
 
+use chiaro_locale::tr;
 use gltf::json::mesh::Semantic;
 use gltf::json::validation::Checked;
 
@@ -51,8 +52,8 @@ pub(super) fn check(file: &GltfMembers, report: &mut ImportReport) {
         COMPRESSIONS.iter().filter(|name| required.iter().any(|required| required == *name));
     let compression = named.copied().next().or_else(|| compression_in_use(file));
     if let Some(name) = compression {
-        let message = format!("the meshes are compressed with {name}, which cannot be read");
-        let hint = "export again without mesh compression (Blender: Data > Compression off)";
+        let message = tr!("the meshes are compressed with {name}, which cannot be read");
+        let hint = tr!("export again without mesh compression (Blender: Data > Compression off)");
         report.add(Diagnostic::error("mesh-unsupported", message).hint(hint));
     }
     let is_unknown = |name: &&String| !is_harmless(name) && !COMPRESSIONS.contains(&name.as_str());
@@ -65,10 +66,10 @@ pub(super) fn check(file: &GltfMembers, report: &mut ImportReport) {
     let (more, names) = (unknown.len().saturating_sub(MAX_NAMED), unknown.iter().take(MAX_NAMED));
     let mut names = names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
     if more > 0 {
-        names = format!("{names} and {more} more");
+        names = tr!("{names} and {more} more");
     }
-    let message = format!("the file requires extensions of glTF that cannot be read: {names}");
-    let hint = "export without them, or as OBJ or PLY";
+    let message = tr!("the file requires extensions of glTF that cannot be read: {names}");
+    let hint = tr!("export without them, or as OBJ or PLY");
     report.add(Diagnostic::error("mesh-unsupported", message).hint(hint));
 }
 

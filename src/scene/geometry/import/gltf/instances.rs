@@ -1,6 +1,7 @@
 //! Copies of one node's mesh (`EXT_mesh_gpu_instancing`): accessors of moves, turns and scales, in
 //! the node's space.
 
+use chiaro_locale::tr;
 use glam::{DMat4, DQuat, DVec3};
 use gltf::accessor::Dimensions;
 use gltf::{Document, Mesh, Node};
@@ -84,7 +85,7 @@ impl<'a> PlacedMesh<'a> {
 fn count_drawn(mesh: &Mesh, copies: usize, drawn: &mut usize) -> Result<(), ImportProblem> {
     *drawn = drawn.saturating_add(copies.saturating_mul(mesh.primitives().len()));
     if *drawn > MAX_VERTICES {
-        let message = format!("the scene has more than {MAX_VERTICES} primitives in their places");
+        let message = tr!("the scene has more than {MAX_VERTICES} primitives in their places");
         return Err(Diagnostic::error("mesh-too-large", message).into());
     }
     Ok(())
@@ -111,7 +112,7 @@ struct InstanceAccessors<'d, 'j> {
 
 impl<'d> InstanceAccessors<'d, '_> {
     fn wrong(&self, why: &str) -> ImportProblem {
-        let message = format!("node {} has wrong {INSTANCING}: {why}", self.node);
+        let message = tr!("node {node} has wrong {INSTANCING}: {why}", node = self.node);
         Box::new(Diagnostic::error("mesh-syntax", message))
     }
 
@@ -125,8 +126,8 @@ impl<'d> InstanceAccessors<'d, '_> {
         let accessor = index.and_then(|index| self.document.accessors().nth(index));
         match accessor {
             Some(accessor) if accessor.dimensions() == dimensions => Ok(Some(accessor)),
-            Some(_) => Err(self.wrong(&format!("{name} is of another type"))),
-            None => Err(self.wrong(&format!("{name} names no accessor"))),
+            Some(_) => Err(self.wrong(&tr!("{name} is of another type"))),
+            None => Err(self.wrong(&tr!("{name} names no accessor"))),
         }
     }
 
@@ -148,7 +149,7 @@ impl<'d> InstanceAccessors<'d, '_> {
         // place.
         let Some(&count) = counts.first() else { return Ok(None) };
         if counts.iter().any(|&other| other != count) {
-            return Err(self.wrong("its attributes have different counts"));
+            return Err(self.wrong(tr!("its attributes have different counts")));
         }
         check(count)?;
         let rows3 = |accessor: Option<gltf::Accessor>| {

@@ -10,6 +10,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use chiaro_locale::tr;
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Deserializer};
 use serde_json::Value as Json;
@@ -127,7 +128,7 @@ pub(super) fn read(file: &GltfMembers, report: &mut ImportReport) -> MapsOfFile 
     });
     let maps = maps.collect();
     if apart > 0 {
-        let message = format!(
+        let message = tr!(
             "{apart} pictures of materials are moved, or lie by another set of UVs, than the first \
              one of their material; a look sees them by the UVs of that one"
         );
@@ -202,40 +203,40 @@ pub(crate) fn image_within(
     most_bytes: u64,
 ) -> Result<Vec<u8>, ImportProblem> {
     let problem = |message: &str| -> ImportProblem {
-        Diagnostic::error("missing-asset", format!("picture {number} {message}")).into()
+        Diagnostic::error("missing-asset", tr!("picture {number} {message}")).into()
     };
     let (json, binary) = match file.head(4)?.as_slice() {
         b"glTF" => chunks(file)?,
         _ => (file.clone(), None),
     };
     let json: Json = serde_json::from_slice(&json.all()?)
-        .map_err(|_| problem("is of a file that is no glTF"))?;
-    let image = json["images"].get(number).ok_or_else(|| problem("is not there"))?;
+        .map_err(|_| problem(tr!("is of a file that is no glTF")))?;
+    let image = json["images"].get(number).ok_or_else(|| problem(tr!("is not there")))?;
     let part = if let Some(uri) = image["uri"].as_str() {
         let opened = from_uri(uri, siblings);
-        let opened = opened.map_err(|why| problem(&format!("cannot be read: {why}")))?;
+        let opened = opened.map_err(|why| problem(&tr!("cannot be read: {why}")))?;
         Source::whole(opened).map_err(|why| ImportProblem::from(unreadable(&why)))?
     } else {
         let view = image["bufferView"].as_u64();
         let view = view.and_then(|view| json["bufferViews"].get(view as usize));
-        let view = view.ok_or_else(|| problem("is nowhere in the file"))?;
+        let view = view.ok_or_else(|| problem(tr!("is nowhere in the file")))?;
         let buffer = json["buffers"].get(view["buffer"].as_u64().unwrap_or(0) as usize);
         let uri = buffer.and_then(|buffer| buffer["uri"].as_str());
         let buffer = match (uri, binary) {
             (Some(uri), _) => {
                 let opened = from_uri(uri, siblings);
-                let opened = opened.map_err(|why| problem(&format!("cannot be read: {why}")))?;
+                let opened = opened.map_err(|why| problem(&tr!("cannot be read: {why}")))?;
                 Source::whole(opened).map_err(|why| ImportProblem::from(unreadable(&why)))?
             }
             (None, Some(binary)) => binary,
-            (None, None) => return Err(problem("is nowhere in the file")),
+            (None, None) => return Err(problem(tr!("is nowhere in the file"))),
         };
         let offset = view["byteOffset"].as_u64().unwrap_or(0);
         let length = view["byteLength"].as_u64().unwrap_or(0);
-        buffer.part(offset, length).ok_or_else(|| problem("reaches beyond the file"))?
+        buffer.part(offset, length).ok_or_else(|| problem(tr!("reaches beyond the file")))?
     };
     if part.length() > most_bytes {
-        return Err(problem(&format!("is larger than {} MiB", most_bytes >> 20)));
+        return Err(problem(&tr!("is larger than {most} MiB", most = most_bytes >> 20)));
     }
     part.all()
 }

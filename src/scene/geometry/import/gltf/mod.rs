@@ -14,6 +14,7 @@ mod maps;
 mod motion;
 mod primitive;
 
+use chiaro_locale::tr;
 use glam::DMat4;
 use gltf::Document;
 use gltf::json::mesh::Semantic;
@@ -132,7 +133,8 @@ struct SkippedParts {
 impl SkippedParts {
     fn tell(&self, report: &mut ImportReport) {
         if self.other > 0 {
-            let message = format!("{} primitives of points or lines are left out", self.other);
+            let message =
+                tr!("{count} primitives of points or lines are left out", count = self.other);
             report.add(Diagnostic::note("mesh-unsupported", message));
         }
     }
@@ -150,7 +152,7 @@ fn parse(
             let code = if error.is_eof() { "mesh-truncated" } else { "mesh-syntax" };
             let at = LineColumn { line: error.line() as u32, column: error.column() as u32 };
             report.add(
-                Diagnostic::error(code, format!("the glTF's JSON cannot be read: {error}")).at(at),
+                Diagnostic::error(code, tr!("the glTF's JSON cannot be read: {error}")).at(at),
             );
             return None;
         }
@@ -165,12 +167,12 @@ fn parse(
         || of_meshes.any(Option::is_some);
     let maps = maps::read(&file, report);
     let Some(root) = geometry_of(file) else {
-        let message = "the glTF is not valid: it has no `asset` that tells its version";
+        let message = tr!("the glTF is not valid: it has no `asset` that tells its version");
         report.error("mesh-syntax", message);
         return None;
     };
     if let Some(wrong) = missing_accessor(&root) {
-        report.error("mesh-syntax", format!("the glTF is not valid: there is no accessor {wrong}"));
+        report.error("mesh-syntax", tr!("the glTF is not valid: there is no accessor {wrong}"));
     }
     if report.has_errors() {
         return None;
@@ -186,8 +188,7 @@ fn parse(
         return Some((Document::from_json_without_validation(root), maps));
     }
     for (path, problem) in problems {
-        let diagnostic =
-            Diagnostic::error("mesh-syntax", format!("the glTF is not valid: {problem}"));
+        let diagnostic = Diagnostic::error("mesh-syntax", tr!("the glTF is not valid: {problem}"));
         report.add(diagnostic.json_path(path));
     }
     None
@@ -270,7 +271,7 @@ fn place_meshes<'a>(
         if std::mem::replace(&mut seen[node.index()], true) {
             report.error(
                 "mesh-syntax",
-                format!("node {} has two parents, or is in itself", node.index()),
+                tr!("node {index} has two parents, or is in itself", index = node.index()),
             );
             continue;
         }
@@ -281,7 +282,7 @@ fn place_meshes<'a>(
         if !world.is_finite() {
             report.error(
                 "mesh-not-finite",
-                format!("node {} has a transform that is not finite", node.index()),
+                tr!("node {index} has a transform that is not finite", index = node.index()),
             );
             continue;
         }

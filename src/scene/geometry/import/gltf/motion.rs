@@ -4,6 +4,7 @@
 //! warning, an animation's channel, a skin, or all of it. Counts are bounded before anything is
 //! read, because accessors may be named any number of times.
 
+use chiaro_locale::tr;
 use glam::{DMat4, DQuat, DVec3};
 use gltf::accessor::Dimensions;
 use gltf::{Accessor, Document, Primitive, Semantic};
@@ -141,7 +142,7 @@ pub(super) fn read(
     let members: MotionMembers = match json::deserialize::from_slice(json) {
         Ok(members) => members,
         Err(error) => {
-            let message = format!("skins, animations and cameras are left out: {error}");
+            let message = tr!("skins, animations and cameras are left out: {error}");
             report.add(Diagnostic::warning("mesh-animation", message));
             return None;
         }
@@ -262,8 +263,8 @@ impl MemberReader<'_, '_> {
     fn accessor(&self, index: usize, dimensions: Dimensions) -> Result<&Accessor<'_>, String> {
         match self.accessors.get(index) {
             Some(accessor) if accessor.dimensions() == dimensions => Ok(accessor),
-            Some(_) => Err(format!("accessor {index} is of another type")),
-            None => Err(format!("there is no accessor {index}")),
+            Some(_) => Err(tr!("accessor {index} is of another type")),
+            None => Err(tr!("there is no accessor {index}")),
         }
     }
 
@@ -280,7 +281,7 @@ impl MemberReader<'_, '_> {
         for (index, member) in members.iter().enumerate() {
             joints = joints.saturating_add(member.joints.len());
             let skin = match joints > MAX_JOINTS {
-                true => Err(format!("there are more than {MAX_JOINTS} joints")),
+                true => Err(tr!("there are more than {MAX_JOINTS} joints")),
                 false => self.skin(member),
             };
             numbers.push(match skin {
@@ -290,7 +291,7 @@ impl MemberReader<'_, '_> {
                 }
                 Err(why) => {
                     let message =
-                        format!("skin {index} is left out, its mesh stands as modeled: {why}");
+                        tr!("skin {index} is left out, its mesh stands as modeled: {why}");
                     report.add(Diagnostic::warning("mesh-animation", message));
                     None
                 }
@@ -301,24 +302,24 @@ impl MemberReader<'_, '_> {
 
     fn skin(&self, member: &SkinMember) -> Result<Skin, String> {
         if member.joints.is_empty() {
-            return Err("it has no joints".to_owned());
+            return Err(tr!("it has no joints").to_owned());
         }
         if let Some(wrong) = member.joints.iter().find(|joint| **joint >= self.nodes) {
-            return Err(format!("its joint {wrong} is no node"));
+            return Err(tr!("its joint {wrong} is no node"));
         }
         let mut binds = vec![DMat4::IDENTITY; member.joints.len()];
         if let Some(index) = member.inverse_bind_matrices {
             let accessor = self.accessor(index, Dimensions::Mat4)?;
             if accessor.count() < binds.len() {
-                return Err("it has fewer bind matrices than joints".to_owned());
+                return Err(tr!("it has fewer bind matrices than joints").to_owned());
             }
             if accessor.count() > MAX_JOINTS {
-                return Err(format!("it has more than {MAX_JOINTS} bind matrices"));
+                return Err(tr!("it has more than {MAX_JOINTS} bind matrices"));
             }
             let rows = accessor::rows::<16>(accessor, self.buffers, 0.0);
             let rows = rows.map_err(|problem| problem.message)?;
             if !rows.iter().flatten().all(|number| number.is_finite()) {
-                return Err("a bind matrix is not finite".to_owned());
+                return Err(tr!("a bind matrix is not finite").to_owned());
             }
             binds = rows.iter().map(DMat4::from_cols_array).collect();
         }
@@ -345,7 +346,7 @@ impl MemberReader<'_, '_> {
                     Ok(channel) => channels.extend(channel),
                     Err(why) => {
                         let message =
-                            format!("channel {index} of animation `{name}` is left out: {why}");
+                            tr!("channel {index} of animation `{name}` is left out: {why}");
                         report.add(Diagnostic::warning("mesh-animation", message));
                     }
                 }
@@ -368,29 +369,30 @@ impl MemberReader<'_, '_> {
     ) -> Result<Option<Channel>, String> {
         let Some(node) = member.target.node else { return Ok(None) };
         if node >= nodes.len() {
-            return Err(format!("there is no node {node}"));
+            return Err(tr!("there is no node {node}"));
         }
         let (property, dimensions) = match member.target.path.as_str() {
             "translation" => (NodeProperty::Translation, Dimensions::Vec3),
             "rotation" => (NodeProperty::Rotation, Dimensions::Vec4),
             "scale" => (NodeProperty::Scale, Dimensions::Vec3),
             "weights" => (NodeProperty::Weights, Dimensions::Scalar),
-            path => return Err(format!("`{path}` cannot be moved")),
+            path => return Err(tr!("`{path}` cannot be moved")),
         };
         let sampler = samplers.get(member.sampler);
-        let sampler = sampler.ok_or_else(|| format!("there is no sampler {}", member.sampler))?;
+        let sampler = sampler
+            .ok_or_else(|| tr!("there is no sampler {sampler}", sampler = member.sampler))?;
         let interpolation = match sampler.interpolation.as_str() {
             "" | "LINEAR" => KeyInterpolation::Linear,
             "STEP" => KeyInterpolation::Step,
             "CUBICSPLINE" => KeyInterpolation::CubicSpline,
-            word => return Err(format!("there is no interpolation `{word}`")),
+            word => return Err(tr!("there is no interpolation `{word}`")),
         };
         let input = self.accessor(sampler.input, Dimensions::Scalar)?;
         let output = self.accessor(sampler.output, dimensions)?;
         let numbers = output.count().saturating_mul(dimensions.multiplicity());
         *left = left
             .checked_sub(numbers.saturating_add(input.count()))
-            .ok_or_else(|| format!("curves have more than {MAX_CURVE_NUMBERS} numbers"))?;
+            .ok_or_else(|| tr!("curves have more than {MAX_CURVE_NUMBERS} numbers"))?;
         let times = self.numbers::<1>(input)?;
         let values = match dimensions {
             Dimensions::Vec3 => self.numbers::<3>(output)?,
@@ -403,7 +405,7 @@ impl MemberReader<'_, '_> {
             NodeProperty::Weights => nodes[node].weights.len(),
         };
         if width == 0 {
-            return Err(format!("node {node} has no morph targets"));
+            return Err(tr!("node {node} has no morph targets"));
         }
         let curve = Curve::new(interpolation, times, values, width)?;
         Ok(Some(Channel { node: node as u32, property, curve }))
@@ -507,9 +509,9 @@ impl MotionRecorder {
                 accessor.count() == count && accessor.dimensions() == Dimensions::Vec3
             };
             if self.asked > MAX_ASKED || changes > MAX_CHANGES {
-                self.warn("morph targets are left out: they have too many points");
+                self.warn(tr!("morph targets are left out: they have too many points"));
             } else if !accessors.iter().flatten().all(is_whole) {
-                self.warn("a morph target is left out: it has not one change for each vertex");
+                self.warn(tr!("a morph target is left out: it has not one change for each vertex"));
             } else {
                 let mut all = vec![[[0.0_f32; 3]; 3]; count];
                 for (part, accessor) in accessors.into_iter().enumerate() {
@@ -528,7 +530,9 @@ impl MotionRecorder {
                         tangent: *tangent,
                     }));
                 } else {
-                    self.warn("a morph target is left out: it has numbers that are not finite");
+                    self.warn(tr!(
+                        "a morph target is left out: it has numbers that are not finite"
+                    ));
                 }
             }
             changes += moved.len();
@@ -553,7 +557,7 @@ impl MotionRecorder {
                 let points = &mut motion.points;
                 let total: usize = influences.iter().map(Vec::len).sum();
                 if points.influences.len() + total > MAX_INFLUENCES {
-                    self.warn("a skin is left out: its vertices have too many joints");
+                    self.warn(tr!("a skin is left out: its vertices have too many joints"));
                     return false;
                 }
                 for of_point in influences {
@@ -561,14 +565,14 @@ impl MotionRecorder {
                     points.starts.push(points.influences.len() as u32);
                 }
                 if is_off {
-                    self.warn(
-                        "joints' weights of some vertices are not 1 together, and were scaled",
-                    );
+                    self.warn(tr!(
+                        "joints' weights of some vertices are not 1 together, and were scaled"
+                    ));
                 }
                 true
             }
             Err(why) => {
-                self.warn(&format!("a skin is left out, its mesh stands as modeled: {why}"));
+                self.warn(&tr!("a skin is left out, its mesh stands as modeled: {why}"));
                 false
             }
         }
@@ -591,7 +595,7 @@ fn influences(
             [Semantic::Joints(set), Semantic::Weights(set)].map(|name| primitive.get(&name));
         let (Some(of_joints), Some(of_weights)) = (of_joints, of_weights) else {
             if set == 0 {
-                return Err("its vertices name no joints".to_owned());
+                return Err(tr!("its vertices name no joints").to_owned());
             }
             break;
         };
@@ -602,11 +606,11 @@ fn influences(
         for (of_point, (numbers, weights)) in influences.iter_mut().zip(rows) {
             for (number, weight) in numbers.into_iter().zip(weights) {
                 if !weight.is_finite() {
-                    return Err("a joint's weight is not finite".to_owned());
+                    return Err(tr!("a joint's weight is not finite").to_owned());
                 }
                 if weight > 0.0 {
                     if !(number >= 0.0 && (number as usize) < joints) {
-                        return Err(format!("a vertex names joint {number}; there are {joints}"));
+                        return Err(tr!("a vertex names joint {number}; there are {joints}"));
                     }
                     of_point.push((number as u16, weight as f32));
                 }

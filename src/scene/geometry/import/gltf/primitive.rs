@@ -1,5 +1,6 @@
 //! Primitives of glTF meshes: their attributes, triangles and material.
 
+use chiaro_locale::tr;
 use glam::{DMat3, DMat4, DVec3, Vec3};
 use gltf::accessor::{DataType, Dimensions};
 use gltf::material::AlphaMode;
@@ -34,14 +35,14 @@ pub(super) fn append(
     let indices = primitive.indices();
     let index_count = indices.as_ref().map_or(positions.count(), gltf::Accessor::count);
     let too_large = |what: &str, most: usize| {
-        Diagnostic::error("mesh-too-large", format!("the scene has more than {most} {what}"))
+        Diagnostic::error("mesh-too-large", tr!("the scene has more than {most} {what}"))
     };
     if positions.count().saturating_add(soup.points.len()) > MAX_VERTICES {
-        return Err(too_large("vertices", MAX_VERTICES).into());
+        return Err(too_large(tr!("vertices"), MAX_VERTICES).into());
     }
     let per_triangle = if primitive.mode() == Mode::Triangles { 3 } else { 1 };
     if (index_count / per_triangle).saturating_add(soup.triangles.len()) > MAX_TRIANGLES {
-        return Err(too_large("triangles", MAX_TRIANGLES).into());
+        return Err(too_large(tr!("triangles"), MAX_TRIANGLES).into());
     }
     let base = soup.points.len();
     soup.triangles.reserve(index_count / per_triangle);
@@ -92,14 +93,14 @@ fn read_indices(
     let whole = matches!(accessor.data_type(), DataType::U8 | DataType::U16 | DataType::U32);
     if !whole || accessor.dimensions() != Dimensions::Scalar || accessor.normalized() {
         let message =
-            format!("accessor {} holds no indices, but is used as such", accessor.index());
+            tr!("accessor {index} holds no indices, but is used as such", index = accessor.index());
         return Err(Diagnostic::error("mesh-syntax", message).into());
     }
     let indices = accessor::rows_as::<1, u32>(accessor, buffers, 0.0, |[i]| i as u32)?;
     if let Some(wrong) = indices.iter().find(|i| **i as usize >= count) {
-        let message = format!(
-            "accessor {} names vertex {wrong}; there are {count}, counted from 0",
-            accessor.index()
+        let message = tr!(
+            "accessor {index} names vertex {wrong}; there are {count}, counted from 0",
+            index = accessor.index()
         );
         return Err(Diagnostic::error("mesh-index", message).into());
     }
@@ -125,7 +126,8 @@ fn check_counts(primitive: &Primitive) -> Result<(), ImportProblem> {
     let mut counts = primitive.attributes().map(|(_, accessor)| accessor.count());
     let first = counts.next().unwrap_or_default();
     if counts.any(|count| count != first) {
-        let message = format!("primitive {} has attributes of different counts", primitive.index());
+        let message =
+            tr!("primitive {index} has attributes of different counts", index = primitive.index());
         return Err(Diagnostic::error("mesh-syntax", message).into());
     }
     Ok(())
@@ -208,9 +210,9 @@ fn attributes(
         soup.tangents.get(base..).and_then(not_finite),
     ];
     if let Some(vertex) = broken.into_iter().flatten().min() {
-        let message = format!(
-            "vertex {vertex} of primitive {} has numbers that are not finite",
-            primitive.index()
+        let message = tr!(
+            "vertex {vertex} of primitive {index} has numbers that are not finite",
+            index = primitive.index()
         );
         return Err(Diagnostic::error("mesh-not-finite", message).into());
     }

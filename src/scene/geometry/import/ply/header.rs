@@ -1,5 +1,7 @@
 //! The header of a PLY file: its elements, and the properties of each.
 
+use chiaro_locale::tr;
+
 use crate::diag::Diagnostic;
 use crate::geometry::import::cursor::NumberType;
 use crate::geometry::import::report::{ImportProblem, ImportReport};
@@ -82,7 +84,7 @@ pub(super) fn read(
             return Ok(parse(&head, extent, report));
         }
         if looked >= file.length() {
-            let message = "the header does not end: there is no line `end_header`";
+            let message = tr!("the header does not end: there is no line `end_header`");
             return Err(Diagnostic::error("mesh-truncated", message).into());
         }
         looked *= 8;
@@ -129,12 +131,12 @@ fn parse(bytes: &[u8], extent: (usize, usize), report: &mut ImportReport) -> Opt
                 &text,
                 line,
                 "mesh-syntax",
-                format!("`{shown}` is no line of a PLY header"),
+                tr!("`{shown}` is no line of a PLY header"),
             );
         }
     }
     if encoding.is_none() && !report.has_errors() {
-        report.error("mesh-syntax", "the header has no line `format`");
+        report.error("mesh-syntax", tr!("the header has no line `format`"));
     }
     Some(Header { encoding: encoding?, elements, length, lines }).filter(|_| !report.has_errors())
 }

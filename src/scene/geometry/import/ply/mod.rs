@@ -4,6 +4,8 @@
 mod header;
 mod source;
 
+use chiaro_locale::tr;
+
 use self::header::{Element, Encoding, Header};
 use self::source::NumberSource;
 use super::report::{ImportProblem, ImportReport};
@@ -74,12 +76,12 @@ fn check_counts(
         _ => u64::MAX,
     };
     if *count > most {
-        let message = format!("the file has {count} of `{name}`, more than the {most} allowed");
+        let message = tr!("the file has {count} of `{name}`, more than the {most} allowed");
         return Err(Diagnostic::error("mesh-too-large", message).into());
     }
     let room = source.left() + 1;
     if count.saturating_mul(element.least_bytes(encoding)) > room {
-        let message = format!("the file ends before its {count} of `{name}`");
+        let message = tr!("the file ends before its {count} of `{name}`");
         return Err(Diagnostic::error("mesh-truncated", message).into());
     }
     Ok(())
@@ -111,7 +113,7 @@ fn vertices(
     let Some(position) = locate(element, POSITION) else {
         return Err(Diagnostic::error(
             "mesh-syntax",
-            "the vertices have no properties `x`, `y` and `z`",
+            tr!("the vertices have no properties `x`, `y` and `z`"),
         )
         .into());
     };
@@ -129,15 +131,17 @@ fn vertices(
     soup.colors.reserve_exact(if color.is_some() { count } else { 0 });
     for i in 0..element.count {
         for (slot, property) in row.iter_mut().zip(&element.properties) {
-            source.property(property, &mut values, &|| format!("vertex {i}"))?;
+            source.property(property, &mut values, &|| tr!("vertex {i}"))?;
             *slot = values.first().copied().unwrap_or_default();
         }
         let used = position.iter().chain(normal.iter().flatten()).chain(uv.iter().flatten());
         for &slot in used.chain(color.iter().flatten()).chain(alpha.iter().flatten()) {
             if !(row[slot] as f32).is_finite() {
                 let name = &element.properties[slot].name;
-                let message =
-                    format!("vertex {i} has `{name}` = {}, which is not finite", row[slot]);
+                let message = tr!(
+                    "vertex {i} has `{name}` = {number}, which is not finite",
+                    number = row[slot]
+                );
                 report.add(source.here(Diagnostic::error("mesh-not-finite", message)));
             }
         }
@@ -164,12 +168,13 @@ fn index(
     number: f64,
     count: usize,
     source: &NumberSource,
-    what: &str,
+    what: &dyn Fn() -> String,
 ) -> Result<u32, ImportProblem> {
     if number >= 0.0 && number < count as f64 && number.fract() == 0.0 {
         return Ok(number as u32);
     }
-    let message = format!("{what} names vertex {number}; there are {count}, counted from 0");
+    let message =
+        tr!("{what} names vertex {number}; there are {count}, counted from 0", what = what());
     Err(source.here(Diagnostic::error("mesh-index", message)).into())
 }
 
@@ -177,7 +182,7 @@ fn check_triangles(soup: &TriangleSoup) -> Result<(), ImportProblem> {
     if soup.triangles.len() > MAX_TRIANGLES {
         return Err(Diagnostic::error(
             "mesh-too-large",
-            format!("the file has more than {MAX_TRIANGLES} triangles"),
+            tr!("the file has more than {MAX_TRIANGLES} triangles"),
         )
         .into());
     }
@@ -191,9 +196,11 @@ fn faces(
     report: &mut ImportReport,
 ) -> Result<(), ImportProblem> {
     let Some(list) = element.find(FACE).filter(|&i| element.properties[i].list.is_some()) else {
-        return Err(
-            Diagnostic::error("mesh-syntax", "the faces have no list `vertex_indices`").into()
-        );
+        return Err(Diagnostic::error(
+            "mesh-syntax",
+            tr!("the faces have no list `vertex_indices`"),
+        )
+        .into());
     };
     let wedge_uvs = element.find(&["texcoord"]).filter(|&i| element.properties[i].list.is_some());
     let material = soup.material(DEFAULT_MATERIAL);
@@ -204,11 +211,11 @@ fn faces(
     soup.triangles.reserve(element.count as usize);
     for i in 0..element.count {
         for (row, property) in rows.iter_mut().zip(&element.properties) {
-            source.property(property, row, &|| format!("face {i}"))?;
+            source.property(property, row, &|| tr!("face {i}"))?;
         }
         polygon.corners.clear();
         for &number in &rows[list] {
-            match index(number, points, source, &format!("face {i}")) {
+            match index(number, points, source, &|| tr!("face {i}")) {
                 Ok(point) => {
                     let uv = if own_uvs { point } else { NONE };
                     polygon.corners.push(Corner { uv, ..corner(soup, point) });
@@ -241,7 +248,7 @@ fn strips(
     let mut values = Vec::new();
     for i in 0..element.count {
         for (k, property) in element.properties.iter().enumerate() {
-            source.property(property, &mut values, &|| format!("strip {i}"))?;
+            source.property(property, &mut values, &|| tr!("strip {i}"))?;
             if k == list {
                 strip(&values, material, source, soup, report)?;
             }
@@ -261,7 +268,7 @@ fn strip(
     for run in values.split(|&v| v == -1.0 || v == NumberType::U32.max().unwrap_or(-1.0)) {
         let mut corners = Vec::with_capacity(run.len());
         for &number in run {
-            match index(number, soup.points.len(), source, "a strip") {
+            match index(number, soup.points.len(), source, &|| tr!("a strip").to_owned()) {
                 Ok(point) => corners.push(corner(soup, point)),
                 Err(diagnostic) => report.add(*diagnostic),
             }

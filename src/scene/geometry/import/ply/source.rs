@@ -1,5 +1,7 @@
 //! The numbers behind a PLY header, as text or binary.
 
+use chiaro_locale::tr;
+
 use super::header::{Encoding, Header, Property};
 use crate::diag::{Diagnostic, LineColumn};
 use crate::geometry::import::cursor::{Cursor, NumberType};
@@ -97,8 +99,10 @@ impl<'f> NumberSource<'f> {
         let count = self.number(list, what)?;
         // The comparison also refuses NaN; every number takes a byte at least.
         if !(0.0..=self.left() as f64).contains(&count) || count.fract() != 0.0 {
-            let message =
-                format!("{} has a list of {count} numbers, more than the file holds", what());
+            let message = tr!(
+                "{what} has a list of {count} numbers, more than the file holds",
+                what = what()
+            );
             return Err(self.here(Diagnostic::error("mesh-truncated", message)).into());
         }
         for _ in 0..count as usize {
@@ -138,7 +142,7 @@ impl<'f> NumberSource<'f> {
             let shown: String = String::from_utf8_lossy(word).chars().take(40).collect();
             self.here(Diagnostic::error(
                 "mesh-syntax",
-                format!("`{shown}` in {} is not a number", what()),
+                tr!("`{shown}` in {what} is not a number", what = what()),
             ))
             .into()
         })
@@ -154,5 +158,5 @@ impl<'f> NumberSource<'f> {
 }
 
 fn ended(what: &dyn Fn() -> String) -> ImportProblem {
-    Diagnostic::error("mesh-truncated", format!("the file ends within {}", what())).into()
+    Diagnostic::error("mesh-truncated", tr!("the file ends within {what}", what = what())).into()
 }
