@@ -1,7 +1,7 @@
 //! Layers on the clipboard: a copy goes there with all that feeds it, as a part of the library
 //! does, and is laid over the selected layer where it is pasted, in this look or another.
 
-use std::path::PathBuf;
+use std::path::Path;
 use std::sync::Arc;
 
 use chiaro_locale::tr;
@@ -54,7 +54,7 @@ fn copied(session: &Session, layers: &[NodeId]) -> Result<String, String> {
 /// Command that lays the layers of a text over the selected one, or tells that it holds none.
 fn paste(session: &Session, text: &str) -> Command {
     // Images are named from the folder of the look, on the clipboard as in its own file.
-    let path = session.path().map_or_else(PathBuf::new, PathBuf::from);
+    let path = session.path().unwrap_or(Path::new(""));
     let part = Part::of_text(text, path)
         .filter(|part| part.content.as_ref().is_ok_and(|content| content.kind == PartKind::Layer));
     match part {

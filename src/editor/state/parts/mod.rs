@@ -243,10 +243,10 @@ impl Part {
 
     /// Part of a text, such as the clipboard's, whose images are named from the folder of `path`;
     /// `None` where the text is no look.
-    pub(crate) fn of_text(text: &str, path: PathBuf) -> Option<Self> {
+    pub(crate) fn of_text(text: &str, path: &Path) -> Option<Self> {
         let look = text.trim_start().starts_with('{').then(|| Look::read(text, "clipboard"))?;
         let mut catalog = Catalog::new(Library::built_in());
-        Some(reader::of_look(&path, look.value?, &mut catalog))
+        Some(reader::of_look(path, look.value?, &mut catalog))
     }
 
     /// True for a part that Chiaro ships, which has no file.
