@@ -93,9 +93,9 @@ fn counterpart<'l>(to: &'l Look, id: &LightId, light: &Light) -> Option<(&'l Lig
 /// needs none of its own.
 ///
 /// Ids are no names that artists choose: most looks have a `key`, many a `back`, which lie
-/// elsewhere in each. A layer for the key is to be lit by the key of the look that it comes into, wherever
-/// that is, as long as both shine from the front. A rim, a lamp or anything else is made for the
-/// place that its light has, and there the look's own does only where it [shines
+/// elsewhere in each. A layer for the key is to be lit by the key of the look that it comes into,
+/// wherever that is, as long as both shine from the front. A rim, a lamp or anything else is made
+/// for the place that its light has, and there the look's own does only where it [shines
 /// alike](shines_alike). Color and intensity are the look's in either case.
 pub(super) fn does_same_work(own: &Light, light: &Light) -> bool {
     (is_from_front(own) && is_from_front(light)) || shines_alike(own, light)
