@@ -78,7 +78,7 @@ fn a_layer_goes_from_one_look_to_another() {
         hand.look().graph.nodes.contains_key("tint") && hand.look().lights.contains_key("back")
     );
     let told = hand.app().message().unwrap_or_default().to_owned();
-    assert!(told.contains("copied into this look, over Body · with its light Moon"), "{told}");
+    assert!(told.contains("copied into this look, over Body · with its own light Moon"), "{told}");
     assert_eq!(hand.selected(), ["rim"]);
     hand.undo();
     assert_eq!(layers(&hand), ["body", "base"], "one step");

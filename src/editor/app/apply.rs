@@ -161,7 +161,7 @@ impl App {
                 self.start = None;
                 self.bench.canvas.ask(command);
             }
-            Command::Library(command) => self.apply_to_library(command),
+            Command::Library(command) => self.apply_to_library(ui, command),
             Command::Scene(command) => self.apply_scene_command(ui, command),
             Command::Snapshot(command) => self.apply_to_snapshots(command),
             Command::Paint(command) => self.apply_to_painting(ui, command),

@@ -1,49 +1,51 @@
-//! Library of parts: saving them, and putting them into the look. Each says what was done.
+//! Library of parts: saving them, keeping them up, and putting them into the look. Each says what
+//! was done.
 
 use std::path::Path;
 
 use chiaro_locale::tr;
+use eframe::egui::{OpenUrl, Ui};
 
 use super::App;
 use super::files::PendingAction;
+use super::look_export::address_of;
 use crate::commands::{LibraryCommand, PanelId, PartSpot};
 use crate::document::GraphId;
 use crate::ids::{NodeId, ObjectId, PortName};
 use crate::state::parts::placing::{self, Placement, Recipient, rebase};
-use crate::state::parts::saving::{self, PartSource};
-use crate::state::parts::{Part, PartContent, PartKind};
+use crate::state::parts::saving::{self, PartChoice, PartSource};
+use crate::state::parts::{Part, PartContent, PartKind, upkeep};
 use crate::state::paths::absolute;
 
 impl App {
     /// Carries out a command about the library.
-    pub(super) fn apply_to_library(&mut self, command: LibraryCommand) {
+    pub(super) fn apply_to_library(&mut self, ui: &Ui, command: LibraryCommand) {
         match command {
-            LibraryCommand::Offer(choice) => {
-                let session = &self.session;
-                let source = PartSource {
-                    look: session.look(),
-                    graph: session.graph(),
-                    catalog: &session.project.catalog,
-                };
-                match source.draft(&choice) {
-                    Ok(draft) => {
-                        self.bench.parts.offer(draft);
-                        self.start = None;
-                        self.dock.open(PanelId::LIBRARY);
-                    }
-                    Err(why_not) => self.message = Some(why_not),
-                }
-            }
+            LibraryCommand::Offer(choice) => self.offer_part(&choice),
             LibraryCommand::Save(draft, folder) => {
                 let from = self.session.path().and_then(Path::parent).map(absolute);
                 let catalog = &self.session.project.catalog;
-                match saving::save(&draft, &absolute(&folder), from.as_deref(), catalog) {
-                    Ok((_, told)) => {
-                        self.bench.parts.saved();
-                        self.message = Some(told);
-                    }
-                    Err(why_not) => self.message = Some(why_not),
-                }
+                let saved = saving::save(&draft, &absolute(&folder), from.as_deref(), catalog);
+                self.tell_of_part(saved.map(|(_, told)| told));
+            }
+            LibraryCommand::Replace(draft, path) => {
+                let from = self.session.path().and_then(Path::parent).map(absolute);
+                let catalog = &self.session.project.catalog;
+                let saved = upkeep::replace(&draft, &absolute(&path), from.as_deref(), catalog);
+                self.tell_of_part(saved);
+            }
+            LibraryCommand::Rename(part, name) => {
+                self.message = Some(upkeep::rename(&part, &name).unwrap_or_else(|why_not| why_not));
+                self.bench.parts.changed();
+            }
+            LibraryCommand::Remove(part) => {
+                self.message = Some(upkeep::remove(&part).unwrap_or_else(|why_not| why_not));
+                self.bench.parts.changed();
+            }
+            LibraryCommand::ShowFile(path) => {
+                let path = absolute(&path);
+                let folder = path.parent().unwrap_or(&path);
+                ui.ctx().open_url(OpenUrl::new_tab(address_of(folder)));
             }
             LibraryCommand::Place(part, spot) => self.place_part(&part, &spot),
             LibraryCommand::AddFolder(folder) => self.safety.change_settings(|settings| {
@@ -55,6 +57,32 @@ impl App {
                 settings.library_folders.retain(|other| *other != folder);
             }),
         }
+    }
+
+    /// Shows the form that saves a part of the look.
+    fn offer_part(&mut self, choice: &PartChoice) {
+        let session = &self.session;
+        let source = PartSource {
+            look: session.look(),
+            graph: session.graph(),
+            catalog: &session.project.catalog,
+        };
+        match source.draft(choice) {
+            Ok(draft) => {
+                self.bench.parts.offer(draft);
+                self.start = None;
+                self.dock.open(PanelId::LIBRARY);
+            }
+            Err(why_not) => self.message = Some(why_not),
+        }
+    }
+
+    /// Tells what was saved, or why nothing was: the form then stays.
+    fn tell_of_part(&mut self, saved: Result<String, String>) {
+        if saved.is_ok() {
+            self.bench.parts.saved();
+        }
+        self.message = Some(saved.unwrap_or_else(|why_not| why_not));
     }
 
     fn place_part(&mut self, part: &Part, spot: &PartSpot) {

@@ -15,6 +15,14 @@ pub(crate) enum LibraryCommand {
     Offer(PartChoice),
     /// Saves a part to a new file of a folder.
     Save(Box<PartDraft>, PathBuf),
+    /// Saves a part over the file of another.
+    Replace(Box<PartDraft>, PathBuf),
+    /// Gives a saved part another name; its file keeps its own.
+    Rename(Arc<Part>, String),
+    /// Deletes the file of a saved part: the user has agreed.
+    Remove(Arc<Part>),
+    /// Opens the folder that a file lies in.
+    ShowFile(PathBuf),
     /// Puts a part into the look.
     Place(Arc<Part>, PartSpot),
     /// Adds a folder that others share.

@@ -2,6 +2,7 @@
 //! are edits of the nodes and wires, one undo step each; changes of the graph show here.
 
 mod band_bar;
+mod clipboard;
 mod drop;
 mod masks;
 mod picture;
@@ -433,7 +434,10 @@ impl Layers {
         } else if pressed(Modifiers::COMMAND, Key::G) {
             self.group(session, &id, out);
         }
-        if pressed(Modifiers::NONE, Key::Delete) || pressed(Modifiers::NONE, Key::Backspace) {
+        let is_cut = clipboard::handle(ui, session, &acting, out);
+        let is_deleted =
+            pressed(Modifiers::NONE, Key::Delete) || pressed(Modifiers::NONE, Key::Backspace);
+        if is_cut || is_deleted {
             out.push(Command::Edit(self.tree.remove(session.look(), &acting)));
         }
         undo_keys(ui, out);

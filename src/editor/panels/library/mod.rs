@@ -7,7 +7,9 @@ mod drops;
 mod examples;
 mod nodes;
 mod part_card;
+mod save_form;
 pub(super) mod saved;
+mod upkeep;
 mod words;
 
 use std::path::PathBuf;

@@ -5,20 +5,21 @@ use std::sync::Arc;
 
 use chiaro_locale::{tr, trn};
 use eframe::egui::{
-    Area, Color32, CornerRadius, CursorIcon, FontId, Id, Order, Rect, Response, Role, Sense,
-    Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+    Area, Color32, CornerRadius, CursorIcon, FontId, Id, Order, Popup, Rect, Response, Role, Sense,
+    Stroke, StrokeKind, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
 use super::super::thumbs::{Shot, ThumbStage, Thumbs, key_of};
 use super::cards::{NAME, in_corner, name_below, picture_of, say};
 use super::drops;
+use super::upkeep::PartUpkeep;
 use crate::commands::{Command, LibraryCommand, PartSpot};
 use crate::document::{Look, Ramp, Value};
 use crate::state::crashes::DocumentOrigin;
-use crate::state::parts::{Part, PartKind};
+use crate::state::parts::{FoundParts, Part, PartKind};
 use crate::state::session::Session;
 use crate::widgets::ramp;
-use crate::widgets::rows::{picture_frame, row_ground, whole};
+use crate::widgets::rows::{self, ICON, Icon, picture_frame, row_ground, whole};
 use crate::widgets::theme;
 
 /// Side of a part's picture as drawn, in pixels.
@@ -33,19 +34,24 @@ pub(super) struct PartCard {
     pub(super) part: Arc<Part>,
     /// Folder that the part was found in; `None` for a part that Chiaro ships.
     pub(super) folder: Option<PathBuf>,
+    /// True where the folder's files can be read only.
+    is_read_only: bool,
     /// Look that the part is shown by, with the key of its picture; `None` where there is nothing
     /// to draw.
     look: Option<(Arc<Look>, u64)>,
 }
 
 impl PartCard {
-    pub(super) fn new(part: &Arc<Part>, folder: Option<PathBuf>) -> Self {
+    /// Card of a part that was found in a folder; without one, of a part that Chiaro ships.
+    pub(super) fn new(part: &Arc<Part>, found: Option<&FoundParts>) -> Self {
         let shown = part.content.as_ref().ok().and_then(|content| content.shown.clone());
         let look = shown.map(|look| {
             let key = key_of(&look, Shot::Whole, SIDE);
             (look, key)
         });
-        Self { part: part.clone(), folder, look }
+        let folder = found.map(|found| found.folder.clone());
+        let is_read_only = found.is_some_and(|found| found.is_read_only);
+        Self { part: part.clone(), folder, is_read_only, look }
     }
 
     /// Shows the card, with a picture of this side in points.
@@ -53,8 +59,8 @@ impl PartCard {
         &self,
         ui: &mut Ui,
         side: f32,
-        session: &Session,
-        thumbs: &Thumbs,
+        (session, thumbs): (&Session, &Thumbs),
+        upkeep: &mut PartUpkeep,
         out: &mut Vec<Command>,
     ) {
         let id = Id::unique("part").with(&self.part.path);
@@ -86,7 +92,37 @@ impl PartCard {
             let place = LibraryCommand::Place(self.part.clone(), PartSpot::Selection);
             out.push(Command::Library(place));
         }
+        if self.folder.is_some() {
+            self.keep_up(ui, (rect, side), &response, upkeep, out);
+        }
         response.on_hover_ui(|ui| self.help(ui));
+    }
+
+    /// Shows the button and the menu that keep a saved part up, and its name while that is changed.
+    fn keep_up(
+        &self,
+        ui: &mut Ui,
+        (rect, side): (Rect, f32),
+        response: &Response,
+        upkeep: &mut PartUpkeep,
+        out: &mut Vec<Command>,
+    ) {
+        let picture = picture_of(rect, side);
+        let corner = picture.right_top() + vec2(-ICON - 2.0, 2.0);
+        let corner = Rect::from_min_size(corner, vec2(ICON, ICON));
+        ui.painter().rect_filled(corner, 4.0, theme::of(ui).panel);
+        let label = tr!("More of the part {name}", name = self.part.name);
+        let salt = ("more", &self.part.path);
+        let mut child = ui.new_child(UiBuilder::new().id_salt(salt).max_rect(corner));
+        let more = rows::icon(&mut child, Icon::More, true, &label, tr!("Rename, remove, …"));
+        let mut act = |ui: &mut Ui| upkeep.menu(ui, &self.part, self.is_read_only, out);
+        Popup::menu(&more).show(&mut act);
+        Popup::context_menu(response).show(&mut act);
+        if !self.is_read_only {
+            upkeep.keys(ui, response, &self.part);
+        }
+        let name = Rect::from_min_max(pos2(rect.left(), picture.bottom()), rect.max);
+        upkeep.field(ui, name, &self.part, out);
     }
 
     fn paint(

@@ -1,5 +1,5 @@
 //! Parts of the library: folders of the user, of the project, and those that others share, as
-//! pictures to search, to drag and to press; and the form that saves one.
+//! pictures to search, to drag and to press.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -12,6 +12,8 @@ use eframe::egui::{
 use super::super::thumbs::Thumbs;
 use super::cards;
 use super::part_card::PartCard;
+use super::save_form::SaveForm;
+use super::upkeep::PartUpkeep;
 use super::words;
 use crate::commands::{Command, LibraryCommand};
 use crate::state::parts::saving::{PartChoice, PartDraft, keepable};
@@ -29,9 +31,9 @@ const GAP: f32 = 6.0;
 
 /// Folder of the library, as the panel lists it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Shelf {
-    title: String,
-    folder: PathBuf,
+pub(super) struct Shelf {
+    pub(super) title: String,
+    pub(super) folder: PathBuf,
     /// True for a folder that can be taken off the list.
     is_shared: bool,
 }
@@ -49,15 +51,9 @@ pub(crate) struct SavedParts {
     kind: Option<PartKind>,
     cards: Vec<PartCard>,
     form: Option<SaveForm>,
+    upkeep: PartUpkeep,
     /// Path of a shared folder that is being typed.
     typed: String,
-}
-
-/// Form that saves a part.
-struct SaveForm {
-    draft: PartDraft,
-    folder: Option<PathBuf>,
-    is_new: bool,
 }
 
 impl BackgroundJobs for SavedParts {
@@ -85,13 +81,14 @@ impl SavedParts {
             kind: None,
             cards: Vec::new(),
             form: None,
+            upkeep: PartUpkeep::default(),
             typed: String::new(),
         }
     }
 
     /// Shows the form that saves a part.
     pub(crate) fn offer(&mut self, draft: PartDraft) {
-        self.form = Some(SaveForm { draft, folder: None, is_new: true });
+        self.form = Some(SaveForm::new(draft));
     }
 
     /// True while the form that saves a part is shown.
@@ -102,6 +99,11 @@ impl SavedParts {
     /// Notes that a part was saved: its folder is read again.
     pub(crate) fn saved(&mut self) {
         self.form = None;
+        self.changed();
+    }
+
+    /// Notes that files of parts have changed: the folders are read again.
+    pub(crate) fn changed(&mut self) {
         self.is_stale = true;
     }
 
@@ -116,16 +118,21 @@ impl SavedParts {
         let shelves = shelves(session, safety);
         self.read(ui, session, &shelves);
         let mut out = Vec::new();
-        self.form(ui, &shelves, &mut out);
+        if self.form.as_mut().is_some_and(|form| form.show(ui, &shelves, &self.found, &mut out)) {
+            self.form = None;
+        }
         self.bar(ui, session, &mut out);
         ScrollArea::vertical().auto_shrink([false, false]).id_salt("parts").show(ui, |ui| {
             ui.spacing_mut().item_spacing = vec2(GAP, GAP);
             let mut count = 0;
+            let mut upkeep = std::mem::take(&mut self.upkeep);
             for shelf in &shelves {
-                count += self.shelf(ui, session, shelf, (query, thumbs), &mut out);
+                count += self.shelf(ui, session, shelf, (query, thumbs), &mut upkeep, &mut out);
             }
             title(ui, tr!("Comes with Chiaro"), None, &mut out);
-            count += self.grid(ui, session, None, (query, thumbs), &mut out);
+            count += self.grid(ui, session, None, (query, thumbs), &mut upkeep, &mut out);
+            upkeep.ask(ui, &mut out);
+            self.upkeep = upkeep;
             if count == 0 {
                 hint(ui, tr!("No part has these words in its name, its tags or its description"));
             }
@@ -151,80 +158,12 @@ impl SavedParts {
         let answer = reader.answer();
         if answer.is_some() || self.cards.is_empty() {
             self.found = answer.unwrap_or_default();
-            let saved = self.found.iter().flat_map(|found| {
-                found.parts.iter().map(|part| PartCard::new(part, Some(found.folder.clone())))
-            });
+            let saved = self
+                .found
+                .iter()
+                .flat_map(|found| found.parts.iter().map(|part| PartCard::new(part, Some(found))));
             let own = shipped().iter().map(|part| PartCard::new(part, None));
             self.cards = saved.chain(own).collect();
-        }
-    }
-
-    /// Shows the form that saves a part.
-    fn form(&mut self, ui: &mut Ui, shelves: &[Shelf], out: &mut Vec<Command>) {
-        let Some(form) = &mut self.form else { return };
-        let mut is_over = false;
-        egui_frame(ui).show(ui, |ui| {
-            let word = form.draft.kind.word();
-            ui.label(RichText::new(tr!("Save to the library: {word}")).strong());
-            let field = |ui: &mut Ui, text: &mut String, label: &str, help: &str| {
-                let edit = TextEdit::singleline(text)
-                    .hint_text(label)
-                    .desired_width(f32::INFINITY)
-                    .char_limit(200);
-                let response = ui.add(edit).on_hover_text(help);
-                response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, label));
-                response
-            };
-            let name = field(
-                ui,
-                &mut form.draft.look.name,
-                tr!("Name of the part"),
-                tr!("What it is called"),
-            );
-            if std::mem::take(&mut form.is_new) {
-                name.request_focus();
-            }
-            let help = tr!("Words to find it by, apart by spaces");
-            field(ui, &mut form.draft.look.tags, tr!("Tags of the part"), help);
-            let help = tr!("What it shows, how it is built");
-            field(ui, &mut form.draft.look.about, tr!("About the part"), help);
-            let chosen = form
-                .folder
-                .as_ref()
-                .and_then(|folder| shelves.iter().find(|shelf| shelf.folder == *folder))
-                .or(shelves.first());
-            let text = chosen.map_or(tr!("No folder"), |shelf| shelf.title.as_str());
-            ui.horizontal_wrapped(|ui| {
-                ui.label(tr!("In"));
-                let combo =
-                    ComboBox::from_id_salt("folder").selected_text(text).show_ui(ui, |ui| {
-                        for shelf in shelves {
-                            let is_chosen = chosen == Some(shelf);
-                            let row = ui.selectable_label(is_chosen, &shelf.title);
-                            if row.on_hover_text(shelf.folder.display().to_string()).clicked() {
-                                form.folder = Some(shelf.folder.clone());
-                            }
-                        }
-                    });
-                let info = || WidgetInfo::labeled(Role::ComboBox, true, tr!("Folder of the part"));
-                combo.response.widget_info(info);
-                let save = Button::new(save_label(form.draft.kind));
-                let is_ready = chosen.is_some() && !form.draft.look.name.trim().is_empty();
-                if ui.add_enabled(is_ready, save).clicked()
-                    && let Some(shelf) = chosen
-                {
-                    let draft = Box::new(form.draft.clone());
-                    let save = LibraryCommand::Save(draft, shelf.folder.clone());
-                    out.push(Command::Library(save));
-                }
-                is_over = ui.button(tr!("Cancel")).clicked();
-            });
-            for note in &form.draft.notes {
-                ui.label(RichText::new(note).small().color(theme::of(ui).warning));
-            }
-        });
-        if is_over {
-            self.form = None;
         }
     }
 
@@ -268,6 +207,7 @@ impl SavedParts {
         session: &Session,
         shelf: &Shelf,
         search: (&str, &Thumbs),
+        upkeep: &mut PartUpkeep,
         out: &mut Vec<Command>,
     ) -> usize {
         title(ui, &shelf.title, Some(shelf), out);
@@ -280,7 +220,7 @@ impl SavedParts {
             Some(found) if found.parts.is_empty() => hint(ui, tr!("Nothing is saved here yet")),
             Some(_) => {}
         }
-        self.grid(ui, session, Some(&shelf.folder), search, out)
+        self.grid(ui, session, Some(&shelf.folder), search, upkeep, out)
     }
 
     /// Shows the parts of a folder, or of Chiaro, that are found; returns their number.
@@ -290,6 +230,7 @@ impl SavedParts {
         session: &Session,
         folder: Option<&PathBuf>,
         (query, thumbs): (&str, &Thumbs),
+        upkeep: &mut PartUpkeep,
         out: &mut Vec<Command>,
     ) -> usize {
         let is_kind = |part: &Part| {
@@ -313,7 +254,7 @@ impl SavedParts {
         for row in found.chunks(columns) {
             ui.horizontal(|ui| {
                 for (_, card) in row {
-                    card.show(ui, side, session, thumbs, out);
+                    card.show(ui, side, (session, thumbs), upkeep, out);
                 }
             });
         }
@@ -346,19 +287,6 @@ impl SavedParts {
     }
 }
 
-/// Text of the button that saves a part.
-fn save_label(kind: PartKind) -> &'static str {
-    match kind {
-        PartKind::Look => tr!("Save look"),
-        PartKind::Layer => tr!("Save layer"),
-        PartKind::Nodes => tr!("Save nodes"),
-        PartKind::Group => tr!("Save group"),
-        PartKind::Lights => tr!("Save lights"),
-        PartKind::Profile => tr!("Save profile"),
-        PartKind::Ramp => tr!("Save ramp"),
-    }
-}
-
 /// Shows the title of a folder.
 fn title(ui: &mut Ui, title: &str, shelf: Option<&Shelf>, out: &mut Vec<Command>) {
     ui.horizontal(|ui| {
@@ -376,11 +304,6 @@ fn title(ui: &mut Ui, title: &str, shelf: Option<&Shelf>, out: &mut Vec<Command>
             }
         }
     });
-}
-
-fn egui_frame(ui: &Ui) -> eframe::egui::Frame {
-    let colors = theme::of(ui);
-    eframe::egui::Frame::new().fill(colors.field).corner_radius(4.0).inner_margin(8.0)
 }
 
 /// Folders of the library: the user's own, the project's, and those that others share.

@@ -4,14 +4,17 @@
 //! Each part is a look's document, as the clipboard has it: with an Output a whole look, without
 //! one a part of a graph, which may have lights and groups along. The content alone says what a
 //! part is; see `docs/format.md`. `reader` reads the folders on a thread, `saving` makes parts from
-//! a look, `placing` puts them into one.
+//! a look, `upkeep` renames, replaces and removes them, `placing` puts them into one, with `lights`
+//! that do the work of theirs there.
 
+mod lights;
 pub(crate) mod placing;
 mod reader;
 pub(crate) mod saving;
 mod shipped;
 #[cfg(test)]
 mod tests;
+pub(crate) mod upkeep;
 
 use chiaro_locale::{Text, text, tr};
 
@@ -21,6 +24,7 @@ use std::sync::Arc;
 use crate::catalog::Catalog;
 use crate::document::{Look, Node, Value};
 use crate::ids::NodeId;
+use crate::library::Library;
 use crate::state::stack::BELOW;
 pub(crate) use reader::{FoundParts, PartsReader};
 pub(crate) use shipped::shipped;
@@ -235,6 +239,14 @@ impl Part {
                 tr!("There is nothing in it: no node, no group and no light").to_owned()
             });
         Self { path, name, tags, about, content }
+    }
+
+    /// Part of a text, such as the clipboard's, whose images are named from the folder of `path`;
+    /// `None` where the text is no look.
+    pub(crate) fn of_text(text: &str, path: &Path) -> Option<Self> {
+        let look = text.trim_start().starts_with('{').then(|| Look::read(text, "clipboard"))?;
+        let mut catalog = Catalog::new(Library::built_in());
+        Some(reader::of_look(path, look.value?, &mut catalog))
     }
 
     /// True for a part that Chiaro ships, which has no file.

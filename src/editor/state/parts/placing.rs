@@ -6,6 +6,7 @@ use std::path::Path;
 use chiaro_locale::tr;
 use indexmap::IndexMap;
 
+use super::lights::LitPart;
 use super::{PROFILE, PartKind, ends};
 use crate::catalog::{Catalog, Port};
 use crate::document::{Edit, Endpoint, GraphId, Look, Node, Value, Wire, grouping};
@@ -98,17 +99,20 @@ fn between(
     into: Endpoint,
     told: String,
 ) -> Result<Placement, String> {
+    // Groups of the part may have other names in the trial.
+    let own = to.catalog_of(part);
+    let lit = LitPart::new(to.look, part, &own);
+    let part = &lit.look;
     let pasted = paste(to.look, &GraphId::Look, part, None)?;
     let mut trial = to.look.clone();
     trial.apply(pasted.edit.clone()).map_err(|problem| problem.message)?;
     let catalog = to.catalog_of(&trial);
-    // Groups of the part may have other names in the trial.
-    let own = to.catalog_of(part);
+    let ends = ends(part, &own);
     let here = |id: &NodeId| {
         let index = part.graph.nodes.get_index_of(id)?;
         pasted.nodes.get(index).cloned()
     };
-    let (inlet, outlet) = match ends(part, &own) {
+    let (inlet, outlet) = match ends {
         Some([bottom, top]) => (
             here(bottom).map(|id| Endpoint::new(id, BELOW)),
             here(top).map(|id| Endpoint::new(id, BELOW)),
@@ -122,7 +126,9 @@ fn between(
     };
     let mut edits = vec![pasted.edit];
     edits.extend(room(to.look, &trial, (&pasted.nodes, &outlet.node), from.as_ref(), &into));
-    edits.extend(rename(to.look, &trial, &outlet.node));
+    // What is one layer is called as the part is.
+    let is_layer = ends.is_some_and(|[bottom, top]| bottom == top);
+    edits.extend(rename(to.look, &trial, &outlet.node, is_layer.then_some(name)));
     let wires =
         [from.map(|from| Wire { from, to: inlet }), Some(Wire { from: outlet.clone(), to: into })];
     edits.extend(wires.into_iter().flatten().map(|wire| Edit::AddWire {
@@ -130,7 +136,7 @@ fn between(
         wire,
         index: None,
     }));
-    let told = told + &along(to, part);
+    let told = told + &along(to, &lit);
     // The layer itself is selected, as that is what is set next.
     Ok(Placement { edit: Edit::Group { edits }, nodes: vec![outlet.node], told })
 }
@@ -146,8 +152,9 @@ pub(crate) fn nodes(
     at: [f64; 2],
 ) -> Result<Placement, String> {
     let part = &with_node_of_group(part, name);
-    let pasted = paste(to.look, graph, part, Some(at))?;
-    let told = tr!("\"{name}\" is copied into this look") + &along(to, part);
+    let lit = LitPart::new(to.look, part, &to.catalog_of(part));
+    let pasted = paste(to.look, graph, &lit.look, Some(at))?;
+    let told = tr!("\"{name}\" is copied into this look") + &along(to, &lit);
     Ok(Placement { edit: pasted.edit, nodes: pasted.nodes, told })
 }
 
@@ -352,15 +359,14 @@ fn room(
     vec![Edit::MoveNodes { graph: GraphId::Look, positions }]
 }
 
-/// Another name for a placed node, where a node of the look has its name already.
-fn rename(look: &Look, trial: &Look, id: &NodeId) -> Option<Edit> {
-    let name = &trial.graph.nodes.get(id)?.name;
+/// Name for a placed node: the part's or its own, with a number where a node of the look has it.
+fn rename(look: &Look, trial: &Look, id: &NodeId, part: Option<&str>) -> Option<Edit> {
+    let own = &trial.graph.nodes.get(id)?.name;
+    let name = part.map(str::trim).filter(|name| !name.is_empty()).unwrap_or(own);
     let is_taken = |name: &str| look.graph.nodes.values().any(|node| node.name == name);
-    if name.is_empty() || !is_taken(name) {
-        return None;
-    }
-    let name = (2..).map(|number| format!("{name} {number}")).find(|name| !is_taken(name))?;
-    Some(Edit::SetName { graph: GraphId::Look, id: id.clone(), name })
+    let numbered = || (2..).map(|number| format!("{name} {number}")).find(|name| !is_taken(name));
+    let name = if name.is_empty() || !is_taken(name) { name.to_owned() } else { numbered()? };
+    (name != *own).then(|| Edit::SetName { graph: GraphId::Look, id: id.clone(), name })
 }
 
 /// Display name of a node of the look's own graph.
@@ -375,22 +381,15 @@ fn title(to: Recipient<'_>, id: &NodeId) -> String {
 }
 
 /// Words on the lights, groups and nodes of a part: new ones, and those that the look has.
-fn along(to: Recipient<'_>, part: &Look) -> String {
-    let mut told = String::new();
+fn along(to: Recipient<'_>, lit: &LitPart) -> String {
+    let part = &lit.look;
+    let mut told = lit.told();
     let mut tell = |what: fn(String) -> String, names: Vec<String>| {
         if !names.is_empty() {
             told += " · ";
             told += &what(names.join(", "));
         }
     };
-    let light = |id: &LightId| {
-        let own = to.look.lights.get(id).or_else(|| part.lights.get(id));
-        own.map_or_else(|| id.to_string(), |light| light.display_name(id).to_owned())
-    };
-    let (own, others): (Vec<_>, Vec<_>) =
-        part.lights.keys().partition(|id| to.look.lights.contains_key(*id));
-    tell(|names| tr!("lit by this look's {names}"), own.into_iter().map(light).collect());
-    tell(|names| tr!("with its light {names}"), others.into_iter().map(light).collect());
     let group = |id: &DefinitionId| {
         part.definitions.get(id).map_or_else(String::new, |definition| {
             if definition.label.is_empty() { id.to_string() } else { definition.label.clone() }

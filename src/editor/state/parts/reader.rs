@@ -32,6 +32,8 @@ pub(crate) struct FoundParts {
     pub(crate) parts: Vec<Arc<Part>>,
     /// Reason why parts may lack; `None` where all are there.
     pub(crate) lacking: Option<String>,
+    /// True where no file can be made in the folder.
+    pub(crate) is_read_only: bool,
 }
 
 /// Parts that were read before, by file, with the state of the file.
@@ -89,6 +91,9 @@ fn found_in(
     if files.metadata(folder).is_none() {
         return found;
     }
+    // Permissions do not tell everything: a trial does. The file has no name on Linux, and is gone
+    // at once elsewhere.
+    found.is_read_only = tempfile::tempfile_in(folder).is_err();
     let walked = files.walk(folder, BOUNDS, &|inner| inner == folder || !is_hidden(inner));
     if walked.is_cut {
         found.lacking = Some(tr!(

@@ -267,29 +267,44 @@ pub(crate) fn save(
     from: Option<&Path>,
     catalog: &Catalog,
 ) -> Result<(PathBuf, String), String> {
-    let name = draft.look.name.trim();
-    if name.is_empty() {
-        return Err(tr!("Give it a name first").to_owned());
-    }
+    let name = named(draft)?;
     make_folder(folder).map_err(|problem| format!("{}: {}", folder.display(), problem.message))?;
     let file_of = |slug: &str| folder.join(format!("{slug}.json"));
     // Nothing is written over: another part of the name is somebody's.
     let slug = make_slug(name, |slug| Disk.metadata(&file_of(slug)).is_some());
     let path = file_of(&slug);
+    let mut told = write(draft, &path, from, catalog)?;
+    let first = make_slug(name, |_| false);
+    if slug != first {
+        told.insert(1, tr!("{first}.json was there already, and stays as it is"));
+    }
+    Ok((path, told.join(" · ")))
+}
+
+/// Writes a part to a file, in place of what is there. Returns what was done, saving first.
+pub(super) fn write(
+    draft: &PartDraft,
+    path: &Path,
+    from: Option<&Path>,
+    catalog: &Catalog,
+) -> Result<Vec<String>, String> {
+    let name = named(draft)?;
     let mut look = draft.look.clone();
     look.name = name.to_owned();
     let files = match from {
-        Some(from) => rebase(&mut look, catalog, from, Some(folder)),
+        Some(from) => rebase(&mut look, catalog, from, path.parent()),
         None => Vec::new(),
     };
-    write_atomic(&path, look.to_text().as_bytes()).map_err(|problem| problem.message)?;
-    let mut told = vec![draft.kind.saved(name, &path)];
-    let first = make_slug(name, |_| false);
-    if slug != first {
-        told.push(tr!("{first}.json was there already, and stays as it is"));
-    }
+    write_atomic(path, look.to_text().as_bytes()).map_err(|problem| problem.message)?;
+    let mut told = vec![draft.kind.saved(name, path)];
     if !files.is_empty() {
         told.push(tr!("linked, not copied: {files}", files = files.join(", ")));
     }
-    Ok((path, told.join(" · ")))
+    Ok(told)
+}
+
+/// Name of a part that is to be saved.
+fn named(draft: &PartDraft) -> Result<&str, String> {
+    let name = draft.look.name.trim();
+    if name.is_empty() { Err(tr!("Give it a name first").to_owned()) } else { Ok(name) }
 }

@@ -44,7 +44,7 @@ const TO: &str = r##"{"name": "To", "lights": {"key": {"name": "Lamp"}}, "nodes"
     "nodes": [{"id": "red", "kind": "color_value"}],
     "wires": [{"from": "red", "to": "outputs.color"}]}}}"##;
 
-fn read(text: &str) -> (Look, Catalog) {
+pub(super) fn read(text: &str) -> (Look, Catalog) {
     let loaded = Look::read(text, "test");
     assert!(!loaded.has_errors(), "{:?}", loaded.diagnostics);
     let look = loaded.value.unwrap();
@@ -58,7 +58,7 @@ fn synced(look: &Look) -> Catalog {
     catalog
 }
 
-fn draft(look: &Look, choice: &PartChoice) -> Result<PartDraft, String> {
+pub(super) fn draft(look: &Look, choice: &PartChoice) -> Result<PartDraft, String> {
     let catalog = synced(look);
     PartSource { look, graph: &look.graph, catalog: &catalog }.draft(choice)
 }
@@ -72,14 +72,14 @@ fn order(look: &Look) -> Vec<String> {
     layers.iter().map(|layer| layer.id.to_string()).collect()
 }
 
-fn found(folder: &Path) -> FoundParts {
+pub(super) fn found(folder: &Path) -> FoundParts {
     let reader = PartsReader::new(Arc::new(Disk), || {});
     reader.read(vec![folder.to_path_buf()]);
     reader.wait();
     reader.answer().unwrap().remove(0)
 }
 
-fn look_of(part: &Part) -> &Look {
+pub(super) fn look_of(part: &Part) -> &Look {
     &part.content.as_ref().unwrap().look
 }
 
@@ -120,7 +120,7 @@ fn a_layer_goes_from_one_look_to_another_through_the_library() {
     assert_eq!(look.definitions["tinted"].label, "Another", "the look's own group stays");
     for words in [
         "\"Rim\" is copied into this look, over Rim",
-        "with its light back",
+        "with its own light back",
         "under another name, as this look has another one, Tinted",
     ] {
         assert!(placed.told.contains(words), "{words}: {}", placed.told);
@@ -131,9 +131,10 @@ fn a_layer_goes_from_one_look_to_another_through_the_library() {
     assert_eq!(look, before, "one step of undo");
 
     // Where no layer is named it lies on top; a look without a stack of any kind says why not.
-    let placed = placing::layer(to(&look, &catalog), ("Rim", look_of(part)), None).unwrap();
+    let placed = placing::layer(to(&look, &catalog), ("Silver edge", look_of(part)), None).unwrap();
     look.apply(placed.edit).unwrap();
     assert_eq!(order(&look), ["rim_2", "top", "rim"]);
+    assert_eq!(look.graph.nodes["rim_2"].name, "Silver edge", "one layer has the part's name");
     let (bare, catalog) = read("{}");
     assert!(placing::layer(to(&bare, &catalog), ("Rim", look_of(part)), None).is_err());
 }
