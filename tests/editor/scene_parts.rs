@@ -8,7 +8,7 @@ use crate::editor_support::User;
 use chiaro::document::{Light, LightKind, Scene, Value};
 use chiaro::editor::{App, Places};
 use chiaro::ids::LightId;
-use eframe::egui::{Key, Role, vec2};
+use eframe::egui::{Key, Modifiers, Role, vec2};
 use egui_kittest::kittest::Queryable as _;
 
 /// A user's folders, with a scene of two objects in two looks and with a light of its own.
@@ -554,4 +554,28 @@ fn scenes_have_small_pictures_of_their_own() {
         hand.app().session().open_scene().unwrap().path(),
         Some(home.file("two.json").as_path())
     );
+}
+
+#[test]
+fn a_look_on_one_object_is_saved_as_a_scene() {
+    let home = Home::new();
+    let (look, scene) = (home.file("looks/paint.json"), home.file("kept.json"));
+    let mut hand = User::with(|ctx| App::new(ctx, None).without_dialogs());
+    hand.app_mut().open(&look);
+    hand.app_mut().show_on("shape:torus");
+    hand.settle();
+    hand.key_with(Modifiers::COMMAND, Key::P);
+    hand.type_text("panel objects");
+    hand.key(Key::Enter);
+    hand.settle();
+    hand.app_mut().answer_dialog(&scene);
+    let button = hand.harness.get_by_role_and_label(Role::Button, "Save as a scene...").rect();
+    hand.click(button.center());
+    hand.settle();
+    let kept: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(&scene).unwrap()).unwrap();
+    let object = &kept["objects"][0];
+    assert_eq!(object["mesh"], "shape:torus");
+    assert_eq!(object["looks"], "looks/paint.json");
+    assert_eq!(hand.app().session().open_scene().unwrap().scene().objects.len(), 1);
 }

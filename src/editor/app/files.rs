@@ -5,13 +5,14 @@ use std::sync::Arc;
 
 use chiaro_locale::tr;
 use eframe::egui::{self, RichText, Ui, ViewportCommand};
+use glam::DQuat;
 
 use super::App;
 use crate::commands::{Command, PAINTING, PanelId, PictureImport, SceneCommand, TourTopic};
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf};
 use crate::examples;
-use crate::frame::UNSAVED_HCBTF;
+use crate::frame::{SHAPE_PREFIX, UNSAVED_HCBTF};
 use crate::import::GraphFile;
 use crate::panels::curves::timeline::Timeline;
 use crate::panels::library;
@@ -23,6 +24,9 @@ use crate::state::session::painting::is_painting_shown;
 use crate::state::shelf::SnapshotId;
 use crate::state::wedge::WedgeSheet;
 use crate::widgets::confirm;
+
+/// Least turn of the lights that is worth telling of, in radians.
+const TURNED: f64 = 0.01;
 
 /// Action that would lose unsaved changes.
 #[derive(Clone, Debug, PartialEq)]
@@ -156,7 +160,18 @@ impl App {
     /// Saves to a file, and reports a failure. Returns true if the file is written.
     pub fn save_as(&mut self, path: &Path) -> bool {
         let saved = self.session.save_as(path);
-        self.tell_saved(path, saved)
+        let is_saved = self.tell_saved(path, saved);
+        let orbit = &self.session.view.orbit;
+        let is_turned = orbit.illumination.angle_between(DQuat::IDENTITY) > TURNED;
+        let is_own = !orbit.mesh.starts_with(SHAPE_PREFIX) || is_turned;
+        if is_saved && is_own && self.session.open_scene().is_none() {
+            self.message = Some(tr!(
+                "Saved {file}: the look alone. The mesh and the turned lights are kept by a scene, \
+                 which the panel Objects saves",
+                file = path.display()
+            ));
+        }
+        is_saved
     }
 
     /// Reports the result of saving a document to a file. Returns true if the file is written.

@@ -58,6 +58,7 @@ impl App {
             }
             SceneCommand::Save => self.save_scene(),
             SceneCommand::SaveAs => {
+                self.session.begin_scene();
                 self.dialogs.ask(FilePurpose::SaveScene, self.near_scene().as_deref());
             }
             SceneCommand::Close => self.do_or_ask(PendingAction::LeaveScene),

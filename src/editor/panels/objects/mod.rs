@@ -54,9 +54,16 @@ impl Objects {
         let Some(open_scene) = session.open_scene() else {
             hint(
                 ui,
-                tr!("The look is on one object. Add another, and both are a scene that can be \
-                     saved."),
+                tr!("The look is on one object. The look's file keeps neither the mesh nor the \
+                     camera nor how the lights were turned: a scene does."),
             );
+            let help = tr!(
+                "Makes a scene of the mesh, the camera and the lights of the picture, and saves it; \
+                 the look stays a file of its own"
+            );
+            if ui.button(tr!("Save as a scene...")).on_hover_text(help).clicked() {
+                out.push(SceneCommand::SaveAs);
+            }
             hint(ui, tr!("Open shows the objects of a scene file, each in its own look."));
             return out.into_iter().map(Command::Scene).collect();
         };
