@@ -3,8 +3,8 @@
 //! A text stands in English where it is used, as `tr!("Add layer")`, and in a table's row as
 //! `text!("Lights")`. `chiaro.pot` lists all of them, with those of the nodes and the examples;
 //! `de.po` and its like are the catalogs, in gettext's format, which every translator's tool reads.
-//! A new language is a file and a row of [`LANGUAGES`]. Only the window speaks another language than
-//! English: what scripts read stays as it is.
+//! A new language is a file and a row of [`LANGUAGES`]. Only the window speaks another language
+//! than English: what scripts read stays as it is.
 
 // The macros name this crate.
 extern crate self as chiaro_locale;

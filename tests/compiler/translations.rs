@@ -26,7 +26,7 @@ type Key = (String, String);
 
 /// Message as translators are to see it.
 #[derive(Default)]
-struct Listed {
+struct ListedMessage {
     /// Text for other numbers than one, of a text that counts.
     many: Option<String>,
     /// Files that the text stands in, from the root.
@@ -35,7 +35,7 @@ struct Listed {
 
 /// Texts of the source, the nodes and the examples.
 #[derive(Default)]
-struct Texts(BTreeMap<Key, Listed>);
+struct Texts(BTreeMap<Key, ListedMessage>);
 
 impl Texts {
     fn all() -> Self {
@@ -59,7 +59,7 @@ impl Texts {
         texts
     }
 
-    fn add(&mut self, context: &str, text: &str, source: &str) -> &mut Listed {
+    fn add(&mut self, context: &str, text: &str, source: &str) -> &mut ListedMessage {
         let listed = self.0.entry((context.to_owned(), text.to_owned())).or_default();
         listed.sources.insert(source.to_owned());
         listed
@@ -223,9 +223,9 @@ impl Texts {
     /// Catalog of these texts with what `known` has for them, ordered by their files.
     fn catalog(&self, metadata: CatalogMetadata, known: &Catalog) -> Catalog {
         let mut catalog = Catalog::new(metadata);
-        let mut ordered: Vec<(&Key, &Listed)> = self.0.iter().collect();
+        let mut ordered: Vec<(&Key, &ListedMessage)> = self.0.iter().collect();
         ordered.sort_by_key(|((context, text), listed)| (listed.sources.first(), context, text));
-        for ((context, text), Listed { many, sources }) in ordered {
+        for ((context, text), ListedMessage { many, sources }) in ordered {
             let context_or_none = (!context.is_empty()).then_some(context.as_str());
             let old = known.find_message(context_or_none, text, many.as_deref());
             let mut message =

@@ -94,6 +94,9 @@ const SINGLE_ROOMS: &[(&str, &str)] = &[
     ("chiaro_test_support", "support"),
 ];
 
+/// Crates of the project that say things, and compute nothing that is judged.
+const SAYING: &[&str] = &["chiaro_locale"];
+
 /// Crates of others whose code computes what is judged or judges it: shaders, pictures, images,
 /// meshes, vectors.
 pub const COMPUTING: &[&str] = &[
@@ -171,7 +174,9 @@ fn read_used_by(path: &Path) -> Vec<String> {
         fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let name = path.strip_prefix(root()).expect("it lies in the project");
     let known = |name: &str| {
-        HOUSES.contains(&name) || SINGLE_ROOMS.iter().any(|(single, _)| *single == name)
+        SAYING.contains(&name)
+            || HOUSES.contains(&name)
+            || SINGLE_ROOMS.iter().any(|(single, _)| *single == name)
     };
     let foreign = scan::references(&text, name.iter().count()).into_iter().find(|found| {
         let first = found.path.split("::").next().unwrap_or_default();

@@ -7,11 +7,11 @@ use chiaro_locale::{Text, tr, tr_in};
 use eframe::egui;
 use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
-use crate::canvas::{names, palette};
+use crate::canvas::palette;
 use crate::catalog::NodeKind;
 use crate::commands::table::{self, CommandRow, KeyScope, LIGHT_TABLE, PAINTING_POINTER, POINTER};
 use crate::commands::{Command, GraphCommand};
-use crate::fields::passes;
+use crate::fields::{names, passes};
 use crate::ids::NodeId;
 use crate::panels::PANELS;
 use crate::state::session::Session;

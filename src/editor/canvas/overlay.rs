@@ -9,11 +9,11 @@ use eframe::egui::{
 
 use super::inplace::Item;
 use super::mesh::{plain, rounded};
-use super::names;
 use super::table::{CanvasItem, Socket};
 use super::{Canvas, edits};
 use crate::commands::{Command, GraphCommand, table};
 use crate::document::GraphId;
+use crate::fields::names;
 use crate::ids::NodeId;
 use crate::library::Library;
 use crate::state::session::Session;

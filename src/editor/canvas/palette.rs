@@ -8,9 +8,9 @@ use eframe::egui::{
     Align2, Area, Id, Key, Modifiers, Order, Pos2, RichText, ScrollArea, TextEdit, Ui, pos2, vec2,
 };
 
-use super::names;
 use crate::catalog::{Catalog, NodeKind, Port};
 use crate::document::Endpoint;
+use crate::fields::names;
 use crate::ids::NodeId;
 use crate::library::Type;
 use crate::widgets::theme;

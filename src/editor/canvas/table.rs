@@ -10,13 +10,13 @@ use std::sync::Arc;
 use chiaro_locale::tr;
 use eframe::egui::{Galley, Pos2, Rect, Vec2, pos2, vec2};
 
-use super::names;
 use super::text::NodeText;
 use crate::catalog::{Catalog, NodeKind};
 use crate::document::{Graph, LightSet};
 use crate::drawing::{
     FRAME_MARGIN, FRAME_TITLE, NODE_WIDTH, TITLE_HEIGHT, node_height, row_center, wire_reach,
 };
+use crate::fields::names;
 use crate::ids::{FrameId, NodeId, NoteId, PortName};
 use crate::library::Type;
 use crate::state::revision::{DocumentNumber, GraphNumber, LookRevision};
@@ -70,7 +70,7 @@ pub(crate) struct NodeRow {
     pub(crate) text: NodeText,
 }
 
-/// What a table is made from: document, revision, open graph, and tag of the language.
+/// Sources of a table: document, revision, open graph, and tag of the language.
 type TableKey = (DocumentNumber, LookRevision, GraphNumber, &'static str);
 
 impl NodeRow {

@@ -37,8 +37,8 @@ pub(crate) enum SceneCommand {
     KeepView,
     /// Saves to the scene's own file; asks for one where there is none.
     Save,
-    /// Asks for a file, and saves to it; where no scene is open, one of the mesh, the camera and the
-    /// lights of the picture.
+    /// Asks for a file, and saves to it; where no scene is open, one of the picture's mesh, camera
+    /// and lights.
     SaveAs,
     /// Puts the scene aside; the look stays open.
     Close,

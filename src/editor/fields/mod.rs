@@ -11,6 +11,7 @@ pub(crate) mod lighting;
 pub(crate) mod mark;
 pub(crate) mod marks;
 pub(crate) mod mix;
+pub(crate) mod names;
 pub(crate) mod node_links;
 pub(crate) mod passes;
 pub(crate) mod path;

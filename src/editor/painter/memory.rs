@@ -153,7 +153,7 @@ pub(super) fn table(ui: &mut Ui, grid: &Grid, now: Option<(u64, &[Need])>, devic
     ui.label(RichText::new(text).color(dim).small());
 }
 
-/// Whether a storage fits into the device.
+/// Fit of a storage into the device.
 struct Fit {
     is_in: bool,
     help: &'static str,

@@ -1,12 +1,12 @@
 //! Editor of a value in a cell of a table, in as little room as its type allows.
 
+use chiaro_locale::tr_in;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, TextWrapMode, Ui, vec2};
 
 use super::color;
 use crate::catalog::Port;
 use crate::document::{ColorSpace, Value};
 use crate::library::Type;
-use crate::state::reading::of_choice;
 use crate::values;
 use crate::widgets::theme;
 
@@ -92,7 +92,7 @@ fn choice(ui: &mut Ui, name: &str, port: &Port, value: &Value) -> Option<(Id, Va
         .options
         .iter()
         .find(|(known, _)| known == word)
-        .map_or(word.as_str(), |(_, label)| of_choice(label));
+        .map_or(word.as_str(), |(_, label)| tr_in("choice", label));
     let mut chosen = None;
     let combo = ComboBox::from_id_salt(name)
         .width(80.0)
@@ -100,7 +100,9 @@ fn choice(ui: &mut Ui, name: &str, port: &Port, value: &Value) -> Option<(Id, Va
         .selected_text(shown)
         .show_ui(ui, |ui| {
             for (known, label) in &port.options {
-                if ui.selectable_label(known == word, of_choice(label)).clicked() && known != word {
+                if ui.selectable_label(known == word, tr_in("choice", label)).clicked()
+                    && known != word
+                {
                     chosen = Some(known.clone());
                 }
             }

@@ -11,7 +11,7 @@ use proc_macro::TokenStream;
 use quote::quote;
 use syn::parse_macro_input;
 
-use crate::text::{Counted, Filled, Row};
+use crate::text::{CountedText, FilledText, Row};
 
 /// Text for the user, in the user's language: a `&'static str` where nothing is filled in, else a
 /// `String`.
@@ -20,7 +20,7 @@ use crate::text::{Counted, Filled, Row};
 /// `tr!("blend mode" => "Normal")`.
 #[proc_macro]
 pub fn tr(input: TokenStream) -> TokenStream {
-    let filled = parse_macro_input!(input as Filled);
+    let filled = parse_macro_input!(input as FilledText);
     filled.tokens().unwrap_or_else(syn::Error::into_compile_error).into()
 }
 
@@ -28,7 +28,7 @@ pub fn tr(input: TokenStream) -> TokenStream {
 /// `String`. The number is a variable, or is named: `trn!(n = list.len(), ...)`.
 #[proc_macro]
 pub fn trn(input: TokenStream) -> TokenStream {
-    let counted = parse_macro_input!(input as Counted);
+    let counted = parse_macro_input!(input as CountedText);
     counted.tokens().unwrap_or_else(syn::Error::into_compile_error).into()
 }
 

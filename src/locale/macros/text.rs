@@ -6,12 +6,12 @@ use syn::parse::{Parse, ParseStream};
 use syn::{Error, Expr, Ident, LitStr, Result, Token};
 
 /// Value that is given by name after a text.
-struct Named {
+struct NamedValue {
     name: Ident,
     value: Expr,
 }
 
-impl Parse for Named {
+impl Parse for NamedValue {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
         let name = input.parse()?;
         input.parse::<Token![=]>()?;
@@ -37,20 +37,20 @@ impl Parse for Row {
 }
 
 /// Text with its context and the values that stand in it.
-pub(crate) struct Filled {
+pub(crate) struct FilledText {
     context: Option<LitStr>,
     text: LitStr,
-    values: Vec<Named>,
+    values: Vec<NamedValue>,
 }
 
-impl Parse for Filled {
+impl Parse for FilledText {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
         let Row { context, text } = input.parse()?;
         Ok(Self { context, text, values: values(input)? })
     }
 }
 
-impl Filled {
+impl FilledText {
     /// Tokens of the text as its user reads it.
     pub(crate) fn tokens(&self) -> Result<TokenStream> {
         let text = &self.text;
@@ -70,18 +70,18 @@ impl Filled {
 }
 
 /// Text that depends on a number, in English's two forms.
-pub(crate) struct Counted {
+pub(crate) struct CountedText {
     count: Expr,
     one: LitStr,
     many: LitStr,
-    values: Vec<Named>,
+    values: Vec<NamedValue>,
 }
 
-impl Parse for Counted {
+impl Parse for CountedText {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
         let mut values = Vec::new();
         let count = if input.peek2(Token![=]) && !input.peek2(Token![==]) {
-            let named: Named = input.parse()?;
+            let named: NamedValue = input.parse()?;
             let name = named.name.clone();
             values.push(named);
             syn::parse_quote!(#name)
@@ -97,7 +97,7 @@ impl Parse for Counted {
     }
 }
 
-impl Counted {
+impl CountedText {
     /// Tokens of the text as its user reads it. The values are worked out once.
     pub(crate) fn tokens(&self) -> Result<TokenStream> {
         let Self { count, one, many, values } = self;
@@ -124,7 +124,7 @@ impl Counted {
 }
 
 /// Reads the values after a text, each after a comma.
-fn values(input: ParseStream<'_>) -> Result<Vec<Named>> {
+fn values(input: ParseStream<'_>) -> Result<Vec<NamedValue>> {
     let mut values = Vec::new();
     while !input.is_empty() {
         input.parse::<Token![,]>()?;
@@ -140,7 +140,7 @@ struct Field {
     /// Text within the braces, by which a translation names the value.
     inside: String,
     name: Ident,
-    /// How the value is formatted: a colon and what follows it, or nothing.
+    /// Format of the value: a colon and what follows it, or nothing.
     format: String,
 }
 
@@ -180,14 +180,14 @@ fn fields(text: &LitStr) -> Result<Vec<Field>> {
 }
 
 /// Asks that every value that is given stands in the text; `counted` may not.
-fn all_used(fields: &[Field], values: &[Named], counted: Option<&Ident>) -> Result<()> {
+fn all_used(fields: &[Field], values: &[NamedValue], counted: Option<&Ident>) -> Result<()> {
     let stands = |name: &Ident| fields.iter().any(|field| field.name == *name);
     let idle = values.iter().find(|named| !stands(&named.name) && Some(&named.name) != counted);
     idle.map_or(Ok(()), |named| Err(Error::new(named.name.span(), "stands nowhere in the text")))
 }
 
 /// Pairs of what stands in the braces and the formatted value.
-fn filled(fields: &[Field], values: &[Named]) -> TokenStream {
+fn filled(fields: &[Field], values: &[NamedValue]) -> TokenStream {
     let pairs = fields.iter().map(|Field { inside, name, format }| {
         let template = format!("{{{format}}}");
         let given = values.iter().find(|named| named.name == *name);

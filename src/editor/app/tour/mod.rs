@@ -45,7 +45,7 @@ struct TourTexts {
     next: &'static [Suggestion],
 }
 
-/// What to do next: label, help and command.
+/// Next thing to do: label, help and command.
 type Suggestion = (Text, Text, Command);
 
 /// A tour, as data.

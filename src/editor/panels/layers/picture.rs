@@ -13,8 +13,8 @@ const GROUND: &str = "chiaro-ground";
 /// Id of the output node that shows the layer.
 const SHOWN: &str = "chiaro-output";
 
-/// Look with nothing but one layer, or, where `mode` is `None`, with the ground of the stack. A layer
-/// `is_dark` if it covers in a dark color, such as ink.
+/// Look with nothing but one layer, or, where `mode` is `None`, with the ground of the stack. A
+/// layer `is_dark` if it covers in a dark color, such as ink.
 pub(super) fn of(look: &Look, id: &NodeId, mode: Option<&str>, is_dark: bool) -> Look {
     let mut shown = Look {
         color_space: look.color_space,

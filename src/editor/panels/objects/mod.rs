@@ -58,8 +58,8 @@ impl Objects {
                      camera nor how the lights were turned: a scene does."),
             );
             let help = tr!(
-                "Makes a scene of the mesh, the camera and the lights of the picture, and saves it; \
-                 the look stays a file of its own"
+                "Makes a scene of the mesh, the camera and the lights of the picture, and saves \
+                 it; the look stays a file of its own"
             );
             if ui.button(tr!("Save as a scene...")).on_hover_text(help).clicked() {
                 out.push(SceneCommand::SaveAs);

@@ -250,8 +250,11 @@ impl Wipe {
             all.map(|snapshot| (ComparedPicture::Snapshot(snapshot.id), snapshot.name.clone()));
         self.snapshots = choices.collect();
         self.has_file = session.path().is_some();
-        // A snapshot that was deleted, or of a look that is not open any more, is compared no longer.
-        let is_gone = |picture: &ComparedPicture| matches!(picture, ComparedPicture::Snapshot(id) if session.shelf().of(*id).is_none());
+        // A snapshot that was deleted, or is of another look, is compared no longer.
+        let is_gone = |picture: &ComparedPicture| match picture {
+            ComparedPicture::Snapshot(id) => session.shelf().of(*id).is_none(),
+            _ => false,
+        };
         if self.against.as_ref().is_some_and(is_gone) || is_gone(&self.left) {
             self.choose(None);
         }

@@ -67,13 +67,13 @@ const ANGLES: [ProfileAngle; 3] = [
 struct ProfileAngle {
     port: &'static str,
     label: Text,
-    /// What it is, with the symbol of the BADF paper for its readers.
+    /// Meaning of the angle, with the symbol of the BADF paper for its readers.
     help: Text,
     /// Name of the mark of its keys, for screen readers.
     keys: Text,
     /// Name of its handle in the plot, for screen readers.
     handle: Text,
-    /// What tells that another handle was stopped by its own.
+    /// Sentence for when another handle was stopped by its own.
     stop: Text,
 }
 

@@ -17,12 +17,12 @@ pub(crate) fn of<'a>(kind: &str, text: &'a str) -> &'a str {
 }
 
 /// Text of a node as it is shown: `is_own` tells whether its kind comes with Chiaro.
-pub(super) fn shown(is_own: bool, text: &str) -> &str {
+pub(crate) fn shown(is_own: bool, text: &str) -> &str {
     if is_own { tr_in("node", text) } else { text }
 }
 
 /// Name of a type.
-pub(super) fn of_type(ty: &Type) -> &str {
+pub(crate) fn of_type(ty: &Type) -> &str {
     match ty {
         Type::Float => tr!("type" => "float"),
         Type::Int => tr!("type" => "integer"),
