@@ -3,8 +3,8 @@
 //! A text stands in English where it is used, as `tr!("Add layer")`, and in a table's row as
 //! `text!("Lights")`. `chiaro.pot` lists all of them, with those of the nodes and the examples;
 //! `de.po` and its like are the catalogs, in gettext's format, which every translator's tool reads.
-//! A new language is a file and a row of [`LANGUAGES`]. Only the window speaks another language
-//! than English: what scripts read stays as it is.
+//! The window has the list of its languages; it alone speaks another language than English: what
+//! scripts read stays as it is.
 
 // The macros name this crate.
 extern crate self as chiaro_locale;
@@ -12,15 +12,14 @@ extern crate self as chiaro_locale;
 mod catalog;
 mod fill;
 
-use std::sync::OnceLock;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{OnceLock, PoisonError, RwLock};
 
 pub use chiaro_locale_macros::{text, tr, trn};
 pub use fill::fill;
 
 use crate::catalog::Catalog;
 
-/// Language that the window speaks.
+/// Language that can be spoken.
 #[derive(Debug)]
 pub struct Language {
     /// Tag of BCP 47: `de`.
@@ -35,7 +34,8 @@ pub struct Language {
 }
 
 impl Language {
-    const fn new(
+    /// Language with a catalog, which is read when it is first spoken.
+    pub const fn new(
         tag: &'static str,
         name: &'static str,
         source: &'static str,
@@ -45,77 +45,61 @@ impl Language {
     }
 
     fn catalog(&self) -> &Catalog {
-        self.catalog.get_or_init(|| {
-            if self.tag == MARKED { Catalog::marked() } else { Catalog::read(self.source) }
+        self.catalog.get_or_init(|| match self.tag {
+            MARKED_TAG => Catalog::marked(),
+            _ => Catalog::read(self.source),
         })
     }
 }
 
-/// Tag of the language for tests: English with every text that was looked up within « and ».
-pub const MARKED: &str = "qps";
+const MARKED_TAG: &str = "qps";
 
-fn one_or_many(count: u64) -> usize {
+/// Language for tests: English with every text that was looked up within « and ».
+pub static MARKED: Language = Language::new(MARKED_TAG, "«English»", "", one_or_many);
+
+/// Form of a text that counts where one alone is another form than all others.
+pub fn one_or_many(count: u64) -> usize {
     usize::from(count != 1)
 }
 
-/// The languages of the window, English first.
-pub static LANGUAGES: [Language; 2] = [
-    Language::new("en", "English", "", one_or_many),
-    Language::new("de", "Deutsch", include_str!("de.po"), one_or_many),
-];
+/// Language that is spoken; none is English.
+static SPOKEN: RwLock<Option<&'static Language>> = RwLock::new(None);
 
-static MARKED_LANGUAGE: Language = Language::new(MARKED, "«English»", "", one_or_many);
-
-/// Index of the language that is spoken; that of the marked one is beyond the list.
-static SPOKEN: AtomicUsize = AtomicUsize::new(0);
-
-/// Speaks a language from now on, in the whole process; one that is not known is English.
-pub fn speak(tag: &str) {
-    let index = match tag {
-        MARKED => LANGUAGES.len(),
-        _ => LANGUAGES.iter().position(|language| language.tag == tag).unwrap_or(0),
-    };
-    SPOKEN.store(index, Ordering::Relaxed);
+/// Speaks a language from now on, in the whole process; none is English.
+pub fn speak(language: Option<&'static Language>) {
+    *SPOKEN.write().unwrap_or_else(PoisonError::into_inner) = language;
 }
 
-/// Language that is spoken.
-pub fn spoken() -> &'static Language {
-    LANGUAGES.get(SPOKEN.load(Ordering::Relaxed)).unwrap_or(&MARKED_LANGUAGE)
+/// Language that is spoken; none is English.
+pub fn spoken() -> Option<&'static Language> {
+    *SPOKEN.read().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Language of the system that is among [`LANGUAGES`], by the first that the user prefers.
-pub fn of_system() -> &'static Language {
-    let known = sys_locale::get_locales().find_map(|tag| {
+/// Language of the system that is among these, by the first that the user prefers.
+pub fn of_system(languages: &'static [Language]) -> Option<&'static Language> {
+    sys_locale::get_locales().find_map(|tag| {
         let primary = tag.split(['-', '_']).next().unwrap_or_default().to_lowercase();
-        LANGUAGES.iter().find(|language| language.tag == primary)
-    });
-    known.unwrap_or(&LANGUAGES[0])
+        languages.iter().find(|language| language.tag == primary)
+    })
 }
 
 /// Text in the language that is spoken; a text that the catalog lacks stays in English.
 pub fn tr(text: &str) -> &str {
-    if SPOKEN.load(Ordering::Relaxed) == 0 {
-        return text;
-    }
-    spoken().catalog().find("", text).unwrap_or(text)
+    let spoken = spoken().and_then(|language| language.catalog().find("", text));
+    spoken.unwrap_or(text)
 }
 
 /// Text of a context; without one of its own, that of the same words in no context.
 pub fn tr_in<'a>(context: &str, text: &'a str) -> &'a str {
-    if SPOKEN.load(Ordering::Relaxed) == 0 {
-        return text;
-    }
-    let catalog = spoken().catalog();
+    let Some(language) = spoken() else { return text };
+    let catalog = language.catalog();
     catalog.find(context, text).or_else(|| catalog.find("", text)).unwrap_or(text)
 }
 
 /// Form of a text that counts, in the language that is spoken. See the macro of the same name.
 pub fn trn(one: &'static str, many: &'static str, count: u64) -> &'static str {
-    let language = spoken();
     let english = if count == 1 { one } else { many };
-    if SPOKEN.load(Ordering::Relaxed) == 0 {
-        return english;
-    }
+    let Some(language) = spoken() else { return english };
     language.catalog().form(one, english, (language.form)(count))
 }
 
@@ -158,29 +142,47 @@ impl std::fmt::Display for Text {
 mod tests {
     use super::*;
 
+    static GERMAN: Language = Language::new(
+        "de",
+        "Deutsch",
+        r#"msgid ""
+msgstr ""
+"Plural-Forms: nplurals=2; plural=(n != 1);\n"
+
+msgid "Cancel"
+msgstr "Abbrechen"
+
+msgctxt "tool"
+msgid "Fill"
+msgstr "Füllen"
+
+msgid "{n} layer"
+msgid_plural "{n} layers"
+msgstr[0] "{n} Ebene"
+msgstr[1] "{n} Ebenen"
+"#,
+        one_or_many,
+    );
+
     // The language is the process's, so that one test alone may change it.
     #[test]
     fn a_text_is_spoken_in_the_chosen_language() {
         let name = "Ada";
+        let layers = |n: usize| trn!(n, "{n} layer", "{n} layers");
         assert_eq!(tr!("Cancel"), "Cancel");
         assert_eq!(tr!("{name} has {n:.1}", n = 2.25), "Ada has 2.2");
-        assert_eq!(trn!(n = 1, "{n} layer", "{n} layers"), "1 layer");
-        speak(MARKED);
+        assert_eq!([1, 0].map(layers), ["1 layer", "0 layers"]);
+        speak(Some(&MARKED));
         assert_eq!(tr!("Cancel"), "«Cancel»");
         assert_eq!(tr!("{name} has {n:.1}", n = 2.25), "«Ada has 2.2»");
-        assert_eq!(trn!(n = 3, "{n} layer", "{n} layers"), "«3 layers»");
-        speak("de");
-        assert_eq!(spoken().name, "Deutsch");
+        assert_eq!(layers(3), "«3 layers»");
+        speak(Some(&GERMAN));
         assert_eq!(tr("no catalog has this"), "no catalog has this");
         assert_eq!(text!("Cancel").tr(), "Abbrechen");
-        speak("tlh");
+        assert_eq!(tr_in("button", "Cancel"), "Abbrechen", "it is the same in every context");
+        assert_eq!([tr!("tool" => "Fill"), tr!("Fill")], ["Füllen", "Fill"]);
+        assert_eq!([1, 2].map(layers), ["1 Ebene", "2 Ebenen"]);
+        speak(None);
         assert_eq!(text!("Cancel").tr(), "Cancel");
-    }
-
-    #[test]
-    fn catalogs_read() {
-        for language in &LANGUAGES[1..] {
-            assert!(language.catalog().find("", "Cancel").is_some(), "{}", language.tag);
-        }
     }
 }

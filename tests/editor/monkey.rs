@@ -2,7 +2,7 @@
 //! document can always be read back, undo leads back to the file as it was, and redo to the last
 //! change.
 //!
-//! `MONKEY_GESTURES` is the number of gestures of each seed (default 2,500); `scripts/soak` makes a
+//! `MONKEY_GESTURES` is the number of gestures of each seed (default 1,250); `scripts/soak` makes a
 //! million.
 
 use std::path::Path;
@@ -260,7 +260,7 @@ impl Monkey {
 }
 
 fn gestures() -> usize {
-    std::env::var("MONKEY_GESTURES").ok().and_then(|text| text.parse().ok()).unwrap_or(2_500)
+    std::env::var("MONKEY_GESTURES").ok().and_then(|text| text.parse().ok()).unwrap_or(1_250)
 }
 
 /// A window at the first step of the tour.

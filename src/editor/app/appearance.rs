@@ -1,9 +1,10 @@
 //! Theme, scale and language of the window, as settings remember them.
 
-use chiaro_locale::{LANGUAGES, tr};
+use chiaro_locale::tr;
 use eframe::egui::{Context, ThemePreference, Ui};
 
 use super::App;
+use crate::state::languages::LANGUAGES;
 use crate::state::settings::{SCALE, Settings, Theme};
 
 /// Gives the window the theme and the scale of its settings.

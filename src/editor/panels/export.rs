@@ -246,8 +246,8 @@ fn show_card(
             Some(program) => tr!("Run with {program}"),
             None => tr!("The program itself was not run").to_owned(),
         };
-        ui.label(RichText::new(package.label).strong().size(15.0)).on_hover_text(run_with);
-        ui.label(RichText::new(package.help).color(colors.dim).size(theme::SMALL_TEXT + 1.0));
+        ui.label(RichText::new(package.label.tr()).strong().size(15.0)).on_hover_text(run_with);
+        ui.label(RichText::new(package.help.tr()).color(colors.dim).size(theme::SMALL_TEXT + 1.0));
         let is_taken = match trial {
             None => {
                 ui.label(RichText::new(tr!("Trying ...")).color(colors.dim));

@@ -9,6 +9,7 @@ pub(crate) mod document;
 pub(crate) mod fixes;
 pub(crate) mod interface;
 pub(crate) mod keying;
+pub(crate) mod languages;
 pub(crate) mod masks;
 pub(crate) mod orbit;
 pub(crate) mod painting;

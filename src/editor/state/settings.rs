@@ -10,6 +10,7 @@ use serde_json::{Map, Value};
 use crate::diag::Diagnostic;
 use crate::files::{read_text, write_atomic};
 use crate::state::display::DisplayChoice;
+use crate::state::languages::LANGUAGES;
 use crate::state::paths::absolute;
 
 /// Largest number of recent files.
@@ -188,8 +189,10 @@ impl Settings {
     /// Speaks the language of the settings from now on, in the whole process. Only the user's own
     /// window asks for it: what reads English, as tests do, would fail by the system's language.
     pub fn speak(&self) {
-        let tag = self.language.as_deref();
-        chiaro_locale::speak(tag.unwrap_or_else(|| chiaro_locale::of_system().tag));
+        chiaro_locale::speak(match self.language.as_deref() {
+            Some(tag) => LANGUAGES.iter().find(|language| language.tag == tag),
+            None => chiaro_locale::of_system(&LANGUAGES),
+        });
     }
 
     /// Puts a file first in the list of recent files. An example is no file.

@@ -30,7 +30,7 @@ pub(super) fn rows() -> impl Iterator<Item = CommandRow> {
     });
     let packages = PACKAGES.iter().copied().map(move |package| {
         let label = RowLabel::from(text!("Export as a package: {package}..."));
-        let label = label.with("package", package.label);
+        let label = label.with("package", package.label.tr());
         without_key(Command::ExportLook(package.slug, None), label)
     });
     let cards = Command::ShowPanel(PanelId::EXPORT);

@@ -1,6 +1,6 @@
 //! Rows of commands that work everywhere in the window.
 
-use chiaro_locale::{LANGUAGES, Text, text};
+use chiaro_locale::{Text, text};
 use eframe::egui::Key;
 
 use super::KeyScope::{self, Window};
@@ -11,6 +11,7 @@ use crate::commands::{
 };
 use crate::document::Storage;
 use crate::hcbtf::exchange::ExchangeFormat;
+use crate::state::languages::LANGUAGES;
 use crate::state::parts::saving::PartChoice;
 use crate::state::variations::VariedSubject;
 

@@ -159,7 +159,11 @@ impl Column {
 
 /// Words within a sentence: small in English, where German keeps the capitals of its nouns.
 pub(super) fn inside(words: &str) -> String {
-    if spoken().tag == "en" { words.to_lowercase() } else { words.to_owned() }
+    if spoken().is_none_or(|language| language.tag == "en") {
+        words.to_lowercase()
+    } else {
+        words.to_owned()
+    }
 }
 
 #[cfg(test)]

@@ -27,6 +27,7 @@ mod wgpu_crate;
 use std::path::Path;
 use std::sync::Arc;
 
+use chiaro_locale::Text;
 use glam::DMat4;
 use indexmap::IndexSet;
 use serde_json::json;
@@ -48,9 +49,9 @@ pub struct Package {
     /// Name of the package for `--to`.
     pub slug: &'static str,
     /// Name of the package for people.
-    pub label: &'static str,
+    pub label: Text,
     /// Sentence that says what the package is.
-    pub help: &'static str,
+    pub help: Text,
     /// File to open after an export, where there is one.
     pub opens: Option<&'static str>,
     /// Program and version that tests run the package with; `None` where the program itself was
@@ -215,7 +216,8 @@ pub fn export_package(
     let mut told = Vec::new();
     let (look, library) = if package.is_without_passes {
         (own_look, own_library) = (look.clone(), library.clone());
-        told = tiers::take_tiers_without_passes(&mut own_look, &mut own_library, package.label);
+        told =
+            tiers::take_tiers_without_passes(&mut own_look, &mut own_library, package.label.tr());
         (&own_look, &own_library)
     } else {
         (look, library)

@@ -6,6 +6,8 @@
 //! `LOOK.json`. Passes before the picture are render target textures of the material, which
 //! Babylon.js draws before each camera's picture, as it does mirrors.
 
+use chiaro_locale::text;
+
 use super::super::ExportFile;
 use super::materials::{Materials, with_value_types};
 use super::{Package, PackageRequest};
@@ -14,8 +16,8 @@ use crate::diag::Diagnostic;
 /// The package.
 pub(super) const PACKAGE: Package = Package {
     slug: "babylon",
-    label: "Babylon.js",
-    help: "An ES module with a material for Babylon.js, by WebGL and WebGPU.",
+    label: text!("Babylon.js"),
+    help: text!("An ES module with a material for Babylon.js, by WebGL and WebGPU."),
     opens: None,
     run_with: Some("Babylon.js 9.35.0 in Chromium, both engines"),
     is_without_passes: false,

@@ -9,6 +9,7 @@ mod shader;
 use std::collections::BTreeSet;
 use std::io::Cursor;
 
+use chiaro_locale::text;
 use image::{ColorType, DynamicImage, ImageFormat};
 use serde_json::{Value, json};
 
@@ -28,8 +29,8 @@ use shader::PassMap;
 /// The package.
 pub(super) const PACKAGE: Package = Package {
     slug: "bevy",
-    label: "Bevy crate",
-    help: "A Rust crate with the look as a Material for Bevy 0.19, and a plugin.",
+    label: text!("Bevy crate"),
+    help: text!("A Rust crate with the look as a Material for Bevy 0.19, and a plugin."),
     opens: None,
     run_with: Some("Bevy 0.19 on lavapipe"),
     is_without_passes: false,

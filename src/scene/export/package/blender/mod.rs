@@ -7,6 +7,8 @@
 
 mod osl;
 
+use chiaro_locale::text;
+
 use super::super::ExportFile;
 use super::{Package, PackageRequest, python, refusal};
 use crate::diag::Diagnostic;
@@ -15,8 +17,8 @@ use serde_json::json;
 /// The package.
 pub(super) const PACKAGE: Package = Package {
     slug: "blender",
-    label: "Blender add-on",
-    help: "An add-on for Blender 5 that draws the look in the viewport, with a panel.",
+    label: text!("Blender add-on"),
+    help: text!("An add-on for Blender 5 that draws the look in the viewport, with a panel."),
     opens: None,
     run_with: Some("Blender 5.0.1, as the Python module bpy"),
     is_without_passes: false,

@@ -18,6 +18,8 @@ mod uniforms;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
+use chiaro_locale::text;
+
 use super::super::ExportFile;
 use super::super::description::{DrawnSides, Feed, Member, ModuleDescription, StepDescription};
 use super::super::host_code::{GDSCRIPT, translate};
@@ -29,8 +31,10 @@ use uniforms::{ImageUniform, ParameterUniform, Uniform, Uniforms};
 /// The package.
 pub(super) const PACKAGE: Package = Package {
     slug: "godot",
-    label: "Godot",
-    help: "A shader, a material and a script for meshes in Godot 4, and a project that shows them.",
+    label: text!("Godot"),
+    help: text!(
+        "A shader, a material and a script for meshes in Godot 4, and a project that shows them."
+    ),
     opens: None,
     run_with: Some("Godot 4.6, its web build in Chromium, renderer Compatibility"),
     is_without_passes: true,

@@ -14,6 +14,8 @@ mod literal;
 mod source;
 mod standard;
 
+use chiaro_locale::text;
+
 use super::super::ExportFile;
 use super::{Package, PackageRequest, refusal};
 use crate::diag::Diagnostic;
@@ -24,8 +26,10 @@ pub(super) use source::{rename_clashes, without_attributes};
 /// The package.
 pub(super) const PACKAGE: Package = Package {
     slug: "materialx",
-    label: "MaterialX",
-    help: "A MaterialX document with the look as a node, its function in GLSL, and a material.",
+    label: text!("MaterialX"),
+    help: text!(
+        "A MaterialX document with the look as a node, its function in GLSL, and a material."
+    ),
     opens: None,
     run_with: Some("MaterialX 1.39.5 and its renderer, on llvmpipe"),
     is_without_passes: false,

@@ -14,6 +14,8 @@
 //! Passes before the picture are drawn by the materials themselves, inside of the renderer's
 //! `render`, as three's own mirrors do.
 
+use chiaro_locale::text;
+
 use super::super::ExportFile;
 use super::materials::{Materials, with_value_types};
 use super::{Package, PackageRequest};
@@ -22,8 +24,10 @@ use crate::diag::Diagnostic;
 /// The package.
 pub(super) const PACKAGE: Package = Package {
     slug: "three",
-    label: "three.js",
-    help: "ES modules with a material for each of three.js's renderers, and a page that shows it.",
+    label: text!("three.js"),
+    help: text!(
+        "ES modules with a material for each of three.js's renderers, and a page that shows it."
+    ),
     opens: None,
     run_with: Some("three.js 0.187.0 in Chromium, both renderers"),
     is_without_passes: false,

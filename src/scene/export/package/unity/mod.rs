@@ -20,6 +20,7 @@ mod scratch;
 pub(super) mod shader;
 pub(super) mod source;
 
+use chiaro_locale::text;
 use serde_json::json;
 
 use super::super::ExportFile;
@@ -36,8 +37,10 @@ use parameters::ComponentField;
 /// The package.
 pub(super) const PACKAGE: Package = Package {
     slug: "unity",
-    label: "Unity (URP)",
-    help: "A package for Unity 6 with a shader for the Universal Render Pipeline and a component.",
+    label: text!("Unity (URP)"),
+    help: text!(
+        "A package for Unity 6 with a shader for the Universal Render Pipeline and a component."
+    ),
     opens: None,
     run_with: None,
     is_without_passes: false,

@@ -16,6 +16,8 @@ mod images;
 mod pieces;
 mod shader;
 
+use chiaro_locale::text;
+
 use super::super::ExportFile;
 use super::materials::class_name;
 use super::unity::plain;
@@ -26,8 +28,10 @@ use crate::diag::Diagnostic;
 /// The package.
 pub(super) const PACKAGE: Package = Package {
     slug: "unreal",
-    label: "Unreal Engine",
-    help: "Shader functions and a material graph to paste into Unreal Engine 5, without C++.",
+    label: text!("Unreal Engine"),
+    help: text!(
+        "Shader functions and a material graph to paste into Unreal Engine 5, without C++."
+    ),
     opens: None,
     run_with: None,
     is_without_passes: false,

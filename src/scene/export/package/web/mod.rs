@@ -17,6 +17,7 @@ use std::fmt::Write as _;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use chiaro_locale::text;
 
 use super::super::ExportFile;
 use super::super::description::{Description, ExposedParameter};
@@ -26,8 +27,10 @@ use crate::diag::Diagnostic;
 /// The package.
 pub(super) const PACKAGE: Package = Package {
     slug: "web",
-    label: "Web page",
-    help: "A page that opens from a file, by WebGPU or WebGL 2, with sliders for what is exposed.",
+    label: text!("Web page"),
+    help: text!(
+        "A page that opens from a file, by WebGPU or WebGL 2, with sliders for what is exposed."
+    ),
     opens: Some("index.html"),
     run_with: Some("Chromium, by WebGPU and WebGL 2"),
     is_without_passes: false,

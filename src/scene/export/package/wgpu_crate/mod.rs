@@ -10,6 +10,8 @@ mod scene;
 mod shader;
 mod tables;
 
+use chiaro_locale::text;
+
 use super::super::ExportFile;
 use super::rust::{
     HostModule, LOOK, Lights, MATH, Parameters, SHADOW_MAPS, Template, UNIFORMS, Values,
@@ -22,8 +24,8 @@ use crate::document::ColorSpace;
 /// The package.
 pub(super) const PACKAGE: Package = Package {
     slug: "wgpu",
-    label: "wgpu crate",
-    help: "A Rust crate with the look as a material for wgpu, and an example that draws it.",
+    label: text!("wgpu crate"),
+    help: text!("A Rust crate with the look as a material for wgpu, and an example that draws it."),
     opens: None,
     run_with: Some("wgpu 30 on lavapipe"),
     is_without_passes: false,
