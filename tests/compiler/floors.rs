@@ -21,7 +21,7 @@ use crate::support::scan::{self, Reference};
 /// scene's rooms make.
 const CRATES: &[(&str, &[&[&str]])] = &[
     ("embed", &[]),
-    ("locale", &[&["catalog", "fill"]]),
+    ("locale", &[]),
     (
         "language",
         &[
