@@ -10,10 +10,8 @@ use super::{CODE_VALUE, Port};
 /// Text of a value in a few characters.
 pub fn short(port: &Port, value: &Value) -> String {
     match value {
-        Value::Bool(on) => if *on { "on" } else { "off" }.to_owned(),
-        Value::Number(number) if port.ty == Type::Bool => {
-            if *number > 0.5 { "on" } else { "off" }.to_owned()
-        }
+        Value::Bool(on) => switch(*on).to_owned(),
+        Value::Number(number) if port.ty == Type::Bool => switch(*number > 0.5).to_owned(),
         Value::Number(number) if port.unit == "rad" => {
             format!("{}°", number_text(number.to_degrees(), 1))
         }
@@ -24,11 +22,15 @@ pub fn short(port: &Port, value: &Value) -> String {
         Value::Text(word) => {
             let label =
                 port.options.iter().find(|(known, _)| known == word).map(|(_, label)| label);
-            label.unwrap_or(word).clone()
+            label.map_or_else(|| word.clone(), |label| tr_in("choice", label).to_owned())
         }
         Value::Curve(curve) => trn!(count = curve.points.len(), "{count} points", "{count} points"),
         Value::Ramp(ramp) => trn!(count = ramp.stops.len(), "{count} colors", "{count} colors"),
     }
+}
+
+fn switch(is_on: bool) -> &'static str {
+    if is_on { tr!("switch" => "on") } else { tr!("switch" => "off") }
 }
 
 /// Text of a number with at most `decimals` decimals, without zeros at its end.

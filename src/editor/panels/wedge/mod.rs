@@ -147,7 +147,10 @@ impl Wedge {
         self.drawn.show(ui, session, &mut out);
         ui.separator();
         let Some(sheet) = &self.sheet else {
-            hint(ui, tr!("Open shows a sheet that was drawn before, to take its values."));
+            hint(
+                ui,
+                tr!("Open, in the bar, shows a sheet that was drawn before, to take its values."),
+            );
             return out;
         };
         let name = sheet.path.file_stem().unwrap_or_default().to_string_lossy();
@@ -157,6 +160,7 @@ impl Wedge {
             None => tr!("{name} of {document}: a click takes it into what is open"),
         };
         ui.label(RichText::new(text).small().color(theme::of(ui).dim));
+        hint(ui, &tr!("The sheet is {file}.", file = sheet.picture().display()));
         let mut clicked = None;
         ScrollArea::vertical().auto_shrink([false, false]).id_salt("wedge").show(ui, |ui| {
             match &self.shown {
