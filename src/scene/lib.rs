@@ -3,7 +3,7 @@
 //! [`geometry`] reads and makes meshes, [`hcbtf`] holds surfaces painted for every light and every
 //! eye, [`directions`] weighs keys on the sphere. [`frame`] joins looks, meshes, lights, keys and
 //! time into a frame plan, which a renderer executes; [`export`] turns it into files for other
-//! programs, and [`drawing`] draws graphs themselves. [`import`] makes looks of other programs'
+//! programs, and [`drawing`] draws graphs themselves. [`photometry`] reads files of measured lamps. [`import`] makes looks of other programs'
 //! graphs.
 
 use chiaro_compiler::{catalog, compile, document, examples, library};
@@ -18,5 +18,6 @@ pub mod frame;
 pub mod geometry;
 pub mod hcbtf;
 pub mod import;
+pub mod photometry;
 pub mod placing;
 pub mod threads;

@@ -15,7 +15,8 @@ use crate::diag::Diagnostic;
 const QUIET: Duration = Duration::from_millis(150);
 
 /// Endings of the files beside a look that it may read.
-const READ: [&str; 9] = ["json", "wgsl", "png", "jpg", "jpeg", "exr", "hdr", "hcbtf", "ktx2"];
+const READ: [&str; 10] =
+    ["json", "wgsl", "png", "jpg", "jpeg", "exr", "hdr", "ies", "hcbtf", "ktx2"];
 
 /// Exports, and exports again after every change, until the program is ended. A look that cannot be
 /// exported is told, and what was written before stays.

@@ -10,6 +10,7 @@ use crate::diag::{Diagnostic, WithWarnings};
 use crate::frame::{Assets, MESH_PREFIX, image_bytes};
 use crate::geometry::WITHIN;
 use crate::hcbtf::{LayerOptions, LayeredTexture, ktx2};
+use crate::photometry::is_lamp_file;
 
 /// Reads every image, relative to `folder`, names the file that carries it, and returns those files
 /// with warnings about images that could not be read. An image is carried unchanged; an HCBTF as
@@ -63,9 +64,10 @@ pub(super) fn carried(
     WithWarnings::new(files, problems)
 }
 
-/// Ending of an image's file: its own, or, of a picture within a mesh's file, that of its format.
+/// Ending of an image's file: its own, or, of a picture within a mesh's file or of a lamp's, that of
+/// its format.
 fn ending(path: &str, bytes: &[u8]) -> String {
-    if path.contains(WITHIN) {
+    if path.contains(WITHIN) || is_lamp_file(Path::new(path)) {
         return if bytes.starts_with(b"\xff\xd8") { "jpg" } else { "png" }.to_owned();
     }
     let own = Path::new(path).extension();

@@ -17,6 +17,7 @@ use crate::document::{linear_to_srgb, srgb_to_linear};
 use crate::files::{Files, ReadError, SharedFiles};
 use crate::geometry::{self, MaterialMap, Mesh, MeshPart, WITHIN};
 use crate::hcbtf::{self, FilledSamples, LayerOptions, LayeredTexture, Region, TexelCoding};
+use crate::photometry::{Photometry, is_lamp_file};
 use crate::progress::Progress;
 
 /// Prefix of an object's mesh that is a built-in shape instead of a file.
@@ -544,7 +545,8 @@ fn bake(hcbtf: &Hcbtf, options: LayerOptions, progress: &Progress) -> Result<Ima
     Ok(Image::new(hcbtf::stored(&hcbtf.grid, |address| filled.tile(address), options, progress)?))
 }
 
-/// The bytes of the image file at `path`, relative to `folder`, undecoded.
+/// The bytes of the image file at `path`, relative to `folder`, undecoded; of a photometric file
+/// those of its picture.
 ///
 /// # Errors
 /// The reason why the file cannot be read.
@@ -566,7 +568,7 @@ fn bytes_of(files: &dyn Files, path: &Path) -> Result<Vec<u8>, Diagnostic> {
             Diagnostic::error("missing-asset", message)
         });
     }
-    files.read(path, MAX_IMAGE_BYTES).map_err(|error| {
+    let bytes = files.read(path, MAX_IMAGE_BYTES).map_err(|error| {
         let name = path.display();
         let message = match error {
             ReadError::TooLarge { .. } => {
@@ -575,6 +577,14 @@ fn bytes_of(files: &dyn Files, path: &Path) -> Result<Vec<u8>, Diagnostic> {
             error => tr!("the image `{name}` cannot be read: {error}"),
         };
         Diagnostic::error("missing-asset", message)
+    })?;
+    if !is_lamp_file(path) {
+        return Ok(bytes);
+    }
+    let picture = Photometry::read(&String::from_utf8_lossy(&bytes)).and_then(|it| it.to_png());
+    picture.map_err(|problem| Diagnostic {
+        message: tr!("`{file}`, {problem}", file = path.display(), problem = problem.message),
+        ..problem
     })
 }
 
