@@ -16,7 +16,7 @@ fn main() {
             name: "EXAMPLES",
             base: "examples",
             folders: &["looks", "shadows", "hcbtf", "images", "meshes", "scenes"],
-            extensions: &["json", "hcbtf", "png", "glb"],
+            extensions: &["json", "hcbtf", "png", "ies", "glb"],
             content: Content::Bytes,
             order: Some("order.txt"),
         },

@@ -150,6 +150,7 @@ pub const EXCEPTIONS: &[Exception] = &[
     on("rod", "").within(1e3).together().steep(NARROW),
     on("barn_doors", "").within(1e3).together().steps("behind a lamp angles leap"),
     on("light_place", "").from(1e-2).within(1e3).together().bound(1e-4).steps(BEHIND),
+    on("lamp_sphere", "").from(1e-2).within(1e3).together().bound(1e-4).steps(AROUND),
     on("distance_ramp", "").within(1e3).together().steep(NARROW),
     on("decay", "").within(1e3).together().steep(POWER),
     on("fraction", "").together().steep(STEPS),
@@ -276,6 +277,7 @@ const POWER: &str = "far up a power, the exponent multiplies what the base was r
 const NARROW: &str = "a narrow edge is as steep as it is narrow, and an empty one a step";
 const FRAME: &str = "where normal and tangent are nearly the same, rounding turns the frame";
 const THROWN: &str = "a small shape far away multiplies what its way was rounded by";
+const AROUND: &str = "around a lamp 1 meets 0; on its axis any turn is right";
 const BEHIND: &str = "behind a lamp there is no picture";
 const PHASE: &str = "beyond 100,000 an f32 holds no phase";
 const CANCELS: &str = "large terms cancel";

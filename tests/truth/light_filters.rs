@@ -255,6 +255,74 @@ fn a_light_throws_a_picture_upright() {
 }
 
 #[test]
+fn a_measured_lamp_shines_as_its_file_says() {
+    let mut random = Random::new(38);
+    let (place, aim) = (DVec3::new(0.25, 2.0, 1.0), DVec3::new(0.25, -1.0, -0.5));
+    let axes = axes(aim, 0.3);
+    let samples = samples(&mut random, 1.5);
+    let file = include_str!("../../examples/images/two-wings.ies");
+    // Strengths of each quarter turn, by steps of 15 degrees around and 5 down.
+    let candela: Vec<Vec<f64>> = file
+        .lines()
+        .skip(9)
+        .map(|line| line.split(' ').map(|word| word.parse().unwrap()).collect())
+        .collect();
+    let greatest = candela.iter().flatten().copied().fold(0.0, f64::max);
+    let strength = |at: DVec3| {
+        let seen = axes.transpose() * (at - place);
+        let down = seen.truncate().length().atan2(seen.z).to_degrees();
+        let around = seen.y.abs().atan2(seen.x.abs()).to_degrees();
+        let (row, column) = (down / 5.0, around / 15.0);
+        let of = |column: usize| {
+            let [above, below] = [0, 1].map(|next| candela[column][row as usize + next]);
+            above + row.fract() * (below - above)
+        };
+        let left = (column as usize).min(candela.len() - 2);
+        let aside = column - left as f64;
+        (of(left) + aside * (of(left + 1) - of(left))) / greatest
+    };
+    let values = json!({"spin": 0.3, "toward": aim.to_array(),
+        "image": "example:images/two-wings.ies"});
+    for lamp in [TestLamp::Point(place), TestLamp::Spot(place, aim)] {
+        let look = filter("photometry", "share", Some(lamp), &values);
+        for values in
+            [truth(&look, "filter.share", &samples), eval(&look, "filter.share", &samples)]
+        {
+            let mut seen = [f64::INFINITY, f64::NEG_INFINITY];
+            for (value, sample) in values.iter().zip(&samples) {
+                let away = axes.transpose() * (sample.position - place);
+                let is_in_front = away.z > 0.2 * away.length();
+                let wanted = if is_in_front { strength(sample.position) } else { continue };
+                seen = [seen[0].min(wanted), seen[1].max(wanted)];
+                // Rows of 0.7 degrees, and eight bits of its root.
+                assert!((value[0] - wanted).abs() < 0.02, "{} for {wanted}", value[0]);
+            }
+            assert!(seen[0] < 0.05 && seen[1] > 0.9, "{seen:?}");
+        }
+    }
+    // Around the lamp, from its right upward, and from 1 in front to 0 at its back.
+    let look = filter(
+        "lamp_sphere",
+        "uv",
+        Some(TestLamp::Point(DVec3::ZERO)),
+        &json!({"toward": [0, 0, 1]}),
+    );
+    for (at, wanted) in [
+        (DVec3::NEG_X, [0.0, 0.5]),
+        (DVec3::Y, [0.25, 0.5]),
+        (DVec3::X, [0.5, 0.5]),
+        (DVec3::NEG_Y, [0.75, 0.5]),
+        (DVec3::Z, [0.0, 1.0 - 0.5 / 256.0]),
+        (DVec3::new(1.0, 0.0, -1.0), [0.5, 0.25]),
+    ] {
+        let sample = [EvalSample { position: at, ..EvalSample::default() }];
+        let found = truth(&look, "filter.uv", &sample)[0];
+        assert!((found[0] - wanted[0]).abs() < 1e-6, "{found:?} for {wanted:?}");
+        assert!((found[1] - wanted[1]).abs() < 1e-6, "{found:?} for {wanted:?}");
+    }
+}
+
+#[test]
 fn lamps_begin_end_and_decay_by_distance() {
     let mut random = Random::new(36);
     let place = DVec3::new(0.25, 0.5, 1.0);

@@ -1244,8 +1244,10 @@ const ELSEWHERE: &[&str] = &[
     "decay",
     "distance_ramp",
     "gobo",
+    "lamp_sphere",
     "light_filter",
     "light_place",
+    "photometry",
     "rod",
     // shadows.rs
     "cast_shadow",
