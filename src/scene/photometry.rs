@@ -12,7 +12,7 @@ use chiaro_locale::tr;
 use crate::diag::Diagnostic;
 
 /// File ending of photometric files.
-const LAMP_FILE: &str = "ies";
+pub const LAMP_FILE: &str = "ies";
 
 /// Rows of a picture: `nodes/light/lamp_sphere.wgsl` keeps half of one from either end.
 const ROWS: u32 = 256;

@@ -45,3 +45,29 @@ fn a_document_of_materialx_becomes_a_look() {
     let said = "there is no such node";
     assert!(hand.harness.query_all_by_label_contains(said).next().is_some(), "{said}");
 }
+
+/// A lamp of a photometric file is chosen for a node, and named as it lies beside the look.
+#[test]
+fn an_image_is_chosen_by_a_dialog() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (look, lamp) = (folder.path().join("look.json"), folder.path().join("lamps/wings.ies"));
+    fs::create_dir(folder.path().join("lamps")).expect("a folder");
+    fs::write(&lamp, include_str!("../../examples/images/two-wings.ies")).expect("a file");
+    let text = r#"{"lights": {"key": {"type": "point"}}, "nodes": [
+        {"id": "lamp", "kind": "photometry", "values": {"light": "key"}},
+        {"id": "output", "kind": "output", "at": [400, 0]}],
+      "wires": [{"from": "lamp.share", "to": "output.color"}]}"#;
+    fs::write(&look, text).expect("a file");
+    let mut hand = User::with(|ctx| App::new(ctx, None));
+    hand.app_mut().open(&look);
+    hand.app_mut().session_mut().select(vec!["lamp".into()]);
+    hand.settle();
+    hand.app_mut().answer_dialog(&lamp);
+    hand.press("Choose...");
+    let value = hand.look().graph.nodes["lamp"].values["image"].clone();
+    assert_eq!(value, chiaro::document::Value::Text("lamps/wings.ies".into()));
+    let problems = hand.app().session().problems().len();
+    assert_eq!(problems, 0, "the lamp is read");
+    hand.undo();
+    assert!(!hand.look().graph.nodes["lamp"].values.contains_key("image"));
+}

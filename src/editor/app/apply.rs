@@ -16,8 +16,10 @@ use crate::commands::{
     ViewCommand, keyboard,
 };
 use crate::diag::Diagnostic;
-use crate::document::{Edit, Projection};
+use crate::document::{Edit, Projection, Value};
+use crate::files::relative;
 use crate::ids::NodePath;
+use crate::state::paths::absolute;
 use crate::state::revision::GestureId;
 use crate::state::scene::OpenScene;
 use crate::state::session::Session;
@@ -133,6 +135,11 @@ impl App {
             Command::ShowReference(None) => {
                 self.dialogs.ask(FilePurpose::Reference, self.session.path());
             }
+            Command::AskImage(target) => {
+                self.dialogs.ask(FilePurpose::Image, self.session.path());
+                self.asked_image = Some(target);
+            }
+            Command::TakeImage(path) => self.take_image(&path),
             Command::Display(command) => self.apply_to_display(command),
             Command::CompareFrames(path) => self.compare_frames(path),
             Command::LeaveProbe => self.bench.tools.of_mut::<Probe>().escape(),
@@ -205,6 +212,18 @@ impl App {
             Some(path) => self.bench.tools.of_mut::<FlipBook>().open(path),
             None => self.dialogs.ask(FilePurpose::Frames, self.session.path()),
         }
+    }
+
+    /// Gives the input that asked for an image its path, beside the look where that has a file.
+    fn take_image(&mut self, path: &Path) {
+        let Some(target) = self.asked_image.take() else { return };
+        let (folder, path) = (self.session.look.folder(), absolute(path));
+        let name = match folder.as_os_str().is_empty() {
+            true => path.to_string_lossy().into_owned(),
+            false => relative(&absolute(&folder), &path),
+        };
+        let edit = self.session.keys().set_at(&target, Value::Text(name));
+        self.tell(|session| session.apply(edit, None));
     }
 
     /// Carries out a command that takes a picture or a shader out of the window.

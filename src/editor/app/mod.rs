@@ -43,6 +43,7 @@ use crate::commands::{
     PlacingCommand, SceneCommand, ViewCommand, keyboard,
 };
 use crate::diag::has_errors;
+use crate::document::Target;
 use crate::files::{Disk, SharedFiles};
 use crate::library::Library;
 use crate::milestones;
@@ -87,6 +88,8 @@ pub struct App {
     start: Option<StartPage>,
     tour: Option<Tour>,
     path_field: Option<PathField>,
+    /// Input that an image was asked for.
+    asked_image: Option<Target>,
     /// Action to carry out once unsaved changes are dealt with.
     pending: Option<PendingAction>,
     /// Message about a file or an edit, until the next command.
@@ -145,6 +148,7 @@ impl App {
             start: None,
             tour: None,
             path_field: None,
+            asked_image: None,
             pending: None,
             message: None,
             refused: None,

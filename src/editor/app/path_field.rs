@@ -191,6 +191,7 @@ fn title(purpose: FilePurpose) -> &'static str {
         FilePurpose::ObjectLook => tr!("Give the object another look"),
         FilePurpose::Shaders(_) => tr!("Export the look into a folder"),
         FilePurpose::Export(_) => tr!("Save the picture"),
+        FilePurpose::Image => tr!("Choose an image"),
         FilePurpose::Reference => tr!("Show an image with the picture"),
         FilePurpose::Comparison => tr!("Compare with a look or a picture"),
         FilePurpose::Frames => tr!("Compare with frames or a document"),

@@ -157,6 +157,7 @@ impl App {
             }
             FilePurpose::Shaders(language) => Command::ExportLook(language, Some(path)),
             FilePurpose::Export(export) => Command::Export(export, Some(path)),
+            FilePurpose::Image => Command::TakeImage(path),
             FilePurpose::Reference => Command::ShowReference(Some(path)),
             FilePurpose::Colors => Command::Display(DisplayCommand::Open(Some(path))),
             FilePurpose::Comparison => {

@@ -7,6 +7,7 @@ use chiaro_locale::tr;
 use super::{PictureExport, PictureImport};
 use crate::document::Storage;
 use crate::hcbtf::exchange::ExchangeFormat;
+use crate::photometry::LAMP_FILE;
 
 /// Purpose that a file is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,6 +34,8 @@ pub(crate) enum FilePurpose {
     Shaders(&'static str),
     /// A picture file to write.
     Export(PictureExport),
+    /// An image for the input that the question is about.
+    Image,
     /// An image to show.
     Reference,
     /// A look or an image to compare the picture with.
@@ -82,6 +85,9 @@ impl FilePurpose {
             }
             Self::Shaders(_) | Self::FrameFolder => (tr!("Folder"), &[]),
             Self::Export(_) => ("PNG", &["png"]),
+            Self::Image => {
+                (tr!("Image, or lamp file"), &["png", "jpg", "jpeg", "exr", "hdr", LAMP_FILE])
+            }
             Self::Reference => (tr!("Image"), &IMAGES),
             Self::Comparison => {
                 (tr!("Look or image"), &["json", "png", "jpg", "jpeg", "exr", "hdr"])

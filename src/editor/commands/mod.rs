@@ -30,7 +30,7 @@ use std::path::PathBuf;
 
 use eframe::egui;
 
-use crate::document::Edit;
+use crate::document::{Edit, Target};
 use crate::ids::{DefinitionId, LightId, NodeId, NodePath};
 use crate::state::keying::KeyPlace;
 use crate::state::solo::Solo;
@@ -121,6 +121,10 @@ pub(crate) enum Command {
     CopyShader(&'static str, &'static str),
     /// Shows an image with the picture; asks for one where there is none.
     ShowReference(Option<PathBuf>),
+    /// Asks for the image of an input.
+    AskImage(Target),
+    /// Takes an image for the input that it was asked for.
+    TakeImage(PathBuf),
     /// Command about the view of OpenColorIO that the picture is shown by.
     Display(DisplayCommand),
     /// Shows layers or lights alone, or leaves lights out; the document is unchanged.

@@ -156,11 +156,14 @@ pub(crate) fn show(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port, out: &
                     }
                 });
                 // The button is below the path, which takes the whole width.
-                if port.ty == Type::Hcbtf {
+                if matches!(port.ty, Type::Hcbtf | Type::Image) {
                     let lead = marks::size(ui).x + label_width(ui) + 9.0;
                     ui.horizontal(|ui| {
                         ui.add_space(lead);
-                        paint_button(ui, subject, port, shown, out);
+                        match port.ty {
+                            Type::Image => choose_button(ui, subject, port, out),
+                            _ => paint_button(ui, subject, port, shown, out),
+                        }
                     });
                 }
             }
@@ -302,6 +305,14 @@ fn reset(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port, out: &mut Vec<Co
             port: port.name.clone(),
         };
         out.push(Command::Edit(edit));
+    }
+}
+
+/// Shows a button that asks for the image of this input.
+fn choose_button(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port, out: &mut Vec<Command>) {
+    let button = ui.small_button(tr!("Choose...")).on_hover_text(tr!("Asks for the image's file"));
+    if button.clicked() {
+        out.push(Command::AskImage(subject.session.selection.target(subject.id, &port.name)));
     }
 }
 
