@@ -17,7 +17,9 @@ use chiaro_laboratory::{accuracy, fit};
 use chiaro_language::{clock, diag, figures, ids, interp, milestones, progress};
 use chiaro_reference as reference;
 use chiaro_render as render;
-use chiaro_scene::{directions, drawing, export, frame, geometry, hcbtf, import, placing, threads};
+use chiaro_scene::{
+    directions, drawing, export, frame, geometry, hcbtf, import, photometry, placing, threads,
+};
 
 mod app;
 mod canvas;
