@@ -3,8 +3,8 @@
 //! [`geometry`] reads and makes meshes, [`hcbtf`] holds surfaces painted for every light and every
 //! eye, [`directions`] weighs keys on the sphere. [`frame`] joins looks, meshes, lights, keys and
 //! time into a frame plan, which a renderer executes; [`export`] turns it into files for other
-//! programs, and [`drawing`] draws graphs themselves. [`photometry`] reads files of measured lamps. [`import`] makes looks of other programs'
-//! graphs.
+//! programs, and [`drawing`] draws graphs themselves. [`import`] makes looks of other programs'
+//! graphs, and [`photometry`] pictures of measured lamps.
 
 use chiaro_compiler::{catalog, compile, document, examples, library};
 use chiaro_files as files;

@@ -83,7 +83,7 @@ impl<'t> LampNumbers<'t> {
         (0..count).try_for_each(|_| self.next().map(drop))
     }
 
-    /// As many angles as told, ascending.
+    /// The next angles, which ascend.
     fn angles(&mut self, count: usize) -> Result<Vec<f64>, Diagnostic> {
         let mut angles: Vec<f64> = Vec::new();
         for _ in 0..count {

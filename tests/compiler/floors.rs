@@ -40,7 +40,7 @@ const CRATES: &[(&str, &[&[&str]])] = &[
         "scene",
         &[
             &["cache"],
-            &["directions", "geometry", "hcbtf", "import", "placing", "threads"],
+            &["directions", "geometry", "hcbtf", "import", "photometry", "placing", "threads"],
             &["drawing", "frame"],
             &["export"],
         ],

@@ -321,6 +321,30 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     Ok(())
 }
 
+/// Prepares the first frame as rendering into `target` would, and draws nothing: for who hands the
+/// arguments on.
+///
+/// # Errors
+/// What would keep frames from being drawn.
+pub(super) fn rehearse(
+    arguments: &Arguments,
+    target: &Path,
+    output: &Output,
+) -> Result<(), Vec<Diagnostic>> {
+    let one = |problem: Diagnostic| vec![problem];
+    let format = check_target(target, arguments.encoding()).map_err(one)?;
+    layers::check(arguments, format, target).map_err(one)?;
+    let view = arguments.view_of(format).map_err(one)?;
+    let mut warnings = Vec::new();
+    let mut stage = arguments.open(&mut warnings)?;
+    warnings.extend(warning_of_view(&stage.setup, view.as_ref()));
+    let options = stage.options.clone();
+    stage.plan(&options)?.tell(&mut warnings);
+    refuse_warnings(arguments.strict, &mut warnings)?;
+    output.diagnostics(&warnings);
+    Ok(())
+}
+
 /// The looks' names and tiers, as JSON.
 fn looks_told(setup: &Setup, library: &Library) -> Vec<serde_json::Value> {
     let looks = setup.looks.iter().map(|worn| &worn.look);

@@ -64,8 +64,8 @@ pub(super) fn carried(
     WithWarnings::new(files, problems)
 }
 
-/// Ending of an image's file: its own, or, of a picture within a mesh's file or of a lamp's, that of
-/// its format.
+/// Ending of an image's file: its own, or, of a picture within a mesh's file or of a lamp's file,
+/// that of its format.
 fn ending(path: &str, bytes: &[u8]) -> String {
     if path.contains(WITHIN) || is_lamp_file(Path::new(path)) {
         return if bytes.starts_with(b"\xff\xd8") { "jpg" } else { "png" }.to_owned();
