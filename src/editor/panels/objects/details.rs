@@ -11,7 +11,9 @@ use crate::fields::shot;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX};
 use crate::geometry::SHAPES;
 use crate::ids::ObjectId;
-use crate::state::scene::{OpenScene, file_label, from_degrees, mesh_label, stood_up, to_degrees};
+use crate::state::scene::{
+    OpenScene, file_label, from_degrees, mesh_label, stood_up, to_degrees, turned_around,
+};
 use crate::state::session::Session;
 use crate::state::view::TransformPart;
 use crate::widgets::theme;
@@ -111,6 +113,11 @@ impl Details {
                     if ui.small_button(tr!("Stand up")).on_hover_text(help).clicked() {
                         new.rotate = stood_up(new.rotate);
                         widget = Some(ui.scope_id().with("stand up"));
+                    }
+                    let help = tr!("Turns an object that faces away by half, around the vertical");
+                    if ui.small_button(tr!("Turn around")).on_hover_text(help).clicked() {
+                        new.rotate = turned_around(new.rotate);
+                        widget = Some(ui.scope_id().with("turn around"));
                     }
                 },
             );
