@@ -1,12 +1,12 @@
-//! Values of wires at the pixel that is probed, beside the outputs that give them.
+//! Values of wires at the pixel that is probed, above the nodes that give them: beside an output
+//! they would lie over the next node.
 
 use std::sync::Arc;
 
-use eframe::egui::{Align2, FontId, Rect, Ui, pos2, vec2};
+use eframe::egui::{Align2, FontId, Pos2, Rect, Ui, pos2, vec2};
 
 use super::Canvas;
 use super::draw::ALL_TEXT;
-use super::table::Socket;
 use crate::fields::wire_value::{WireReading, WireReadings};
 use crate::ids::NodePath;
 use crate::state::session::Session;
@@ -32,7 +32,8 @@ impl Canvas {
         self.readings = Readings { known, is_current };
     }
 
-    /// Shows the value of each node in view beside its first output.
+    /// Shows the value of the first output of each node in view, above the right end of the node:
+    /// costs are at the left.
     pub(super) fn draw_readings(&self, ui: &Ui, session: &Session) {
         let Some(known) = self.readings.known.as_ref().filter(|_| self.view.zoom > ALL_TEXT) else {
             return;
@@ -42,9 +43,8 @@ impl Canvas {
             if row.rect.intersects(visible)
                 && let Some(reading) = self.reading_of(known, session, index)
             {
-                let socket = Socket { node: index, port: 0, is_output: true };
-                let at = self.view.to_screen(self.table.place(socket));
-                self.draw_reading(ui, reading, at + vec2(9.0, 0.0) * self.view.zoom);
+                let corner = self.view.to_screen(row.rect.right_top());
+                self.draw_reading(ui, reading, corner + vec2(-4.0, -4.0) * self.view.zoom);
             }
         }
     }
@@ -62,7 +62,8 @@ impl Canvas {
         known.get(&source_within(session.look(), &session.project.library, path, port))
     }
 
-    fn draw_reading(&self, ui: &Ui, reading: &WireReading, at: eframe::egui::Pos2) {
+    /// Draws a reading whose right lower corner is `at`.
+    fn draw_reading(&self, ui: &Ui, reading: &WireReading, at: Pos2) {
         let (zoom, colors) = (self.view.zoom, theme::of(ui));
         let painter = ui.painter_at(self.view.screen);
         let ink = if reading.is_finite { colors.text } else { colors.error };
@@ -71,7 +72,7 @@ impl Canvas {
         let galley = painter.layout_no_wrap(reading.text.clone(), font, ink);
         let room = reading.color.map_or(0.0, |_| (SWATCH + 4.0) * zoom);
         let size = galley.size() + vec2(room, 0.0);
-        let place = Align2::LEFT_CENTER.anchor_size(at, size);
+        let place = Align2::RIGHT_BOTTOM.anchor_size(at, size);
         let plate = place.expand2(vec2(3.0, 1.0) * zoom);
         painter.rect_filled(plate, 3.0 * zoom, colors.canvas.gamma_multiply(0.9));
         if let Some(color) = reading.color {
@@ -83,7 +84,7 @@ impl Canvas {
         painter.galley(place.min + vec2(room, 0.0), galley, ink);
     }
 
-    /// The value that is shown beside a node's first output, for tests.
+    /// The value that is shown above a node, for tests.
     pub fn reading_text(&self, session: &Session, id: &str) -> Option<&str> {
         let index = self.table.index_of(&id.into())?;
         let known = self.readings.known.as_ref()?;

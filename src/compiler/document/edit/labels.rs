@@ -29,6 +29,9 @@ pub(super) fn of_light(id: &LightId, old: Option<&Light>, new: &Light) -> String
     }
 }
 
+/// Label of a step that changes one part of an object.
+type ObjectStep = fn(&ObjectId) -> String;
+
 /// Label of a step that changes an object: the one part of it that is changed, or the object as a
 /// whole.
 pub(super) fn of_object(id: &ObjectId, old: Option<&Object>, new: &Object) -> String {
@@ -36,7 +39,7 @@ pub(super) fn of_object(id: &ObjectId, old: Option<&Object>, new: &Object) -> St
     let Some(old) = old else { return whole() };
     let (a, b) = (&old.transform, &new.transform);
     let is_linked = old.light_link() != new.light_link() || old.layers != new.layers;
-    let parts: [(bool, fn(&ObjectId) -> String); 10] = [
+    let parts: [(bool, ObjectStep); 10] = [
         (a.translate != b.translate, |id| tr!("move {id}")),
         (a.rotate != b.rotate, |id| tr!("turn {id}")),
         (a.scale != b.scale || a.fit != b.fit, |id| tr!("scale {id}")),

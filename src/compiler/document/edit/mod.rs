@@ -211,10 +211,10 @@ impl Edit {
             Self::SetExposed { .. } => tr!("change a parameter").to_owned(),
             Self::RemoveExposed { .. } => tr!("remove a parameter").to_owned(),
             Self::SetAovs { .. } => tr!("change named outputs").to_owned(),
-            Self::AddDirectionKeys { .. } | Self::AddTimeKeys { .. } => tr!("add keys").to_owned(),
-            Self::SetDirectionKeys { .. } | Self::SetTimeKeys { .. } => {
-                tr!("change keys").to_owned()
-            }
+            Self::AddTimeKeys { keys, .. } => tr!("key {target}", target = keys.target),
+            Self::SetTimeKeys { keys, .. } => tr!("change keys of {target}", target = keys.target),
+            Self::AddDirectionKeys { .. } => tr!("add keys").to_owned(),
+            Self::SetDirectionKeys { .. } => tr!("change keys").to_owned(),
             Self::RemoveDirectionKeys { .. } | Self::RemoveTimeKeys { .. } => {
                 tr!("remove keys").to_owned()
             }
@@ -245,6 +245,10 @@ impl Editable for Look {
         match edit {
             Edit::SetLight { id, light } => labels::of_light(id, self.lights.get(id), light),
             Edit::Group { edits } if edits.len() == 1 => self.label(&edits[0]),
+            Edit::RemoveTimeKeys { index } => match self.time_keys.get(*index) {
+                Some(keys) => tr!("remove keys of {target}", target = keys.target),
+                None => edit.label(),
+            },
             _ => edit.label(),
         }
     }

@@ -51,8 +51,8 @@ fn lights_and_probe() -> Vec<CommandRow> {
         )),
         row(C::Probe(Switch::Toggle), text!("Probe a pixel"), &[(NONE, Key::I)], KeyScope::Picture)
             .help(text!(
-                "Reads the value on every wire at a pixel, on the canvas and in a table, f32 beside \
-                 f64"
+                "Reads the value on every wire at a pixel, on the canvas and in a table, f32 \
+                 beside f64"
             )),
     ]
 }

@@ -206,7 +206,7 @@ impl Lights {
         if let Some(fields) = &keyed {
             let at = rect.right_bottom() - vec2(1.0, 1.0);
             mark::diamond(ui, at, 4.5, theme::of(ui).accent, theme::of(ui).panel);
-            let diamond = Rect::from_center_size(at, vec2(9.0, 9.0));
+            let diamond = Rect::from_center_size(at, vec2(9.0, 9.0)).intersect(rect);
             let mark = ui.interact(diamond, ui.scope_id().with(("keyed", &title)), Sense::hover());
             mark.widget_info(|| WidgetInfo::labeled(Role::Label, true, tr!("{title} is keyed")));
             mark.on_hover_text(tr!("Keyed: {fields}"));

@@ -197,10 +197,8 @@ fn name_of<'a>(node: &'a Node, kind: &'a NodeKind) -> &'a str {
 fn with_bands(ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
     hint(
         ui,
-        &tr!(
-            "{title} has flat bands in place of a profile. Drag their edges on the object or in the \
-             layer's row, or set colors and softness in the inspector."
-        ),
+        &tr!("{title} has flat bands in place of a profile. Drag their edges on the object or in \
+             the layer's row, or set colors and softness in the inspector."),
     );
     if ui.button(tr!("Show its bands")).on_hover_text(tr!("Brings the inspector forward")).clicked()
     {
@@ -241,7 +239,7 @@ impl Profile {
         if let Some((selected, _)) = other {
             let text =
                 tr!("{selected} has no profile; this is that of {shown}.", shown = layer.name());
-            ui.add(Label::new(RichText::new(text).small().color(theme::of(ui).dim)).truncate());
+            ui.add(Label::new(RichText::new(text).small().color(theme::of(ui).dim)).wrap());
         }
         ScrollArea::vertical()
             .auto_shrink([false, false])
