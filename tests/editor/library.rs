@@ -107,3 +107,56 @@ fn a_layer_goes_from_one_look_to_another() {
     assert!(told.contains("\"bad\" cannot be read") && *hand.look() == before, "{told}");
     assert!(hand.harness.query_by_label("Part Rim of the moon, layer").is_none());
 }
+
+#[test]
+fn a_part_of_the_same_name_is_replaced_or_kept_and_its_menu_renames_and_removes_it() {
+    let home = Home::new();
+    let from = home.file("from.json");
+    fs::write(&from, FROM).unwrap();
+    let mut hand = home.window(Some(&from));
+    hand.settle();
+    let offer = |hand: &mut User| {
+        hand.press("More of Rim");
+        hand.press("Save to the library…");
+        hand.settle();
+    };
+    let told = |hand: &User| hand.app().message().unwrap_or_default().to_owned();
+    let count = || fs::read_dir(home.places().config.join("library")).unwrap().count();
+    let asks = |hand: &User| hand.says("There is a part of this name already");
+    offer(&mut hand);
+    assert!(!asks(&hand));
+    hand.press("Save layer");
+    assert!(hand.has("Part Rim, layer"));
+
+    // A second one of this name asks first.
+    offer(&mut hand);
+    assert!(asks(&hand) && !hand.has("Save layer"));
+    hand.press("Replace");
+    assert!(told(&hand).contains("it replaces what was there"), "{}", told(&hand));
+    assert_eq!(count(), 1);
+    offer(&mut hand);
+    hand.press("Keep both");
+    assert_eq!(count(), 2);
+
+    // The menu of the first card changes that one alone.
+    let search = hand.place("Search parts").center();
+    hand.click(search);
+    hand.type_text("rim");
+    hand.settle();
+    hand.press("More of the part Rim");
+    assert!(hand.has("Show the file"));
+    hand.press("Rename part");
+    hand.type_text("Cool rim");
+    hand.key(eframe::egui::Key::Enter);
+    hand.settle();
+    assert!(told(&hand).contains("\"Rim\" is called \"Cool rim\" now"), "{}", told(&hand));
+    assert!(hand.has("Part Cool rim, layer") && hand.has("Part Rim, layer"));
+    for (answer, left) in [("Cancel", 2), ("Remove", 1)] {
+        hand.press("More of the part Cool rim");
+        hand.press("Remove part…");
+        assert!(hand.has("Remove \"Cool rim\" from the library?"));
+        hand.press_a(Role::Button, answer);
+        assert_eq!(count(), left, "{answer}");
+    }
+    assert!(!hand.has("Part Cool rim, layer") && hand.has("Part Rim, layer"));
+}

@@ -268,7 +268,7 @@ fn a_named_file_that_has_changed_since_is_opened_as_it_is() {
     set_offset(&mut hand, 0.5);
     drop(hand);
     let text = fs::read_to_string(&path).unwrap();
-    fs::write(&path, text.replace("New look", "Theirs")).unwrap();
+    fs::write(&path, text.replace("\"Rim\"", "\"Theirs\"")).unwrap();
     let mut hand = home.window(Some(&path));
     assert_eq!((hand.look().name.as_str(), offset(&hand)), ("Theirs", None));
     assert!(hand.says(OFFER));

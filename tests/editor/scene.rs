@@ -306,10 +306,7 @@ fn a_look_alone_becomes_a_scene_by_adding_and_one_order_of_undo_takes_all_back()
     set_number(&mut hand, "Scale", "2");
     assert_eq!(scene(&hand).objects["torus"].transform.scale, [2.0; 3]);
     let steps: Vec<String> = hand.app().session().steps().labels().map(str::to_owned).collect();
-    assert_eq!(
-        steps,
-        ["add torus", "change torus", "rename the look", "change torus", "change torus"]
-    );
+    assert_eq!(steps, ["add torus", "move torus", "rename the look", "turn torus", "scale torus"]);
 
     // The newest step is undone first, whichever document it was in.
     hand.undo();

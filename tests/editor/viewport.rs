@@ -193,7 +193,7 @@ fn the_bright_middle_follows_the_pointer() {
     hand.drag(middle, to);
     let wanted = normal_at(&hand, to).unwrap();
     assert!(light(&hand).angle_between(wanted) < 0.02, "{} for {wanted}", light(&hand));
-    assert_eq!(hand.app().session().steps().undo_label(), Some("change the light key"));
+    assert_eq!(hand.app().session().steps().undo_label(), Some("Direction of key"));
     hand.undo();
     assert!(!hand.app().session().is_dirty(), "one step");
     // With Shift a drag from any place moves the light.

@@ -305,8 +305,12 @@ fn a_look_is_saved_and_opened() {
     let path = folder.path().join("mine.json");
     let mut hand = User::new();
     hand.add("profile", pos2(0.0, 300.0));
+    let steps = hand.app().session().steps().labels().count();
     assert!(hand.app_mut().save_as(&path));
     assert!(!hand.app().session().is_dirty());
+    // Nobody had named it; to name it after its file is no step.
+    assert_eq!(hand.look().name, "Mine");
+    assert_eq!(hand.app().session().steps().labels().count(), steps);
     let saved = hand.look().clone();
 
     // The key saves to the look's file.
@@ -325,6 +329,8 @@ fn a_look_is_saved_and_opened() {
     let text = std::fs::read(&path).unwrap();
     other.app_mut().save_as(&path);
     assert_eq!(std::fs::read(&path).unwrap(), text);
+    other.app_mut().save_as(&folder.path().join("night.json"));
+    assert_eq!(other.look().name, "Mine", "a name stays");
 }
 
 #[test]

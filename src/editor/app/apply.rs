@@ -21,7 +21,7 @@ use crate::files::relative;
 use crate::ids::NodePath;
 use crate::state::paths::absolute;
 use crate::state::revision::GestureId;
-use crate::state::scene::OpenScene;
+use crate::state::scene::{OpenScene, turned_around};
 use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown;
 use crate::state::wedge::WedgeSheet;
@@ -291,6 +291,7 @@ impl App {
         match command {
             ViewCommand::TurnTo(view) => self.session.view.orbit = *view,
             ViewCommand::Reset => self.session.reset_view(),
+            ViewCommand::TurnAround => self.turn_around(),
             ViewCommand::FrameObject => {
                 let selected = self.session.open_scene().and_then(OpenScene::selected);
                 let selected = selected.map(|(id, _)| id.clone());
@@ -318,6 +319,23 @@ impl App {
                 let shown = &mut self.bench.tools.of_mut::<HandlesSwitch>().is_on;
                 *shown = !*shown;
             }
+        }
+    }
+
+    /// Turns the selected object of the scene around; without a scene, camera and lights around the
+    /// mesh of the look.
+    fn turn_around(&mut self) {
+        let Some(open_scene) = self.session.open_scene() else {
+            return self.session.view.orbit.turn_around();
+        };
+        let edit = open_scene.selected().and_then(|(id, _)| {
+            open_scene.change(id, |object| {
+                object.transform.rotate = turned_around(object.transform.rotate);
+            })
+        });
+        match edit {
+            Some(edit) => self.tell(|session| session.apply_to_scene(edit, None)),
+            None => self.message = Some(tr!("Select an object first").to_owned()),
         }
     }
 

@@ -10,6 +10,7 @@ use crate::commands::{Command, PaintCommand, PanelId, ScaleCommand};
 use crate::painter::{ShownPainting, shown};
 use crate::panels::{PANELS, problems};
 use crate::state::painting::work::OpenPainting;
+use crate::state::problem_text::step_labelled;
 use crate::state::scene::OpenScene;
 use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown;
@@ -46,14 +47,15 @@ impl App {
             spots::note(ui, Spot::Save, save);
             named(ui, tr!("Save as"), Command::SaveAs);
             ui.separator();
-            let (undo, redo) =
-                (self.session.steps().undo_label(), self.session.steps().redo_label());
-            let help = match undo {
+            let steps = self.session.steps();
+            let told = |step: &str| step_labelled(self.session.look_with_library(), step);
+            let (undo, redo) = (steps.undo_label().map(told), steps.redo_label().map(told));
+            let help = match &undo {
                 Some(step) => tr!("Takes back: {step} (Ctrl+Z)"),
                 None => tr!("Takes back: nothing (Ctrl+Z)").to_owned(),
             };
             button(ui, tr!("Undo"), &help, undo.is_some(), Command::Undo);
-            let help = match redo {
+            let help = match &redo {
                 Some(step) => tr!("Repeats: {step} (Ctrl+Shift+Z)"),
                 None => tr!("Repeats: nothing (Ctrl+Shift+Z)").to_owned(),
             };

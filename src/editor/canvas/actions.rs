@@ -12,6 +12,7 @@ use crate::commands::table::{self, KeyScope};
 use crate::commands::{Command, GraphCommand, Heading, keyboard};
 use crate::document::{Bookmark, Edit, grouping};
 use crate::ids::NodeId;
+use crate::state::parts::placing::{self, Recipient};
 use crate::state::session::Session;
 
 /// Distance that an arrow key moves nodes, in points of the graph.
@@ -87,8 +88,14 @@ impl Canvas {
     ) {
         let at = pointer.map(|at| self.view.to_graph(at));
         let at = at.map(|at| [at.x - super::theme::NODE_WIDTH / 2.0, at.y].map(f64::from));
-        match grouping::paste_text(session.look(), session.selection.graph_id(), text, at) {
-            Ok(pasted) => {
+        let project = &session.project;
+        let to = Recipient {
+            look: session.look(),
+            catalog: &project.catalog,
+            library: &project.library,
+        };
+        match placing::of_text(to, session.selection.graph_id(), text, at) {
+            Ok((pasted, told)) => {
                 self.item = pasted
                     .notes
                     .first()
@@ -96,6 +103,7 @@ impl Canvas {
                     .filter(|_| pasted.nodes.is_empty())
                     .map(Item::Note);
                 out.extend([Command::Edit(pasted.edit), Command::Select(pasted.nodes)]);
+                out.extend((!told.is_empty()).then_some(Command::Tell(told)));
             }
             Err(problem) => out.push(Command::Tell(
                 crate::state::problem_text::sentence(&problem).replace('\n', ": "),

@@ -20,6 +20,7 @@ mod overlay;
 pub(crate) mod palette;
 mod passes;
 mod preview;
+mod readings;
 mod shot_marks;
 mod table;
 mod text;
@@ -90,6 +91,7 @@ pub struct Canvas {
     menu_hit: Option<CanvasItem>,
     previews: preview::Previews,
     costs: costs::Costs,
+    readings: readings::Readings,
     /// Command that the command palette asked for.
     asked: Option<GraphCommand>,
     snaps_to_grid: bool,
@@ -122,6 +124,7 @@ impl Canvas {
         self.draw(ui, session, latest);
         self.draw_previews(ui, session);
         self.draw_costs(ui, session);
+        self.draw_readings(ui, session);
         self.name_nodes(ui, session);
         self.minimap(ui);
         self.crumbs(ui, session, &mut commands);

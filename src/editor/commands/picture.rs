@@ -21,6 +21,8 @@ pub(crate) enum ViewCommand {
     TurnTo(Box<Orbit>),
     /// Turns camera and lights back.
     Reset,
+    /// Turns an object that faces away by half; without a scene, camera and lights around it.
+    TurnAround,
     /// Brings the object into view; of a scene the selected one.
     FrameObject,
     /// Brings all objects into view.

@@ -18,6 +18,7 @@ pub(crate) mod path;
 pub(crate) mod row;
 pub(crate) mod shot;
 pub(crate) mod wedge;
+pub(crate) mod wire_value;
 
 use crate::catalog::NodeKind;
 use crate::document::Node;

@@ -5,6 +5,7 @@ use chiaro_locale::text;
 use super::library;
 use super::table::{PanelPlace, PanelRow, PanelStack};
 use crate::commands::{Command, PanelId};
+use crate::tools::probe::Probe;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::GRAPH,
@@ -14,6 +15,8 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     |bench, ui, context| {
         let rect = ui.max_rect();
         bench.canvas.take_shares(|| bench.cost.shares());
+        let (readings, is_current) = bench.tools.of::<Probe>().readings();
+        bench.canvas.take_readings(readings, is_current);
         let mut commands = bench.canvas.show(ui, context.session);
         let dropped = library::dropped(ui, rect);
         commands.extend(dropped.map(|(kind, at)| Command::AddNode { kind, at: Some(at) }));

@@ -164,7 +164,11 @@ impl Snapshots {
         }
         let is_now = *snapshot.look == *session.look();
         let date = date_text(snapshot.taken);
-        let text = if is_now { tr!("{date}, as the look is now") } else { date };
+        let text = if is_now || snapshot.is_like(session.look()) {
+            tr!("{date}, as the look is now")
+        } else {
+            date
+        };
         ui.add(Label::new(RichText::new(text).small().color(theme::of(ui).dim)).truncate());
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 3.0;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use glam::{DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -272,6 +272,32 @@ impl Orbit {
         }
     }
 
+    /// Shows the other side in the same light: camera and lights go half around the vertical axis,
+    /// so that the picture is that of an object which was turned around.
+    pub(crate) fn turn_around(&mut self) {
+        let turn = DQuat::from_axis_angle(self.upright * DVec3::Y, PI);
+        self.yaw = (self.yaw + PI).rem_euclid(2.0 * PI);
+        self.target = turn * self.target;
+        self.illumination = (turn * self.illumination).normalize();
+    }
+
+    /// Turns the illumination frame as the camera was turned since an earlier view, so that the
+    /// light comes from the same side of the picture.
+    pub(crate) fn take_lights_along(&mut self, before: &Self) {
+        let turn = self.world_from_camera() * before.world_from_camera().inverse();
+        self.illumination = (turn * self.illumination).normalize();
+    }
+
+    /// True if the camera looks from another direction than in an earlier view.
+    pub(crate) fn has_turned(&self, before: &Self) -> bool {
+        (self.yaw, self.pitch, self.upright) != (before.yaw, before.pitch, before.upright)
+    }
+
+    fn world_from_camera(&self) -> DQuat {
+        let (right, up) = self.right_and_up();
+        DQuat::from_mat3(&DMat3::from_cols(right, up, self.direction()))
+    }
+
     /// Place of a point of the world in the picture: from its middle to the right and up, in
     /// heights of the picture; `None` behind the eye.
     pub(crate) fn place_in_picture(&self, point: DVec3) -> Option<[f64; 2]> {
@@ -368,6 +394,28 @@ mod tests {
         let camera = Orbit::default().camera();
         let height = camera.height;
         assert_eq!(camera, Camera { height, ..Camera::default() }, "perspective has no height");
+    }
+
+    #[test]
+    fn what_is_turned_around_has_the_same_light_from_the_eye() {
+        let seen = |orbit: &Orbit| {
+            let (right, up) = orbit.right_and_up();
+            let light = orbit.illumination * DVec3::new(0.3, 0.5, 0.8).normalize();
+            DVec3::new(light.dot(right), light.dot(up), light.dot(orbit.direction()))
+        };
+        let mut orbit = Orbit { yaw: 0.4, pitch: 0.3, ..Orbit::default() };
+        let (before, light) = (orbit.clone(), seen(&orbit));
+        orbit.turn_around();
+        assert!((seen(&orbit) - light).length() < 1e-12, "{} for {light}", seen(&orbit));
+        let turned = (before.direction() * DVec3::new(-1.0, 1.0, -1.0)) - orbit.direction();
+        assert!(turned.length() < 1e-12, "from behind: {turned}");
+        orbit.turn_around();
+        assert!((orbit.direction() - before.direction()).length() < 1e-12, "there and back");
+        let here = orbit.clone();
+        orbit.orbit(0.2, 0.1);
+        assert!((seen(&orbit) - light).length() > 0.1, "a camera leaves the lights");
+        orbit.take_lights_along(&here);
+        assert!((seen(&orbit) - light).length() < 1e-12, "or takes them along");
     }
 
     #[test]

@@ -46,6 +46,13 @@ fn label_of(look: LookWithLibrary<'_>, word: &str) -> Option<String> {
     if look.node_at(&whole).is_some() {
         return Some(look.title_of_path(&whole));
     }
+    if let Some(target @ Target::Light { light, .. }) = &Target::parse(word)
+        && look.look.lights.contains_key(light)
+        && target.light_field().is_some()
+    {
+        let [light, value] = look.names_of(target);
+        return Some(format!("{light}: {value}"));
+    }
     let (path, port) = word.rsplit_once('.')?;
     let node = NodePath::parse(path);
     let kind = look.catalog.of(look.node_at(&node)?)?;
@@ -64,7 +71,7 @@ mod tests {
 
     #[test]
     fn paths_in_texts_have_the_labels_of_the_canvas() {
-        let look = r#"{"nodes": [{"id": "base", "kind": "base"},
+        let look = r#"{"lights": {"key": {"name": "Sun"}}, "nodes": [{"id": "base", "kind": "base"},
           {"id": "rim", "kind": "light_layer", "name": "Back-light"}]}"#;
         let look = Look::read(look, "test").value.unwrap();
         let library = Library::built_in();
@@ -77,5 +84,8 @@ mod tests {
         assert_eq!(told, expected);
         let step = step_labelled(look, "wire base.below to rim.below");
         assert_eq!(step, "wire Base: Stack to Back-light: Below");
+        let step = step_labelled(look, "change keys of lights.key.intensity");
+        assert_eq!(step, "change keys of Sun: Intensity");
+        assert_eq!(step_labelled(look, "key lights.moon.intensity"), "key lights.moon.intensity");
     }
 }

@@ -14,6 +14,9 @@ use crate::library::{Library, Type};
 /// Name of the node that colors the shown value; no slug of a name begins so.
 const SHOWN: &str = "chiaro-shown";
 
+/// Largest number of groups in one another that an output is followed through.
+const MOST_DEPTH: usize = 64;
+
 /// Display of a value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Style {
@@ -107,6 +110,27 @@ pub(crate) fn node_at<'a>(
     })
 }
 
+/// The node whose value an output gives: that of the path, or of a group the node within, through
+/// groups in groups, that leads to the output.
+pub(crate) fn source_within(
+    look: &Look,
+    library: &Library,
+    path: NodePath,
+    port: &PortName,
+) -> NodePath {
+    let (mut path, mut port) = (path, port.clone());
+    // A group that holds itself is an error, which the compiler tells.
+    for _ in 0..MOST_DEPTH {
+        let definition =
+            node_at(look, library, path.ids()).and_then(|node| group(look, library, &node.kind));
+        let wire = definition
+            .and_then(|definition| definition.graph.wire_into(&GROUP_OUTPUTS.into(), &port));
+        let Some(wire) = wire else { break };
+        (path, port) = (path.join(wire.from.node.clone()), wire.from.port.clone());
+    }
+    path
+}
+
 /// Leads an output of an inner node out to the look's own graph: each group on the way becomes, in
 /// this copy of the look, one of its own with an output more.
 fn led_out(
@@ -179,3 +203,27 @@ const ISOLINES: &str = "    \
     let lined = mix(vec3f(1.0, 1.0, 1.0), fine, clamp(whole - 0.5, 0.0, 1.0));
     return select(gray, lined, slope > 1e-6);
 ";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_group_gives_out_is_the_value_of_a_node_within() {
+        let text = r#"{"nodes": [{"id": "rim", "kind": "light_layer"}, {"id": "own", "kind": "g"}],
+          "definitions": {"g": {"outputs": [{"name": "below"}, {"name": "through"}],
+            "inputs": [{"name": "through"}], "nodes": [{"id": "inner", "kind": "light_layer"}],
+            "wires": [{"from": "inner.below", "to": "outputs.below"},
+              {"from": "inputs.through", "to": "outputs.through"}]}}}"#;
+        let look = Look::read(text, "test").value.unwrap();
+        let source = |path: &str, port: &str| {
+            source_within(&look, Library::built_in(), NodePath::parse(path), &port.into())
+                .to_string()
+        };
+        assert_eq!(source("rim", "below"), "rim/blend");
+        assert_eq!(source("own", "below"), "own/inner/blend");
+        assert_eq!(source("rim/blend", "below"), "rim/blend", "no group");
+        assert_eq!(source("own", "through"), "own/inputs", "an input, which has no value here");
+        assert_eq!(source("nobody", "below"), "nobody");
+    }
+}

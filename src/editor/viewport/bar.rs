@@ -89,6 +89,10 @@ impl Viewport {
         ui.checkbox(&mut self.has_arrows, tr!("Arrows toward eye and lights")).on_hover_text(help);
         ui.checkbox(&mut self.turns, tr!("Turntable"))
             .on_hover_text(help_of(ViewCommand::ToggleTurntable));
+        let help =
+            tr!("The light comes from the same side of the picture wherever you look from: the \
+             illumination frame turns with the camera");
+        ui.checkbox(&mut self.takes_lights, tr!("Lights go with the camera")).on_hover_text(help);
         if session.open_scene().is_none() && !session.view.orbit.mesh.starts_with(SHAPE_PREFIX) {
             let help = tr!(
                 "Stands up a mesh that lies on its back: one whose z axis points up, as in many \
@@ -116,6 +120,7 @@ impl Viewport {
                 out.push(command);
             }
         };
+        button(ui, tr!("Turn the object around"), ViewCommand::TurnAround);
         button(ui, tr!("Frame the object"), ViewCommand::FrameObject);
         if session.open_scene().is_some() {
             button(ui, tr!("Frame all"), ViewCommand::FrameAll);

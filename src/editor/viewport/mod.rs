@@ -111,6 +111,8 @@ pub struct Viewport {
     has_arrows: bool,
     arrows: Vec<arrows::Arrow>,
     turns: bool,
+    /// True if the illumination frame turns with the camera.
+    takes_lights: bool,
     /// Light that is looked through.
     through: Option<LookThrough>,
     /// Exposure in stops; for this window only.
@@ -169,6 +171,7 @@ impl Viewport {
             has_arrows: false,
             arrows: Vec::new(),
             turns: false,
+            takes_lights: false,
             through: None,
             exposure: 0.0,
             colors: colors::ColorMenu::default(),
@@ -250,6 +253,8 @@ impl Viewport {
         out.extend(tools.interact(ui, &context));
         if let Some(through) = &mut self.through {
             out.extend(through.follow(session, &mut view));
+        } else if self.takes_lights && view.has_turned(&session.view.orbit) {
+            view.take_lights_along(&session.view.orbit);
         }
         if view != session.view.orbit {
             // Commands by name, such as the reset of the view, apply after the drag.

@@ -281,6 +281,6 @@ fn labels_of_edits_say_what_undo_takes_back() {
     let mut random = Random::new(1, 3);
     let look = random.look();
     for _ in 0..200 {
-        assert!(!Look::label(&random.edit(&look)).is_empty());
+        assert!(!look.label(&random.edit(&look)).is_empty());
     }
 }

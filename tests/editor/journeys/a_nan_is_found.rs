@@ -78,6 +78,11 @@ fn a_nan_from_a_custom_node_is_found_and_mended() {
     assert!(of("glow").single[0].is_nan() && of("diffuse/blend").is_finite(), "{wires:?}");
     assert_eq!(wires.iter().find(|wire| !wire.is_finite()).unwrap().node.to_string(), "glow");
 
+    // The canvas has the values of this pixel, too, those of groups with them.
+    let (canvas, session) = (artist.app().canvas(), artist.app().session());
+    assert_eq!(canvas.reading_text(session, "glow"), Some("NaN"));
+    assert!(canvas.reading_text(session, "diffuse").is_some());
+
     // A slip while mending the file: the error is told at the node, and the last good picture
     // stays.
     studio.write("nodes/glow.wgsl", &BROKEN.replace("tone / tone", "toon / tone"));

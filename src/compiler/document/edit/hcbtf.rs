@@ -191,7 +191,7 @@ impl Editable for Hcbtf {
         })
     }
 
-    fn label(edit: &HcbtfEdit) -> String {
+    fn label(&self, edit: &HcbtfEdit) -> String {
         edit.label()
     }
 

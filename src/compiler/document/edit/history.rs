@@ -17,8 +17,8 @@ pub trait Editable {
     /// A diagnostic where the edit is impossible; the document is then as it was.
     fn edit(&mut self, edit: Self::Edit, is_known_good: bool) -> EditResult<Self::Edit>;
 
-    /// Label of an edit for undo.
-    fn label(edit: &Self::Edit) -> String;
+    /// Label for undo of an edit that is not applied yet.
+    fn label(&self, edit: &Self::Edit) -> String;
 
     /// True for an edit that changes nothing.
     fn does_nothing(edit: &Self::Edit) -> bool;
@@ -113,7 +113,7 @@ impl<D: Editable> History<D> {
         edit: D::Edit,
         gesture: Option<u64>,
     ) -> Result<(), Box<Diagnostic>> {
-        let label = D::label(&edit);
+        let label = self.document.label(&edit);
         let repeated = edit.clone();
         let inverse = self.document.edit(edit, false)?;
         // An edit that sets the value that was there is undone at once, and makes no step.

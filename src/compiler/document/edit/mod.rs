@@ -12,6 +12,7 @@
 mod graph;
 mod hcbtf;
 mod history;
+mod labels;
 mod parts;
 mod patch;
 mod scene;
@@ -163,9 +164,8 @@ impl Edit {
     /// Label of the edit for undo, e.g. `add rim`.
     pub fn label(&self) -> String {
         match self {
-            Self::Group { edits } => {
-                edits.first().map_or_else(|| "nothing".to_owned(), Self::label)
-            }
+            Self::Group { edits } => labels::of_several(edits)
+                .unwrap_or_else(|| edits.first().map_or_else(|| "nothing".to_owned(), Self::label)),
             Self::Replace { .. } => tr!("load the file again").to_owned(),
             Self::SetLookName { .. } => tr!("rename the look").to_owned(),
             Self::SetLookAbout { .. } => tr!("describe the look").to_owned(),
@@ -202,7 +202,7 @@ impl Edit {
             Self::RemoveNote { .. } => tr!("remove a note").to_owned(),
             Self::SetBookmarks { .. } => tr!("change bookmarks").to_owned(),
             Self::AddLight { id, .. } => tr!("add the light {id}"),
-            Self::SetLight { id, .. } => tr!("change the light {id}"),
+            Self::SetLight { id, light } => labels::of_light(id, None, light),
             Self::RemoveLight { id } => tr!("remove the light {id}"),
             Self::AddDefinition { id, .. } => tr!("add the group {id}"),
             Self::SetInterface { id, .. } => tr!("change the group {id}"),
@@ -211,10 +211,10 @@ impl Edit {
             Self::SetExposed { .. } => tr!("change a parameter").to_owned(),
             Self::RemoveExposed { .. } => tr!("remove a parameter").to_owned(),
             Self::SetAovs { .. } => tr!("change named outputs").to_owned(),
-            Self::AddDirectionKeys { .. } | Self::AddTimeKeys { .. } => tr!("add keys").to_owned(),
-            Self::SetDirectionKeys { .. } | Self::SetTimeKeys { .. } => {
-                tr!("change keys").to_owned()
-            }
+            Self::AddTimeKeys { keys, .. } => tr!("key {target}", target = keys.target),
+            Self::SetTimeKeys { keys, .. } => tr!("change keys of {target}", target = keys.target),
+            Self::AddDirectionKeys { .. } => tr!("add keys").to_owned(),
+            Self::SetDirectionKeys { .. } => tr!("change keys").to_owned(),
             Self::RemoveDirectionKeys { .. } | Self::RemoveTimeKeys { .. } => {
                 tr!("remove keys").to_owned()
             }
@@ -241,8 +241,16 @@ impl Editable for Look {
         apply(self, edit, is_known_good)
     }
 
-    fn label(edit: &Edit) -> String {
-        edit.label()
+    fn label(&self, edit: &Edit) -> String {
+        match edit {
+            Edit::SetLight { id, light } => labels::of_light(id, self.lights.get(id), light),
+            Edit::Group { edits } if edits.len() == 1 => self.label(&edits[0]),
+            Edit::RemoveTimeKeys { index } => match self.time_keys.get(*index) {
+                Some(keys) => tr!("remove keys of {target}", target = keys.target),
+                None => edit.label(),
+            },
+            _ => edit.label(),
+        }
     }
 
     fn does_nothing(edit: &Edit) -> bool {

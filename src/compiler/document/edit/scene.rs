@@ -4,7 +4,7 @@ use chiaro_locale::tr;
 use serde::{Deserialize, Serialize};
 
 use super::parts::{insert, remove_named};
-use super::{EditResult, Editable, all_or_none, missing, trial};
+use super::{EditResult, Editable, all_or_none, labels, missing, trial};
 use crate::document::{
     Camera, DirectionKeys, FileCamera, GroupMaster, Light, LightSet, Marker, Object, Scene,
     SceneOutlines, Target, TimeKeys, TimeRange,
@@ -184,19 +184,21 @@ impl Editable for Scene {
         })
     }
 
-    fn label(edit: &SceneEdit) -> String {
+    fn label(&self, edit: &SceneEdit) -> String {
         match edit {
             SceneEdit::Group { edits } => {
-                edits.first().map_or_else(|| "nothing".to_owned(), Self::label)
+                edits.first().map_or_else(|| "nothing".to_owned(), |first| self.label(first))
             }
             SceneEdit::Replace { .. } => tr!("load the file again").to_owned(),
             SceneEdit::SetSceneName { .. } => tr!("rename the scene").to_owned(),
             SceneEdit::SetSceneAbout { .. } => tr!("describe the scene").to_owned(),
             SceneEdit::AddObject { id, .. } => tr!("add {id}"),
-            SceneEdit::SetObject { id, .. } => tr!("change {id}"),
+            SceneEdit::SetObject { id, object } => {
+                labels::of_object(id, self.objects.get(id), object)
+            }
             SceneEdit::RemoveObject { id } => tr!("remove {id}"),
             SceneEdit::AddLight { id, .. } => tr!("add the light {id}"),
-            SceneEdit::SetLight { id, .. } => tr!("change the light {id}"),
+            SceneEdit::SetLight { id, light } => labels::of_light(id, self.lights.get(id), light),
             SceneEdit::RemoveLight { id } => tr!("remove the light {id}"),
             SceneEdit::SetLightKeys { .. } => tr!("key the lights").to_owned(),
             SceneEdit::SetMarkers { .. } => tr!("change markers").to_owned(),

@@ -130,10 +130,10 @@ impl Editable for Shot {
         })
     }
 
-    fn label(edit: &ShotEdit) -> String {
+    fn label(&self, edit: &ShotEdit) -> String {
         match edit {
             ShotEdit::Group { edits } => {
-                edits.first().map_or_else(|| "nothing".to_owned(), Self::label)
+                edits.first().map_or_else(|| "nothing".to_owned(), |first| self.label(first))
             }
             ShotEdit::Replace { .. } => tr!("load the file again").to_owned(),
             ShotEdit::SetShotName { .. } => tr!("rename the shot").to_owned(),

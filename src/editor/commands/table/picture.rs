@@ -50,7 +50,10 @@ fn lights_and_probe() -> Vec<CommandRow> {
              terminator is at the place that is clicked"
         )),
         row(C::Probe(Switch::Toggle), text!("Probe a pixel"), &[(NONE, Key::I)], KeyScope::Picture)
-            .help(text!("Reads the value on every wire at a pixel, f32 beside f64")),
+            .help(text!(
+                "Reads the value on every wire at a pixel, on the canvas and in a table, f32 \
+                 beside f64"
+            )),
     ]
 }
 
@@ -59,6 +62,10 @@ fn views() -> Vec<CommandRow> {
     vec![
         view(V::Reset, text!("Reset camera and lights"), &[(NONE, Key::R)])
             .help(text!("Turns both back; in a scene to where the scene has them")),
+        view(V::TurnAround, text!("Turn the object around"), &[]).help(text!(
+            "For a mesh that faces away: shows its other side in the same light. In a scene it \
+             turns the selected object by half"
+        )),
         view(V::FrameObject, text!("Frame the object"), &[(NONE, Key::F)])
             .help(text!("Brings the whole object into view; of a scene the one that is selected")),
         view(V::FrameAll, text!("Frame all objects"), &[(NONE, Key::A)])

@@ -17,6 +17,7 @@ use crate::ids::LightId;
 use crate::library::Type;
 use crate::panels::lights;
 use crate::panels::table::{PanelPlace, PanelRow, PanelStack};
+use crate::state::reading::{tier_name, tier_word};
 use crate::state::session::Session;
 use crate::state::wire::{ShownWire, Style};
 use crate::values;
@@ -525,23 +526,6 @@ fn lights_of(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
             ui.label(RichText::new(title).strong());
             lights::edit(ui, subject.session, &owned_light, out);
         }
-    }
-}
-
-fn tier_name(tier: Tier) -> &'static str {
-    match tier {
-        Tier::Exact => tr!("Exact"),
-        Tier::Balanced => tr!("Balanced"),
-        Tier::Fast => tr!("Fast"),
-    }
-}
-
-/// Name of a tier within a sentence.
-fn tier_word(tier: Tier) -> &'static str {
-    match tier {
-        Tier::Exact => tr!("exact"),
-        Tier::Balanced => tr!("balanced"),
-        Tier::Fast => tr!("fast"),
     }
 }
 

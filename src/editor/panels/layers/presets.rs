@@ -53,7 +53,7 @@ pub(super) struct LayerPreset {
 use PresetValue::{Bands, Number, Word};
 
 /// Presets in the order in which a look is built up: from what lies below to what lies on top.
-pub(super) static PRESETS: [LayerPreset; 12] = [
+pub(super) static PRESETS: [LayerPreset; 13] = [
     LayerPreset {
         name: text!("layer" => "Fill"),
         help: text!("Ambient light: a tint everywhere, so that nothing is black"),
@@ -206,6 +206,17 @@ pub(super) static PRESETS: [LayerPreset; 12] = [
         kind: "ink_layer",
         profile: None,
         values: &[],
+        light: LightChoice::Nothing,
+    },
+    LayerPreset {
+        name: text!("Grade"),
+        help: text!(
+            "One color over all that lies below, multiplied: a blue night over warm layers. In the \
+             modes Hue, Saturation and Color it changes the colors, and leaves light and dark"
+        ),
+        kind: "blend",
+        profile: None,
+        values: &[("color", Word("#7c8fd8")), ("mode", Word("multiply"))],
         light: LightChoice::Nothing,
     },
 ];

@@ -11,8 +11,8 @@ use chiaro_locale::{text, tr, trn};
 use eframe::egui;
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{
-    Align, Button, DragValue, Id, Label, Layout, Popup, RichText, Role, ScrollArea, Sense, Ui,
-    WidgetInfo, vec2,
+    Align, Button, DragValue, Id, Label, Layout, Popup, Rect, RichText, Role, ScrollArea, Sense,
+    Ui, WidgetInfo, vec2,
 };
 
 use crate::commands::{Command, LibraryCommand, PanelId};
@@ -30,7 +30,8 @@ use crate::state::revision::DocumentNumber;
 use crate::state::session::Session;
 use crate::values;
 use crate::viewport::solo_bar;
-use crate::widgets::rows::{ICON, Icon, NameEdit, icon, picture_frame};
+use crate::widgets::color;
+use crate::widgets::rows::{ICON, Icon, NameEdit, icon};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 pub(crate) use edit::{edit, groups_text, keep_within, kind_name, read_groups, space_name, swatch};
@@ -48,6 +49,9 @@ const USERS: f32 = 50.0;
 
 /// Least room of a row's name and numbers that tells the users of a light, in points.
 const ROOMY: f32 = 150.0;
+
+/// Side of a light's swatch, in points.
+const SWATCH: f32 = 16.0;
 
 /// The panel and its state.
 #[derive(Default)]
@@ -194,9 +198,7 @@ impl Lights {
         if icon(ui, Icon::Bulb, !is_muted, &tr!("Light {title} shines"), help).clicked() {
             out.push(Command::Solo(solo.toggle_mute(owned_light.id)));
         }
-        let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
-        ui.painter().rect_filled(rect, 3.0, swatch(owned_light.light, session.look().color_space));
-        picture_frame(ui, rect);
+        let rect = tint(ui, session, owned_light, out);
         let changed = ChangedRow::of_light(session, owned_light.owner, owned_light.id);
         changed.bar(ui, rect.translate(vec2(-4.0, 0.0)));
         let keys = owned_light.owner.keys(session);
@@ -204,7 +206,8 @@ impl Lights {
         if let Some(fields) = &keyed {
             let at = rect.right_bottom() - vec2(1.0, 1.0);
             mark::diamond(ui, at, 4.5, theme::of(ui).accent, theme::of(ui).panel);
-            let mark = ui.interact(rect, ui.scope_id().with(("keyed", &title)), Sense::hover());
+            let diamond = Rect::from_center_size(at, vec2(9.0, 9.0)).intersect(rect);
+            let mark = ui.interact(diamond, ui.scope_id().with(("keyed", &title)), Sense::hover());
             mark.widget_info(|| WidgetInfo::labeled(Role::Label, true, tr!("{title} is keyed")));
             mark.on_hover_text(tr!("Keyed: {fields}"));
         }
@@ -403,6 +406,28 @@ impl Lights {
 
 fn section(ui: &mut Ui, title: &str, help: &str) {
     ui.label(RichText::new(title).small().color(theme::of(ui).dim)).on_hover_text(help);
+}
+
+/// Shows the color of a light as a swatch that opens the picker, also while the other fields are
+/// folded away. Returns the place of the swatch.
+fn tint(
+    ui: &mut Ui,
+    session: &Session,
+    owned_light: &OwnedLight<'_>,
+    out: &mut Vec<Command>,
+) -> Rect {
+    let light = &owned_light.as_set(session);
+    let shown = ui.scope(|ui| {
+        ui.spacing_mut().interact_size = vec2(SWATCH, SWATCH);
+        let [r, g, b] = light.color;
+        let name = tr!("Color of {light}", light = owned_light.full_name());
+        color::named_swatch(ui, &name, [r, g, b, 1.0], session.look().color_space, false)
+    });
+    if let Some((widget, [r, g, b, _])) = shown.inner {
+        let new = Light { color: [r, g, b], ..light.clone() };
+        out.push(owned_light.changed(session, light, &new).held(widget));
+    }
+    shown.response.rect
 }
 
 /// Shows the intensity of a light, also while the other fields are folded away.

@@ -11,7 +11,9 @@ use crate::fields::shot;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX};
 use crate::geometry::SHAPES;
 use crate::ids::ObjectId;
-use crate::state::scene::{OpenScene, file_label, from_degrees, mesh_label, stood_up, to_degrees};
+use crate::state::scene::{
+    OpenScene, file_label, from_degrees, mesh_label, stood_up, to_degrees, turned_around,
+};
 use crate::state::session::Session;
 use crate::state::view::TransformPart;
 use crate::widgets::theme;
@@ -106,11 +108,8 @@ impl Details {
                     if fit.changed() {
                         widget = Some(fit.id);
                     }
-                    let help =
-                        tr!("Turns a mesh whose z axis points up, as in many scans, by a quarter");
-                    if ui.small_button(tr!("Stand up")).on_hover_text(help).clicked() {
-                        new.rotate = stood_up(new.rotate);
-                        widget = Some(ui.scope_id().with("stand up"));
+                    if let Some(turned) = turns(ui, &mut new) {
+                        widget = Some(turned);
                     }
                 },
             );
@@ -157,6 +156,28 @@ impl Details {
         });
         widget
     }
+}
+
+/// Shows buttons that turn an object whose file has another front or another axis up. Returns the
+/// id of the one that did.
+fn turns(ui: &mut Ui, new: &mut Transform) -> Option<Id> {
+    let mut pressed = None;
+    let mut button = |ui: &mut Ui, label: &str, help: &str, turned: fn([f64; 4]) -> [f64; 4]| {
+        let button = ui.small_button(label).on_hover_text(help);
+        if button.clicked() {
+            new.rotate = turned(new.rotate);
+            pressed = Some(button.id);
+        }
+    };
+    // In a narrow panel one button stands below the other.
+    ui.horizontal_wrapped(|ui| {
+        ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+        let help = tr!("Turns a mesh whose z axis points up, as in many scans, by a quarter");
+        button(ui, tr!("Stand up"), help, stood_up);
+        let help = tr!("Turns an object that faces away by half, around the vertical");
+        button(ui, tr!("Turn around"), help, turned_around);
+    });
+    pressed
 }
 
 /// Shows the switches of the handles in the picture.

@@ -9,6 +9,7 @@ use indexmap::IndexMap;
 use super::lights::LitPart;
 use super::{PROFILE, PartKind, ends};
 use crate::catalog::{Catalog, Port};
+use crate::diag::Diagnostic;
 use crate::document::{Edit, Endpoint, GraphId, Look, Node, Value, Wire, grouping};
 use crate::ids::{DefinitionId, LightId, NodeId, PortName, make_slug};
 use crate::library::{Library, Type};
@@ -156,6 +157,31 @@ pub(crate) fn nodes(
     let pasted = paste(to.look, graph, &lit.look, Some(at))?;
     let told = tr!("\"{name}\" is copied into this look") + &along(to, &lit);
     Ok(Placement { edit: pasted.edit, nodes: pasted.nodes, told })
+}
+
+/// Adds the nodes of a text, such as the clipboard's, to a graph, lit as those of a part are: by
+/// the look's own lights where these do the same work, else by lights that come along. The
+/// sentence names those; it is empty where there are none.
+///
+/// # Errors
+/// A diagnostic where the text is no look, or holds nothing to add.
+pub(crate) fn of_text(
+    to: Recipient<'_>,
+    graph: &GraphId,
+    text: &str,
+    at: Option<[f64; 2]>,
+) -> Result<(grouping::PastedFragment, String), Box<Diagnostic>> {
+    let part = text.trim_start().starts_with('{').then(|| Look::read(text, "clipboard").value);
+    let Some(part) = part.flatten().filter(|part| !part.lights.is_empty()) else {
+        return Ok((grouping::paste_text(to.look, graph, text, at)?, String::new()));
+    };
+    let lit = LitPart::new(to.look, &part, &to.catalog_of(&part));
+    let pasted = grouping::paste_text(to.look, graph, &lit.look.to_text(), at)?;
+    let told = match lit.brought.is_empty() {
+        true => String::new(),
+        false => tr!("Pasted").to_owned() + &lit.told(),
+    };
+    Ok((pasted, told))
 }
 
 /// A part that holds groups alone, with a node of the last one, which uses the others.

@@ -263,3 +263,27 @@ fn what_is_shipped_is_sound_and_can_be_seen() {
         }
     }
 }
+
+#[test]
+fn pasted_nodes_bring_the_light_that_does_other_work_than_the_looks_own() {
+    let text = |direction: &str| {
+        format!(
+            r#"{{"lights": {{"back": {{"direction": {direction}}}}}, "nodes": [
+              {{"id": "rim", "kind": "light_layer", "values": {{"light": "back"}}}}]}}"#
+        )
+    };
+    let (look, catalog) = read(&text("[0.8, 0.4, -0.5]"));
+    let to = Recipient { look: &look, catalog: &catalog, library: Library::built_in() };
+    let paste = |text: &str| {
+        let (pasted, told) = placing::of_text(to, &GraphId::Look, text, None).unwrap();
+        let mut after = look.clone();
+        after.apply(pasted.edit).unwrap();
+        (after.lights.len(), after.graph.nodes["rim_2"].values["light"].clone(), told)
+    };
+    let here = paste(&text("[0.8, 0.4, -0.5]"));
+    assert_eq!(here, (1, Value::Text("back".to_owned()), String::new()), "in its own look");
+    let (count, light, told) = paste(&text("[-0.9, 0.1, -0.3]"));
+    assert_eq!((count, light), (2, Value::Text("back_2".to_owned())));
+    assert_eq!(told, "Pasted · with its own light back_2");
+    assert!(placing::of_text(to, &GraphId::Look, "some words", None).is_err());
+}

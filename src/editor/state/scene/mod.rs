@@ -33,7 +33,7 @@ use looks::{ClosedLook, Looks};
 pub(crate) use names::{folder_of, real, relative};
 pub(crate) use objects::{
     ObjectPlace, file_label, from_degrees, mesh_label, scene_of, sphere_of_lights, stood_up,
-    to_degrees, unit_rotation,
+    to_degrees, turned_around, unit_rotation,
 };
 pub(crate) use snapshot::SceneSnapshot;
 

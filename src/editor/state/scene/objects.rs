@@ -74,6 +74,13 @@ pub(crate) fn stood_up(rotation: [f64; 4]) -> [f64; 4] {
         .to_array()
 }
 
+/// A rotation that also turns by half around the vertical axis of the world.
+pub(crate) fn turned_around(rotation: [f64; 4]) -> [f64; 4] {
+    (DQuat::from_rotation_y(std::f64::consts::PI) * DQuat::from_array(rotation))
+        .normalize()
+        .to_array()
+}
+
 /// An unsaved scene with one object: the viewport's picture of a look that was opened alone.
 pub(crate) fn scene_of(orbit: &Orbit, look: String) -> Scene {
     let normal = Transform::default();

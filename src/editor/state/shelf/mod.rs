@@ -6,6 +6,7 @@
 //! in the window's one order of undo.
 
 mod file;
+mod likeness;
 
 use std::collections::HashSet;
 use std::path::Path;
@@ -47,6 +48,11 @@ pub(crate) struct LookSnapshot {
 }
 
 impl LookSnapshot {
+    /// True if a look is as the snapshot has it, however its canvas is laid out.
+    pub(crate) fn is_like(&self, look: &Look) -> bool {
+        likeness::are_alike(&self.look, look)
+    }
+
     /// True if both hold the same, whichever window read them.
     fn is(&self, other: &Self) -> bool {
         (&self.name, self.taken) == (&other.name, other.taken) && self.look == other.look

@@ -6,6 +6,8 @@ mod panel;
 
 pub(crate) use panel::wire_name;
 
+use std::sync::Arc;
+
 use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{Pos2, Rect, Stroke, Ui, pos2, vec2};
@@ -13,6 +15,7 @@ use eframe::egui::{Pos2, Rect, Stroke, Ui, pos2, vec2};
 use crate::commands::{Command, Switch, table};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
+use crate::fields::wire_value::{WireReadings, readings};
 use crate::frame::{Draw, PlanOptions, Planner, Setup};
 use crate::progress::Progress;
 use crate::reference::{LightAccount, ReferenceOptions, WireValue, light_accounts, probe_wires};
@@ -88,6 +91,8 @@ pub struct Probe {
     asked: Option<ProbeSpot>,
     progress: Progress,
     found: Option<ProbeResult>,
+    /// The result in few words, for the canvas.
+    readings: Arc<WireReadings>,
     jump: bool,
     /// True if the panel lists lights and not wires.
     lists_lights: bool,
@@ -107,6 +112,7 @@ impl Probe {
             asked: None,
             progress: Progress::new(),
             found: None,
+            readings: Arc::default(),
             jump: false,
             lists_lights: false,
         }
@@ -134,6 +140,13 @@ impl Probe {
 
     fn pixel_found(&self) -> Option<&ProbedPixel> {
         self.found.as_ref().and_then(|found| found.result.as_ref().ok()?.as_ref())
+    }
+
+    /// Values at the pixel for the canvas, while the probe is on and has a pixel; true if they are
+    /// those of the present place and state.
+    pub(crate) fn readings(&self) -> (Option<Arc<WireReadings>>, bool) {
+        let is_shown = self.is_on && self.pixel.is_some();
+        (is_shown.then(|| self.readings.clone()), self.is_current())
     }
 
     pub(crate) fn turn(&mut self, on: bool) {
@@ -169,6 +182,7 @@ impl Probe {
         for found in self.worker.answers() {
             if self.asked.as_ref() == Some(&found.spot) {
                 self.found = Some(found);
+                self.readings = Arc::new(readings(session, self.wires()));
             }
         }
         if !self.is_on {

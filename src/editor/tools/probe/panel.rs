@@ -1,19 +1,18 @@
 //! Table of the probe's result.
 
-use chiaro_locale::{tr, tr_in, trn};
+use chiaro_locale::{tr, tr_in};
 use eframe::egui;
-use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
+use eframe::egui::{FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
 use super::{Probe, lights};
 use crate::commands::Command;
+use crate::fields::wire_value::{color_of, text_of};
 use crate::ids::NodePath;
-use crate::library::Type;
 use crate::progress::Interruption;
 use crate::reference::WireValue;
 use crate::state::problem_text::sentence;
 use crate::state::session::Session;
 use crate::state::wire::{ShownWire, Style, node_at};
-use crate::values::number_text;
 use crate::widgets::text::{cell, hint};
 use crate::widgets::theme;
 
@@ -189,7 +188,6 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
         FontId::proportional(theme::TEXT_SIZE),
         ink,
     );
-    let meaning = ValueMeaning::of(session, wire);
     for (index, numbers) in [(1, &wire.single), (2, &wire.double)] {
         let mut place = column(rect, index);
         if let Some(color) = color_of(numbers) {
@@ -200,13 +198,7 @@ fn row(ui: &mut Ui, session: &Session, wire: &WireValue, is_first_broken: bool) 
             ui.painter().rect_stroke(swatch, 2.0, edge, egui::StrokeKind::Inside);
             place.min.x += 16.0;
         }
-        let text = match meaning {
-            ValueMeaning::Angle => degrees(numbers).unwrap_or_else(|| short(numbers)),
-            ValueMeaning::Profile if wire.is_finite() => {
-                trn!(count = numbers.len(), "{count} number", "{count} numbers")
-            }
-            ValueMeaning::Numbers | ValueMeaning::Profile => short(numbers),
-        };
+        let text = text_of(session, wire, numbers);
         cell(ui, place, &text, FontId::monospace(11.0), ink);
     }
     let difference = wire.difference();
@@ -263,59 +255,6 @@ pub(crate) fn wire_name(session: &Session, path: &NodePath) -> String {
         name += id.as_str();
     }
     name
-}
-
-/// ValueMeaning of a wire's numbers, by which they are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum ValueMeaning {
-    Numbers,
-    /// Sine and cosine of half an angle.
-    Angle,
-    /// Numbers of a profile, which say little to people.
-    Profile,
-}
-
-impl ValueMeaning {
-    /// ValueMeaning of a node's value, where its one output tells it.
-    fn of(session: &Session, wire: &WireValue) -> Self {
-        let node = node_at(session.look(), &session.project.library, wire.node.ids());
-        let kind = node.and_then(|node| session.project.catalog.of(node));
-        let output = kind.and_then(|kind| match kind.outputs.as_slice() {
-            [output] => Some(&output.ty),
-            _ => None,
-        });
-        match output {
-            Some(Type::Angle) => Self::Angle,
-            Some(Type::Prepared(_)) if wire.double.len() > 5 => Self::Profile,
-            _ => Self::Numbers,
-        }
-    }
-}
-
-/// An angle in degrees, from the sine and the cosine of its half; `None` for other numbers.
-fn degrees(numbers: &[f64]) -> Option<String> {
-    let [sine, cosine] = *numbers else { return None };
-    let angle = (2.0 * sine.atan2(cosine)).to_degrees();
-    angle.is_finite().then(|| format!("{}°", number_text(angle, 4)))
-}
-
-/// Color of four or five scalars, which are a color with its alpha; `None` for other numbers.
-fn color_of(numbers: &[f64]) -> Option<Color32> {
-    let [r, g, b, a, ..] = *numbers else { return None };
-    let byte = |x: f64| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
-    let is_one = numbers.len() <= 5 && numbers.iter().all(|x| x.is_finite());
-    is_one.then(|| Color32::from_rgba_unmultiplied(byte(r), byte(g), byte(b), byte(a)))
-}
-
-fn short(numbers: &[f64]) -> String {
-    let text = |x: f64| match numbers.len() {
-        _ if x.is_nan() => "NaN".to_owned(),
-        _ if x.is_infinite() => if x > 0.0 { "inf" } else { "-inf" }.to_owned(),
-        1 => number_text(x, 7),
-        2 => number_text(x, 5),
-        _ => number_text(x, 2),
-    };
-    numbers.iter().map(|&x| text(x)).collect::<Vec<_>>().join(" ")
 }
 
 /// Shows every scalar with all its digits.

@@ -260,6 +260,10 @@ impl Wipe {
         }
         let Some(against) = self.against.clone() else { return };
         self.name = against.label(session.shelf());
+        // A snapshot that has another name has it in the picture at once.
+        if let Some(shown) = &mut self.shown {
+            shown.names = shown.moment.pair.each_ref().map(|side| side.label(session.shelf()));
+        }
         let pair = [self.left.clone(), against];
         let files = pair.each_ref().map(|picture| {
             picture.file(session.path()).and_then(|path| session.assets.source().metadata(path))

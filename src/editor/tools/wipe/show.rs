@@ -237,7 +237,10 @@ impl Wipe {
                 0.0 => tr!("no difference").to_owned(),
                 max => tr!("max {max:.1e} · {count} px over 1/255", count = figures.visible),
             };
-            let ink = if figures.visible > 0 { theme::of(ui).warning } else { theme::of(ui).dim };
+            // Between two states of a look a difference is what was asked for, and no warning.
+            let is_error = matches!(against, ComparedPicture::Truth | ComparedPicture::Tier(_));
+            let is_warning = is_error && figures.visible > 0;
+            let ink = if is_warning { theme::of(ui).warning } else { theme::of(ui).dim };
             let [x, y] = figures.worst;
             let help = tr!(
                 "Largest difference of a channel {max:.3e} at pixel {x}, {y}; rms {rms:.1e}; \

@@ -11,11 +11,12 @@ use std::sync::Arc;
 
 use chiaro_locale::{Text, text, tr, tr_in};
 use eframe::egui;
-use eframe::egui::{Button, ComboBox, DragValue, RichText, ScrollArea, Ui, vec2};
+use eframe::egui::{Button, ComboBox, DragValue, Label, RichText, ScrollArea, Ui, vec2};
 
 use crate::catalog::NodeKind;
 use crate::commands::{Command, PanelId};
 use crate::document::{Node, Target, Tier, Value};
+use crate::fields::bands;
 use crate::fields::edge::{self, EdgeField, has_profile};
 use crate::fields::mark;
 use crate::ids::{NodeId, PortName};
@@ -192,15 +193,39 @@ fn name_of<'a>(node: &'a Node, kind: &'a NodeKind) -> &'a str {
     if node.name.is_empty() { tr_in("node", &kind.label) } else { &node.name }
 }
 
+/// Says where the bands of a layer are edited, which has them in place of a profile.
+fn with_bands(ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
+    hint(
+        ui,
+        &tr!("{title} has flat bands in place of a profile. Drag their edges on the object or in \
+             the layer's row, or set colors and softness in the inspector."),
+    );
+    if ui.button(tr!("Show its bands")).on_hover_text(tr!("Brings the inspector forward")).clicked()
+    {
+        out.push(Command::ShowPanel(PanelId::INSPECTOR));
+    }
+}
+
 impl Profile {
     /// Shows the profile of the selected node, or of the last one that had a profile.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut commands = Vec::new();
         let has_one = |id: &&NodeId| ProfileNode::new(session, id).is_some();
         let selected = session.selection.nodes.iter().rev().find(has_one);
+        let has_selected = selected.is_some();
         let id = selected.or_else(|| self.shown.as_ref().filter(has_one)).cloned();
         let id = id.or_else(|| session.graph().nodes.keys().find(has_one).cloned());
         let layer = id.as_ref().and_then(|id| ProfileNode::new(session, id));
+        let other = session.selection.nodes.last().filter(|_| !has_selected);
+        let other = other.and_then(|id| {
+            let node = session.graph().nodes.get(id)?;
+            let kind: &NodeKind = session.project.catalog.of(node)?;
+            Some((name_of(node, kind), kind.input(bands::PORT).is_some()))
+        });
+        if let Some((title, true)) = other {
+            with_bands(ui, title, &mut commands);
+            return commands;
+        }
         let Some(layer) = layer else {
             hint(
                 ui,
@@ -211,6 +236,11 @@ impl Profile {
             );
             return commands;
         };
+        if let Some((selected, _)) = other {
+            let text =
+                tr!("{selected} has no profile; this is that of {shown}.", shown = layer.name());
+            ui.add(Label::new(RichText::new(text).small().color(theme::of(ui).dim)).wrap());
+        }
         ScrollArea::vertical()
             .auto_shrink([false, false])
             .show(ui, |ui| self.layer(ui, &layer, &mut commands));
