@@ -9,13 +9,14 @@ use eframe::egui::{Button, Popup, Rect, Role, Sense, Ui, Vec2, WidgetInfo, vec2}
 
 use crate::commands::{Command, SceneCommand, ShotCommand};
 use crate::document::Target;
+use crate::fields::scene_names;
 use crate::frame::{ResolvedShot, ValueChange};
 use crate::ids::{LightId, NodePath, ObjectId};
 use crate::state::keying::Owner;
 use crate::state::reading::{of_library, spoken};
 use crate::state::session::Session;
 use crate::state::session::shot::change_text;
-use crate::state::shot::ShotAddress;
+use crate::state::shot::{OpenShot, ShotAddress};
 use crate::widgets::theme;
 
 /// A value of a document, with the change that a shot makes of it.
@@ -26,6 +27,11 @@ pub(crate) struct ChangedValue<'s> {
 }
 
 impl<'s> ChangedValue<'s> {
+    /// A change by the open shot, or by one under it.
+    pub(crate) fn new(session: &'s Session, change: &'s ValueChange) -> Self {
+        Self { session, change }
+    }
+
     /// The change of a value of the open look or of the scene; `None` where no shot changes it.
     pub(crate) fn of(session: &'s Session, owner: Owner, target: &str) -> Option<Self> {
         Some(Self { session, change: session.change_by_shot(owner, target)? })
@@ -73,6 +79,21 @@ impl<'s> ChangedValue<'s> {
         })
     }
 
+    /// The value in words: what has it, and what it is.
+    pub(crate) fn name(self) -> String {
+        let Some(look) = &self.change.look else {
+            return scene_names::of(&self.change.target).join(": ");
+        };
+        let is_open = self.session.shot().and_then(OpenShot::open_look).as_ref() == Some(look);
+        let target = Target::parse(&self.change.target).filter(|_| is_open);
+        let value = match target {
+            Some(target) => self.session.look_with_library().names_of(&target).join(": "),
+            None => self.change.target.clone(),
+        };
+        let look = Path::new(look).file_stem().unwrap_or_default().to_string_lossy();
+        format!("{look}: {value}")
+    }
+
     /// Words for the reset of the value: the value that it brings back.
     pub(crate) fn reset_label(self) -> &'static str {
         match (self.is_over_another(), &self.change.look) {
@@ -84,7 +105,7 @@ impl<'s> ChangedValue<'s> {
 
     /// Sentence on the change.
     pub(crate) fn help(self) -> String {
-        let (from, to) = change_text(self.change);
+        let (from, to) = change_text(self.session, self.change);
         let by = self.by();
         match self.change.is_keyed {
             true => tr!("keyed by {by}: {from} before, {to} now"),
