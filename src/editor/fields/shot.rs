@@ -125,7 +125,9 @@ impl<'s> ChangedValue<'s> {
             ui.close();
         }
         let help = tr!("Keeps the present value at this frame; at others it may be another");
-        if ui.button(tr!("Key at this frame of the shot")).on_hover_text(help).clicked() {
+        if at.can_move()
+            && ui.button(tr!("Key at this frame of the shot")).on_hover_text(help).clicked()
+        {
             push(ShotCommand::Key(at));
             ui.close();
         }
@@ -290,20 +292,26 @@ pub(crate) fn mark(
 
 /// Room for the mark of values that the shot does not change, with a menu to key them.
 fn unchanged(ui: &mut Ui, size: Vec2, targets: &[String], label: &str, out: &mut Vec<Command>) {
+    let address = |target: &String| ShotAddress { look: None, target: target.clone() };
+    let addresses: Vec<ShotAddress> = targets.iter().map(address).collect();
+    if !addresses.iter().all(ShotAddress::can_move) {
+        ui.allocate_exact_size(size, Sense::hover());
+        return;
+    }
     let (_, response) = ui.allocate_exact_size(size, Sense::click());
     let name = tr!("Keys of the shot: {label}");
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
     Popup::menu(&response).show(|ui| {
-        for target in targets {
-            let text = match targets.len() {
+        for at in &addresses {
+            let text = match addresses.len() {
                 1 => tr!("Key at this frame of the shot").to_owned(),
                 _ => {
-                    let field = target.rsplit('.').next().unwrap_or(target);
+                    let field = at.target.rsplit('.').next().unwrap_or(&at.target);
                     tr!("Key {field} at this frame")
                 }
             };
             if ui.button(text).clicked() {
-                let at = ShotAddress { look: None, target: target.clone() };
+                let at = at.clone();
                 out.push(Command::Scene(SceneCommand::Shot(ShotCommand::Key(at))));
                 ui.close();
             }

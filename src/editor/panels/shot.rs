@@ -378,7 +378,7 @@ fn buttons(
             out.push(Command::Open(Some(change.by.clone())));
         }
     }
-    let is_open = change.look.is_none() || change.look == shot.open_look();
+    let is_open = at.can_move() && (change.look.is_none() || change.look == shot.open_look());
     let key = ui.add_enabled(is_open, Button::new(tr!("Key")).small());
     key.widget_info(|| WidgetInfo::labeled(Role::Button, is_open, tr!("Key {address}")));
     let frame = shot.frame_at(session.view.time);

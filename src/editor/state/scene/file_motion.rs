@@ -6,8 +6,8 @@ use crate::document::{Camera, MeshAnimation};
 use crate::frame::Setup;
 use crate::ids::ObjectId;
 
-/// Greatest number of rounds of a clip that are told.
-const MOST_ROUNDS: usize = 500;
+/// Greatest number of times of a clip that are told.
+const MOST_TIMES: usize = 1000;
 
 /// Clip of a mesh's file that an object plays.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,24 +26,32 @@ pub(crate) struct PlayedClip {
 impl PlayedClip {
     /// Times at which the clip begins anew or ends, within a range of times of the scene, in
     /// seconds.
-    pub(crate) fn seams(&self, [from, to]: [f64; 2]) -> Vec<f64> {
+    pub(crate) fn seams(&self, range: [f64; 2]) -> Vec<f64> {
+        let ends = if self.played.loops { &[0.0][..] } else { &[0.0, self.seconds] };
+        self.times_of(ends, range)
+    }
+
+    /// Times of the scene at which the clip is at some of its own times, in seconds; empty where
+    /// they are too many to be told apart.
+    fn times_of(&self, own: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
         let MeshAnimation { speed, offset, loops, .. } = self.played;
         if speed == 0.0 || self.seconds <= 0.0 {
             return Vec::new();
         }
-        let round = |time: f64| (offset + time * speed) / self.seconds;
-        let (low, high) = (round(from).min(round(to)), round(from).max(round(to)));
-        let [first, last] = if loops {
-            [low.ceil(), high.floor()]
+        let time = |round: f64, own: f64| (round * self.seconds + own - offset) / speed;
+        let round = |time: f64| ((offset + time * speed) / self.seconds).floor();
+        let rounds = if loops {
+            [round(from).min(round(to)), round(from).max(round(to))]
         } else {
-            [low.ceil().max(0.0), high.floor().min(1.0)]
+            [0.0, 0.0]
         };
-        if !(0.0..MOST_ROUNDS as f64).contains(&(last - first)) {
+        let count = (rounds[1] - rounds[0] + 1.0) * own.len() as f64;
+        if !(1.0..MOST_TIMES as f64).contains(&count) {
             return Vec::new();
         }
-        let count = (last - first) as usize;
-        let time = |at: usize| ((first + at as f64) * self.seconds - offset) / speed;
-        (0..=count).map(time).collect()
+        let each = (0..=(rounds[1] - rounds[0]) as usize).map(|at| rounds[0] + at as f64);
+        let all = each.flat_map(|round| own.iter().map(move |own| time(round, *own)));
+        all.filter(|time| (from..=to).contains(time)).collect()
     }
 }
 
@@ -119,8 +127,8 @@ mod tests {
         assert_eq!(clip(2.0, 1.0, true).seams([0.0, 2.0]), [0.5, 1.5]);
         assert_eq!(clip(-1.0, 0.0, true).seams([0.5, 4.5]), [4.0, 2.0]);
         assert_eq!(clip(1.0, -1.0, false).seams(range), [1.0, 3.0], "it begins and ends");
-        assert_eq!(clip(1.0, 5.0, false).seams(range), [], "it has ended");
-        assert_eq!(clip(0.0, 0.0, true).seams(range), [], "it stands still");
-        assert_eq!(clip(1e9, 0.0, true).seams(range), [], "too many to be told");
+        assert!(clip(1.0, 5.0, false).seams(range).is_empty(), "it has ended");
+        assert!(clip(0.0, 0.0, true).seams(range).is_empty(), "it stands still");
+        assert!(clip(1e9, 0.0, true).seams(range).is_empty(), "too many to be told");
     }
 }

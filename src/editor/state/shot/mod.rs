@@ -92,6 +92,15 @@ impl ShotAddress {
         Self { look: change.look.clone(), target: change.target.clone() }
     }
 
+    /// False for what is read once for all frames, and so has no keys: meshes, whether they are
+    /// fitted, and which looks objects wear.
+    pub(crate) fn can_move(&self) -> bool {
+        let of_object = self.target.strip_prefix("objects.").filter(|_| self.look.is_none());
+        let field = of_object.and_then(|rest| rest.split_once('.')).map_or("", |(_, field)| field);
+        let first = field.split('.').next().unwrap_or_default();
+        !["mesh", "looks"].contains(&first) && field != "transform.fit"
+    }
+
     /// The address in words.
     pub(crate) fn text(&self) -> String {
         value_address(self.look.as_deref(), &self.target)
@@ -481,4 +490,21 @@ fn free_place(beside: &Path) -> PathBuf {
 
 fn file_name(path: &str) -> PathBuf {
     Path::new(path).file_name().map(PathBuf::from).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_read_once_has_no_keys() {
+        let can_move =
+            |target: &str| ShotAddress { look: None, target: target.to_owned() }.can_move();
+        for fixed in ["mesh", "looks", "looks.*", "looks.cap", "transform.fit"] {
+            assert!(!can_move(&format!("objects.hob.{fixed}")), "{fixed}");
+        }
+        for moving in ["objects.hob.transform.rotate", "objects.mesh.visible", "backdrop"] {
+            assert!(can_move(moving), "{moving}");
+        }
+    }
 }
