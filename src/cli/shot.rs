@@ -8,12 +8,10 @@ use serde_json::{Value as Json, json};
 use super::open::beside;
 use super::output::Output;
 use super::target::outputs;
-use crate::catalog::values;
 use crate::diag::{Diagnostic, has_errors};
-use crate::document::{
-    ColorSpace, Document, LoadedDocument, Override, Shot, linear_to_srgb, parse_hex, value_address,
-};
+use crate::document::{ColorSpace, Document, LoadedDocument, Override, Shot, value_address};
 use crate::files::{Disk, OutputKind};
+use crate::film::{color_space, color_text, is_hex};
 use crate::frame::{Assets, ResolvedShot, Setup, SetupLook, ValueChange, open};
 
 const EXAMPLES: &str = "\
@@ -164,38 +162,14 @@ pub(super) fn changes_text(changes: &[ValueChange], with_files: bool, setup: &Se
 
 /// The space of the numbers of a color; `None` where the value is none.
 fn color_space_of(change: &ValueChange, setup: &Setup) -> Option<ColorSpace> {
-    let name = change.target.rsplit('.').next().unwrap_or_default();
-    let is_named = ["color", "tint", "backdrop"].iter().any(|color| name.ends_with(color));
-    if !(is_named || is_hex(&change.from) || is_hex(&change.to)) {
-        return None;
-    }
     // Lights have the space of the looks that they light.
     let is_meant = |look: &&SetupLook| {
         change.look.as_deref().is_none_or(|path| Path::new(path) == Path::new(look.source.file()))
     };
     let mut looks = setup.looks.iter().filter(is_meant).map(|look| look.look.color_space);
     let first = looks.next().unwrap_or_default();
-    Some(if looks.all(|space| space == first) { first } else { ColorSpace::Display })
-}
-
-fn is_hex(value: &Json) -> bool {
-    value.as_str().and_then(parse_hex).is_some()
-}
-
-/// A color as the window's fields have it, `#ff8000`; `None` for what no screen shows.
-fn color_text(numbers: &[Json], space: ColorSpace) -> Option<String> {
-    let numbers: Option<Vec<f64>> = numbers.iter().map(Json::as_f64).collect();
-    let (rgb, a) = match numbers?[..] {
-        [r, g, b] => ([r, g, b], 1.0),
-        [r, g, b, a] => ([r, g, b], a),
-        _ => return None,
-    };
-    let [r, g, b] = match space {
-        ColorSpace::Display => rgb,
-        ColorSpace::Linear => rgb.map(linear_to_srgb),
-    };
-    let is_shown = [r, g, b, a].iter().all(|x| (0.0..=1.0).contains(x));
-    is_shown.then(|| values::hex([r, g, b, a]))
+    let is_one = looks.all(|space| space == first);
+    color_space(change, if is_one { first } else { ColorSpace::Display })
 }
 
 /// A value on a line, of a color in a space as fields have it; keys by their frames.

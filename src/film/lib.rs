@@ -9,12 +9,13 @@
 //! [`farm`] writes the jobs of render farms. [`comp`] writes what puts a picture together from its
 //! layers, in a compositor. A [`DisplayView`] shows a picture as OpenColorIO has it.
 
-use chiaro_compiler::{compile, document, library};
+use chiaro_compiler::{catalog, compile, document, library};
 use chiaro_files as files;
 use chiaro_language::{diag, ids, progress};
 use chiaro_scene::{frame, geometry};
 
 mod animation;
+mod changes;
 pub mod comp;
 mod contributions;
 mod cryptomatte;
@@ -31,6 +32,7 @@ mod tables;
 mod view;
 
 pub use animation::{animated, rgb8};
+pub use changes::{color_space, color_text, is_hex};
 pub use contributions::{ContributionLayers, Contributions, contributions, light_shares};
 pub use cryptomatte::{Cryptomatte, MatteCoverage};
 pub use document::FrameRate;

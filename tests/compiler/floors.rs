@@ -50,7 +50,7 @@ const CRATES: &[(&str, &[&[&str]])] = &[
     (
         "film",
         &[
-            &["frames", "label", "naming", "tables"],
+            &["changes", "frames", "label", "naming", "tables"],
             &["contributions", "exr"],
             &["cryptomatte"],
             &["layers"],

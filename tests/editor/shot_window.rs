@@ -1,9 +1,10 @@
 //! Shots as people make them in the window: begun over a scene or a look, with markers, a frame
 //! around the picture, values of one use of a group, and the cells of a wedge's sheet.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use chiaro::document::{Edit, GraphId, SceneEdit, Shot, Value};
+use chiaro::document::{Camera, Edit, GraphId, SceneEdit, Shot, Value};
+use chiaro::frame::{Assets, open};
 use eframe::egui::{Key, Modifiers, Role, vec2};
 
 use crate::editor_support::User;
@@ -270,4 +271,91 @@ fn a_cell_is_taken_from_the_picture_of_its_sheet() {
     hand.click(row);
     hand.settle();
     assert_eq!(intensity(&hand), 1.5);
+}
+
+/// The shot's cameras of some frames, as they are drawn from its file.
+fn cameras(home: &Home) -> Vec<Camera> {
+    let setup = open(&home.file("shot.json"), None, &mut Assets::default()).unwrap().value;
+    (0..=48).step_by(3).map(|frame| setup.seen_camera(f64::from(frame) / 24.0)).collect()
+}
+
+#[test]
+fn the_camera_of_a_file_has_a_track_and_becomes_keys_of_the_shot() {
+    const SWAYING: &str = r#"{"chiaro": "scene",
+     "objects": [{"id": "sprout", "mesh": "sprout.glb", "animation": {"name": "sway"},
+      "transform": {"fit": false}, "looks": "look.json"}],
+     "camera": {"eye": [0, 2.15, 7], "target": [0, 1.3, 0]},
+     "file_camera": {"object": "sprout", "name": "shot"}}"#;
+    let home = Home::new();
+    write(&home, &[("look.json", LOOK), ("scene.json", SWAYING), ("shot.json", SHOT)]);
+    let mesh = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/meshes/sprout.glb");
+    std::fs::copy(mesh, home.file("sprout.glb")).unwrap();
+    let before = cameras(&home);
+    assert_ne!(before[0].eye, before[8].eye, "the file moves it");
+    let mut hand = home.window(Some(&home.file("shot.json")));
+    hand.settle();
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Timeline");
+    let nothing = hand.empty_place();
+    hand.click(nothing);
+    hand.settle();
+    assert!(hand.has("Track in sprout.glb: camera shot"));
+    assert!(hand.has("Track in sprout.glb: clip sway of sprout"));
+    hand.press("Make keys of it");
+    let named = |hand: &User| -> Vec<(String, usize)> {
+        shot(hand).overrides.iter().map(|it| (it.target.clone(), it.keys.len())).collect()
+    };
+    let [(eye, eyes), (target, targets), (up, ups)] = named(&hand).try_into().unwrap();
+    assert_eq!([&*eye, &*target, &*up], ["camera.eye", "camera.target", "camera.up"]);
+    assert!((2..25).contains(&eyes) && targets <= eyes, "{eyes} and {targets} of 49 frames");
+    assert_eq!(ups, 0, "it does not lean");
+    assert!(hand.has("Keys of the shot stand over it") && hand.steps() == 1);
+    assert!(hand.has("Frame key 1 of Camera: Eye"));
+    // Pictures are drawn from where they were.
+    save(&mut hand);
+    for (was, is) in before.iter().zip(cameras(&home)) {
+        let off = |a: [f64; 3], b: [f64; 3]| (0..3).map(|at| (a[at] - b[at]).abs()).sum::<f64>();
+        assert!(off(was.eye, is.eye) < 0.02 && off(was.target, is.target) < 0.02, "{is:?}");
+        assert_eq!((was.fov, was.aspect), (is.fov, is.aspect), "the lens is the file's");
+    }
+    hand.undo();
+    hand.settle();
+    assert!(named(&hand).is_empty() && hand.has("Make keys of it"));
+}
+
+#[test]
+fn the_timeline_of_a_shot_counts_frames() {
+    let home = Home::new();
+    let mut hand = opened(&home, "shot.json");
+    hand.press("View");
+    hand.press_a(Role::CheckBox, "Timeline");
+    let nothing = hand.empty_place();
+    hand.click(nothing);
+    assert!(!hand.has("Frame rate"), "the shot has a rate of its own");
+    let frame = hand.fields_called("Frame at the playhead")[0];
+    hand.type_over(frame, "36");
+    hand.settle();
+    assert_eq!(hand.app().session().view().time(), 1.5);
+    // What is keyed stands in the first row, beside the frames.
+    let [play, key] = ["Play", "Key a value"].map(|name| hand.place(name).center().y);
+    assert!((play - key).abs() < 4.0, "{play} and {key}");
+}
+
+#[test]
+fn what_a_shot_says_over_its_sequence_is_reset() {
+    const NEAR: &str = r#"{"chiaro": "shot", "scene": "shot.json", "step": 2,
+     "overrides": [{"target": "backdrop", "value": [1, 0, 0, 1]},
+      {"target": "camera.fov", "keys": [{"frame": 0, "value": 0.5}, {"frame": 8, "value": 1}]}]}"#;
+    let home = Home::new();
+    write(&home, &FILES);
+    write(&home, &[("near.json", NEAR)]);
+    let mut hand = home.window(Some(&home.file("near.json")));
+    hand.settle();
+    hand.tab("Shot");
+    assert!(hand.says("set to #ff0000"), "a color is told as fields have it");
+    assert!(hand.says("keyed to 0.5 at 0, 1 at 8"), "and keys with their frames");
+    hand.press("Changed by the shot: Shading on");
+    hand.press("Reset to the sequence's");
+    assert_eq!((shot(&hand).step, hand.steps()), (None, 1));
+    assert!(!hand.has("Changed by the shot: Shading on"));
 }

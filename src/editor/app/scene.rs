@@ -13,6 +13,7 @@ use crate::examples;
 use crate::frame::{ANY_MATERIAL, SHAPE_PREFIX, look_of};
 use crate::ids::{NodePath, ObjectId, make_slug};
 use crate::state::scene::{OPEN_LOOK, OpenScene};
+use crate::state::session::Session;
 use crate::state::shot::{OpenShot, ShotAddress};
 use crate::widgets::spots::{self, Spot};
 
@@ -80,6 +81,7 @@ impl App {
             ShotCommand::Key(at) => {
                 self.tell(|session| session.key_in_shot(&at));
             }
+            ShotCommand::KeyCameraOfFile => self.tell(Session::key_camera_of_file),
             ShotCommand::Show(at) => self.show_value(ui, &at),
         }
         if frames(self) != before {

@@ -19,6 +19,8 @@ pub(crate) enum ShotCommand {
     Reset(ShotAddress),
     /// Keys a value at the present frame.
     Key(ShotAddress),
+    /// Makes keys of the shot of the camera that a mesh's file moves.
+    KeyCameraOfFile,
     /// Brings a value that the shot changes into view: its object, its light or its node.
     Show(ShotAddress),
 }

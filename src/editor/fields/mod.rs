@@ -16,6 +16,7 @@ pub(crate) mod node_links;
 pub(crate) mod passes;
 pub(crate) mod path;
 pub(crate) mod row;
+pub(crate) mod scene_names;
 pub(crate) mod shot;
 pub(crate) mod wedge;
 pub(crate) mod wire_value;

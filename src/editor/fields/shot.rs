@@ -9,13 +9,14 @@ use eframe::egui::{Button, Popup, Rect, Role, Sense, Ui, Vec2, WidgetInfo, vec2}
 
 use crate::commands::{Command, SceneCommand, ShotCommand};
 use crate::document::Target;
+use crate::fields::scene_names;
 use crate::frame::{ResolvedShot, ValueChange};
 use crate::ids::{LightId, NodePath, ObjectId};
 use crate::state::keying::Owner;
 use crate::state::reading::{of_library, spoken};
 use crate::state::session::Session;
 use crate::state::session::shot::change_text;
-use crate::state::shot::ShotAddress;
+use crate::state::shot::{OpenShot, ShotAddress};
 use crate::widgets::theme;
 
 /// A value of a document, with the change that a shot makes of it.
@@ -26,6 +27,11 @@ pub(crate) struct ChangedValue<'s> {
 }
 
 impl<'s> ChangedValue<'s> {
+    /// A change by the open shot, or by one under it.
+    pub(crate) fn new(session: &'s Session, change: &'s ValueChange) -> Self {
+        Self { session, change }
+    }
+
     /// The change of a value of the open look or of the scene; `None` where no shot changes it.
     pub(crate) fn of(session: &'s Session, owner: Owner, target: &str) -> Option<Self> {
         Some(Self { session, change: session.change_by_shot(owner, target)? })
@@ -73,6 +79,21 @@ impl<'s> ChangedValue<'s> {
         })
     }
 
+    /// The value in words: what has it, and what it is.
+    pub(crate) fn name(self) -> String {
+        let Some(look) = &self.change.look else {
+            return scene_names::of(&self.change.target).join(": ");
+        };
+        let is_open = self.session.shot().and_then(OpenShot::open_look).as_ref() == Some(look);
+        let target = Target::parse(&self.change.target).filter(|_| is_open);
+        let value = match target {
+            Some(target) => self.session.look_with_library().names_of(&target).join(": "),
+            None => self.change.target.clone(),
+        };
+        let look = Path::new(look).file_stem().unwrap_or_default().to_string_lossy();
+        format!("{look}: {value}")
+    }
+
     /// Words for the reset of the value: the value that it brings back.
     pub(crate) fn reset_label(self) -> &'static str {
         match (self.is_over_another(), &self.change.look) {
@@ -84,7 +105,7 @@ impl<'s> ChangedValue<'s> {
 
     /// Sentence on the change.
     pub(crate) fn help(self) -> String {
-        let (from, to) = change_text(self.change);
+        let (from, to) = change_text(self.session, self.change);
         let by = self.by();
         match self.change.is_keyed {
             true => tr!("keyed by {by}: {from} before, {to} now"),
@@ -104,7 +125,9 @@ impl<'s> ChangedValue<'s> {
             ui.close();
         }
         let help = tr!("Keeps the present value at this frame; at others it may be another");
-        if ui.button(tr!("Key at this frame of the shot")).on_hover_text(help).clicked() {
+        if at.can_move()
+            && ui.button(tr!("Key at this frame of the shot")).on_hover_text(help).clicked()
+        {
             push(ShotCommand::Key(at));
             ui.close();
         }
@@ -269,20 +292,26 @@ pub(crate) fn mark(
 
 /// Room for the mark of values that the shot does not change, with a menu to key them.
 fn unchanged(ui: &mut Ui, size: Vec2, targets: &[String], label: &str, out: &mut Vec<Command>) {
+    let address = |target: &String| ShotAddress { look: None, target: target.clone() };
+    let addresses: Vec<ShotAddress> = targets.iter().map(address).collect();
+    if !addresses.iter().all(ShotAddress::can_move) {
+        ui.allocate_exact_size(size, Sense::hover());
+        return;
+    }
     let (_, response) = ui.allocate_exact_size(size, Sense::click());
     let name = tr!("Keys of the shot: {label}");
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
     Popup::menu(&response).show(|ui| {
-        for target in targets {
-            let text = match targets.len() {
+        for at in &addresses {
+            let text = match addresses.len() {
                 1 => tr!("Key at this frame of the shot").to_owned(),
                 _ => {
-                    let field = target.rsplit('.').next().unwrap_or(target);
+                    let field = at.target.rsplit('.').next().unwrap_or(&at.target);
                     tr!("Key {field} at this frame")
                 }
             };
             if ui.button(text).clicked() {
-                let at = ShotAddress { look: None, target: target.clone() };
+                let at = at.clone();
                 out.push(Command::Scene(SceneCommand::Shot(ShotCommand::Key(at))));
                 ui.close();
             }

@@ -3,13 +3,14 @@
 
 use chiaro_locale::{Text, text, tr};
 use eframe::egui::{
-    Align, Button, ComboBox, DragValue, Label, Layout, RichText, Role, ScrollArea, Sense, TextEdit,
-    Ui, WidgetInfo,
+    Align, Button, ComboBox, DragValue, Id, Label, Layout, Popup, RichText, Role, ScrollArea,
+    Sense, TextEdit, Ui, WidgetInfo,
 };
 
 use crate::commands::{Command, PanelId, SceneCommand, ShotCommand, ViewCommand};
 use crate::document::{FrameRate, ShotEdit};
-use crate::fields::row::labelled;
+use crate::fields::row::{self, labelled};
+use crate::fields::shot::{self, ChangedValue};
 use crate::frame::ValueChange;
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::session::Session;
@@ -78,13 +79,61 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
             push(out, ShotCommand::EditHeld(response.id, ShotEdit::SetShotName { name }));
         }
     });
-    let inherited = |is_own: bool| match is_own {
-        true => tr!("This shot says so itself"),
-        false => tr!("As what lies under it says; a change is this shot's own"),
+    frames(ui, session, shot, out);
+    rate(ui, shot, out);
+    size(ui, shot, out);
+    step(ui, shot, out);
+    views(ui, session, out);
+}
+
+/// Shows a row of what a shot may leave to the documents under it. Said by the shot itself over a
+/// sequence, it has the mark of a change, with the way back by `reset`.
+fn inherited(
+    ui: &mut Ui,
+    shot: &OpenShot,
+    (label, help): (&str, &str),
+    (is_own, reset): (bool, ShotEdit),
+    out: &mut Vec<Command>,
+    add: impl FnOnce(&mut Ui, Id, &mut Vec<Command>),
+) {
+    let is_over_shot = shot.stack().shots.len() > 1;
+    let from = match (is_own, is_over_shot) {
+        (true, true) => tr!("This shot says so itself, over the sequence; the bar resets it"),
+        (true, false) => tr!("This shot says so itself"),
+        (false, _) => tr!("As what lies under it says; a change is this shot's own"),
     };
+    let help = if help.is_empty() { from.to_owned() } else { format!("{help}\n{from}") };
+    let text = RichText::new(label).color(theme::of(ui).text);
+    let mut is_reset = false;
+    let slot = |ui: &mut Ui, size| {
+        let is_marked = is_own && is_over_shot;
+        let sense = if is_marked { Sense::click() } else { Sense::hover() };
+        let (rect, response) = ui.allocate_exact_size(size, sense);
+        if !is_marked {
+            return;
+        }
+        let name = tr!("Changed by the shot: {label}");
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+        shot::bar(ui, rect);
+        Popup::menu(&response).show(|ui| {
+            if ui.button(tr!("Reset to the sequence's")).clicked() {
+                is_reset = true;
+                ui.close();
+            }
+        });
+        response.on_hover_text(&help);
+    };
+    row::with_slot(ui, text, &help, slot, |ui, id| add(ui, id, out));
+    if is_reset {
+        push(out, ShotCommand::Edit(reset));
+    }
+}
+
+fn frames(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>) {
     let [mut first, mut last] = shot.stack().frames();
     let before = [first, last];
-    labelled(ui, tr!("Frames"), inherited(shot.shot().frames.is_some()), |ui, _| {
+    let own = (shot.shot().frames.is_some(), ShotEdit::SetFrames { frames: None });
+    inherited(ui, shot, (tr!("Frames"), ""), own, out, |ui, _, out| {
         for (frame, name, is_first) in
             [(&mut first, tr!("First frame"), true), (&mut last, tr!("Last frame"), false)]
         {
@@ -105,7 +154,11 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
         ui.label(RichText::new(text).color(theme::of(ui).dim))
             .on_hover_text(tr!("The frame at the playhead of the timeline"));
     });
-    labelled(ui, tr!("Rate"), inherited(shot.shot().rate.is_some()), |ui, label| {
+}
+
+fn rate(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
+    let own = (shot.shot().rate.is_some(), ShotEdit::SetRate { rate: None });
+    inherited(ui, shot, (tr!("Rate"), ""), own, out, |ui, label, out| {
         let now = shot.rate();
         let combo = ComboBox::from_id_salt("rate").selected_text(tr!("{now} a second"));
         let combo = combo.show_ui(ui, |ui| {
@@ -117,13 +170,19 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
         });
         combo.response.labelled_by(label);
     });
-    size(ui, shot, out);
-    let help = tr!("Looks, lights and values of objects are held for so many frames; cameras and \
-                    objects move on every one");
-    labelled(ui, tr!("Shading on"), help, |ui, _| {
+}
+
+/// Shows for how many frames shading is held.
+fn step(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
+    let help =
+        tr!("Looks and lights change only on every second frame (twos) or every third (threes), \
+             as if drawn by hand, while the camera and objects move on each. Ones holds nothing.");
+    let own = (shot.shot().step.is_some(), ShotEdit::SetStep { step: None });
+    inherited(ui, shot, (tr!("Shading on"), help), own, out, |ui, _, out| {
         ui.spacing_mut().item_spacing.x = 2.0;
+        let now = shot.stack().step();
         for (step, text) in STEPS {
-            let is_it = shot.stack().step() == step;
+            let is_it = now == step;
             let name = tr!("Shading on {text}");
             let response = ui.selectable_label(is_it, text.tr());
             response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_it, &name));
@@ -131,7 +190,15 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
                 push(out, ShotCommand::Edit(ShotEdit::SetStep { step: Some(step) }));
             }
         }
+        // A file may hold for longer.
+        if STEPS.iter().all(|(step, _)| *step != now) {
+            let _ = ui.selectable_label(true, now.to_string()).on_hover_text(help);
+        }
     });
+}
+
+/// Shows the buttons that look through the shot's camera, keep the view, and render.
+fn views(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     ui.horizontal_wrapped(|ui| {
         let follows = session.follows_shot();
         let help = tr!(
@@ -163,7 +230,9 @@ fn about(ui: &mut Ui, session: &Session, shot: &OpenShot, out: &mut Vec<Command>
 }
 
 fn size(ui: &mut Ui, shot: &OpenShot, out: &mut Vec<Command>) {
-    labelled(ui, tr!("Size"), tr!("Width and height of its pictures, in pixels"), |ui, _| {
+    let help = tr!("Width and height of its pictures, in pixels");
+    let own = (shot.shot().size.is_some(), ShotEdit::SetSize { size: None });
+    inherited(ui, shot, (tr!("Size"), help), own, out, |ui, _, out| {
         let Some(mut size) = shot.stack().size() else {
             if ui
                 .button(tr!("by the command"))
@@ -256,7 +325,8 @@ fn row(
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             buttons(ui, (session, shot), change, &address, out);
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let text = RichText::new(&address).color(color);
+                let name = ChangedValue::new(session, change).name();
+                let text = RichText::new(name).color(color);
                 let response = ui.add(Label::new(text).sense(Sense::click()).truncate());
                 response
                     .widget_info(|| WidgetInfo::labeled(Role::Link, true, tr!("Show {address}")));
@@ -267,7 +337,7 @@ fn row(
             });
         });
     });
-    let (from, to) = change_text(change);
+    let (from, to) = change_text(session, change);
     let (mut text, help) = match change.is_keyed {
         true => {
             (tr!("{from} before, keyed to {to}"), tr!("keyed by {by}: {from} before, {to} now"))
@@ -308,7 +378,7 @@ fn buttons(
             out.push(Command::Open(Some(change.by.clone())));
         }
     }
-    let is_open = change.look.is_none() || change.look == shot.open_look();
+    let is_open = at.can_move() && (change.look.is_none() || change.look == shot.open_look());
     let key = ui.add_enabled(is_open, Button::new(tr!("Key")).small());
     key.widget_info(|| WidgetInfo::labeled(Role::Button, is_open, tr!("Key {address}")));
     let frame = shot.frame_at(session.view.time);

@@ -4,16 +4,20 @@ use chiaro_locale::tr;
 use eframe::egui;
 use eframe::egui::{
     Align2, DragValue, FontId, Frame, Label, Margin, Rect, RichText, Role, Sense, Slider, Stroke,
-    Ui, UiBuilder, WidgetInfo, pos2, vec2,
+    Ui, UiBuilder, Vec2, WidgetInfo, pos2, vec2,
 };
 
 use crate::commands::{Command, SceneCommand};
 use crate::document::{ColorSpace, GroupMaster, MAX_EXPOSURE, SetTerm};
 use crate::fields::mix::SceneMix;
+use crate::fields::shot;
 use crate::ids::LightGroup;
+use crate::state::session::Session;
 use crate::widgets::color;
 use crate::widgets::theme;
 
+/// Size of the mark of what a shot changes, in points.
+const MARK: Vec2 = vec2(9.0, 18.0);
 /// Width of a channel, in points.
 const WIDTH: f32 = 92.0;
 /// Least height of a fader, in points.
@@ -50,11 +54,12 @@ pub(super) fn fader_height(room: f32) -> f32 {
 /// Shows the channel of a group, with a fader of this height.
 pub(super) fn show(
     ui: &mut Ui,
+    session: &Session,
     mix: SceneMix<'_>,
-    group: &LightGroup,
-    (space, fader): (ColorSpace, f32),
+    (group, fader): (&LightGroup, f32),
     out: &mut Vec<Command>,
 ) {
+    let space = session.look().color_space;
     let master = mix.master(group);
     let name = if master.name.is_empty() { group.as_str() } else { &master.name };
     let term = SetTerm::Group(group.to_string());
@@ -66,7 +71,16 @@ pub(super) fn show(
         ui.set_width(WIDTH - 12.0);
         ui.vertical_centered(|ui| {
             ui.spacing_mut().item_spacing.y = 4.0;
-            title(ui, mix, name, &term);
+            match session.shot() {
+                None => title(ui, mix, name, &term),
+                Some(_) => drop(ui.horizontal(|ui| {
+                    ui.spacing_mut().item_spacing.x = 0.0;
+                    let fields = ["intensity", "exposure", "tint"];
+                    let targets = fields.map(|field| format!("light_groups.{group}.{field}"));
+                    shot::mark(ui, MARK, session, &targets, name, out);
+                    title(ui, mix, name, &term);
+                })),
+            }
             ui.horizontal(|ui| {
                 ui.spacing_mut().item_spacing.x = 3.0;
                 mix.mute(ui, &tr!("Group {name} shines"), &term, out);

@@ -72,8 +72,7 @@ fn channels(
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             for group in groups {
-                let form = (session.look().color_space, fader);
-                ui.push_id(group, |ui| channel::show(ui, mix, group, form, out));
+                ui.push_id(group, |ui| channel::show(ui, session, mix, (group, fader), out));
             }
         });
     });

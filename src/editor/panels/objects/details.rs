@@ -71,10 +71,12 @@ impl Details {
     pub(super) fn show(&mut self, ui: &mut Ui, fields: &mut Fields<'_>) {
         let Fields { open_scene, id, object, .. } = *fields;
         ui.push_id(id, |ui| {
-            labelled(ui, tr!("Mesh"), tr!("What it is made of"), |ui, label| {
-                mesh(ui, label, open_scene, id, object, fields.out);
+            let mut out = Vec::new();
+            fields.row(ui, (tr!("Mesh"), tr!("What it is made of")), &["mesh"], |ui, label| {
+                mesh(ui, label, open_scene, id, object, &mut out);
             });
-            looks(ui, open_scene, id, object, fields.out);
+            fields.out.append(&mut out);
+            looks(ui, fields);
             super::motion::animation(ui, fields);
             let mut new = object.transform;
             let mut widget = None;
@@ -97,22 +99,18 @@ impl Details {
                 },
             );
             handles(ui, fields);
-            labelled(
-                ui,
-                tr!("object" => "Fit"),
-                tr!("Brings the mesh to the middle, and its sphere to radius 1, before all else"),
-                |ui, _| {
-                    let fit = ui.add(Checkbox::without_text(&mut new.fit));
-                    ui.ctx()
-                        .accesskit_node_builder(fit.id, |node| node.set_label(tr!("Fit the mesh")));
-                    if fit.changed() {
-                        widget = Some(fit.id);
-                    }
-                    if let Some(turned) = turns(ui, &mut new) {
-                        widget = Some(turned);
-                    }
-                },
-            );
+            let help =
+                tr!("Brings the mesh to the middle, and its sphere to radius 1, before all else");
+            fields.row(ui, (tr!("object" => "Fit"), help), &["transform.fit"], |ui, _| {
+                let fit = ui.add(Checkbox::without_text(&mut new.fit));
+                ui.ctx().accesskit_node_builder(fit.id, |node| node.set_label(tr!("Fit the mesh")));
+                if fit.changed() {
+                    widget = Some(fit.id);
+                }
+                if let Some(turned) = turns(ui, &mut new) {
+                    widget = Some(turned);
+                }
+            });
             if let Some(widget) = widget.filter(|_| new != object.transform) {
                 let edit = open_scene.change(id, |object| object.transform = new);
                 fields.out.extend(edit.map(|edit| SceneCommand::EditHeld(widget, edit)));
@@ -232,13 +230,9 @@ fn mesh(
 
 /// Shows a row for the look of all materials, and one for each material where the mesh has several
 /// or the object names some.
-fn looks(
-    ui: &mut Ui,
-    open_scene: &OpenScene,
-    id: &ObjectId,
-    object: &Object,
-    out: &mut Vec<SceneCommand>,
-) {
+fn looks(ui: &mut Ui, fields: &mut Fields<'_>) {
+    let Fields { open_scene, id, object, .. } = *fields;
+    let mut out = Vec::new();
     let known = open_scene.materials(id);
     let mut materials: Vec<&str> =
         known.iter().map(String::as_str).filter(|_| known.len() > 1).collect();
@@ -254,15 +248,18 @@ fn looks(
     } else {
         tr!("What all materials wear that have no look of their own")
     };
-    labelled(ui, tr!("Look"), help, |ui, label| {
-        look(ui, label, open_scene, id, object, ANY_MATERIAL, out);
+    let field = |material: &str| format!("looks.{material}");
+    fields.row(ui, (tr!("Look"), help), &["looks", &field(ANY_MATERIAL)], |ui, label| {
+        look(ui, label, open_scene, id, object, ANY_MATERIAL, &mut out);
     });
     for material in materials {
         let shown = if material.is_empty() { tr!("(no name)") } else { material };
-        labelled(ui, shown, tr!("What this material wears"), |ui, label| {
-            look(ui, label, open_scene, id, object, material, out);
+        let help = tr!("What this material wears");
+        fields.row(ui, (shown, help), &[&field(material)], |ui, label| {
+            look(ui, label, open_scene, id, object, material, &mut out);
         });
     }
+    fields.out.append(&mut out);
 }
 
 fn look(

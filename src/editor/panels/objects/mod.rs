@@ -74,7 +74,7 @@ impl Objects {
         ScrollArea::vertical().auto_shrink([false, false]).id_salt("objects").show(ui, |ui| {
             // The margin is room for the scroll bar.
             ui.set_max_width(ui.available_width() - 8.0);
-            words::show(ui, open_scene.scene(), &mut out);
+            words::show(ui, session, open_scene.scene(), &mut out, &mut commands);
             motion::camera(ui, session, open_scene, &mut out, &mut commands);
             if open_scene.scene().objects.is_empty() {
                 hint(ui, tr!("The scene has no objects yet."));

@@ -4,12 +4,21 @@ use chiaro_locale::tr;
 use eframe::egui::{CollapsingHeader, TextEdit, Ui};
 
 use super::outlines;
-use crate::commands::SceneCommand;
+use crate::commands::{Command, SceneCommand};
 use crate::document::{Scene, SceneEdit};
 use crate::fields::row::labelled;
+use crate::fields::shot::{self, ChangedValue};
+use crate::state::keying::Owner;
+use crate::state::session::Session;
 
 /// Shows all fields, in a collapsible section.
-pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<SceneCommand>) {
+pub(super) fn show(
+    ui: &mut Ui,
+    session: &Session,
+    scene: &Scene,
+    out: &mut Vec<SceneCommand>,
+    commands: &mut Vec<Command>,
+) {
     let unnamed = tr!("Name, about, outlines");
     let title = if scene.name.is_empty() { unnamed.to_owned() } else { scene.name.clone() };
     let section = CollapsingHeader::new(title).id_salt("words of the scene").show(ui, |ui| {
@@ -31,9 +40,12 @@ pub(super) fn show(ui: &mut Ui, scene: &Scene, out: &mut Vec<SceneCommand>) {
                 out.push(SceneCommand::EditHeld(response.id, SceneEdit::SetSceneAbout { about }));
             }
         });
-        outlines::show(ui, scene, out);
+        outlines::show(ui, session, scene, out, commands);
     });
-    section
-        .header_response
-        .on_hover_text(tr!("What the scene is called, what it shows, and lines over it"));
+    let header = section.header_response;
+    let mut changes = ChangedValue::all(session, Owner::Scene);
+    if changes.any(|changed| changed.change.target.starts_with("outlines.")) {
+        shot::bar(ui, header.rect);
+    }
+    header.on_hover_text(tr!("What the scene is called, what it shows, and lines over it"));
 }

@@ -1,6 +1,7 @@
 //! Scene around the open look. A scene has a past, a file and a journal of its own, as
 //! the look has; the looks of objects that do not wear the open one come from their files.
 
+mod file_motion;
 mod files;
 mod looks;
 mod names;
@@ -29,6 +30,7 @@ use crate::state::paths::absolute;
 use crate::state::reading::Parameter;
 use crate::state::revision::{GestureId, PictureRevision, StepTime};
 use crate::state::shot::OpenShot;
+pub(crate) use file_motion::{CameraInFile, FileMotion, PlayedClip};
 use looks::{ClosedLook, Looks};
 pub(crate) use names::{folder_of, real, relative};
 pub(crate) use objects::{

@@ -2,25 +2,30 @@
 //! scene under it.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use chiaro_locale::{tr, trn};
+use serde_json::Value as Json;
 
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::{
-    Edit, LoadedDocument, Look, SceneEdit, Shot, ShotEdit, Target, Value, keyed_target,
+    ColorSpace, Edit, LoadedDocument, Look, SceneEdit, Shot, ShotEdit, Target, Value, keyed_target,
 };
 use crate::files::journal::{JournalSlot, RecoveredWork};
-use crate::frame::{Assets, ValueChange};
+use crate::film::{color_space, color_text};
+use crate::frame::{Assets, ResolvedShot, SetupLook, ValueChange};
 use crate::state::document::journal::VIEW;
 use crate::state::keying::Owner;
 use crate::state::revision::GestureId;
-use crate::state::scene::{LookToOpen, OpenScene};
+use crate::state::scene::{FileMotion, LookToOpen, OpenScene};
 use crate::state::shot::{LookUnderShot, OpenShot, ShotAddress, ShotWriter};
 
 /// Greatest distance from a frame at which the playhead is on it, in frames: fields round times to
 /// milliseconds.
 const NEAR_FRAME: f64 = 0.05;
+/// Greatest number of keys that are told one by one.
+const MOST_KEYS_TOLD: usize = 3;
 
 impl Session {
     /// The shot over the scene, if one is open.
@@ -156,15 +161,39 @@ impl Session {
 
     /// The camera that a mesh's file brings, where the scene asks for it and the mesh is read.
     fn camera_of_file(&self, time: f64) -> Option<crate::document::Camera> {
-        let open_scene = self.open_scene()?;
-        open_scene.shot.as_ref()?.scene().file_camera.as_ref()?;
-        if open_scene.placed.is_empty() {
+        self.open_scene()?.shot.as_ref()?.scene().file_camera.as_ref()?;
+        Some(self.file_motion()?.camera_at(time))
+    }
+
+    /// The motion that meshes' files bring, once the meshes are read.
+    pub(crate) fn file_motion(&self) -> Option<FileMotion> {
+        if self.open_scene()?.placed.is_empty() {
             return None;
         }
         let mut snapshot = self.snapshot();
         snapshot.by_camera = true;
         let setup = snapshot.setup(&mut Assets::of(&self.assets)).ok()?.value;
-        Some(setup.seen_camera(time))
+        Some(FileMotion::of(setup))
+    }
+
+    /// Makes keys of the shot of the camera that a mesh's file moves, as one step: the picture of
+    /// every frame is as before, and the path is edited in the shot from now on. The lens stays the
+    /// file's.
+    ///
+    /// # Errors
+    /// No camera of a file is seen, or the shot has too many frames.
+    pub(crate) fn key_camera_of_file(&mut self) -> Result<(), Box<Diagnostic>> {
+        let impossible = |message: String| Box::new(Diagnostic::error("impossible-edit", message));
+        let motion = self.file_motion().filter(|motion| motion.camera.is_some());
+        let (Some(motion), Some(shot)) = (motion, self.shot()) else {
+            let message = tr!("the shot sees no camera of a file that moves");
+            return Err(impossible(message.to_owned()));
+        };
+        let edit = shot.keyed_camera(|time| motion.camera_at(time)).ok_or_else(|| {
+            let message = tr!("a camera of so many frames is not keyed: shorten the shot first");
+            impossible(message.to_owned())
+        })?;
+        self.apply_to_shot(edit, None)
     }
 
     /// True if the picture is seen from the shot's camera.
@@ -334,6 +363,18 @@ impl Session {
         shot.resolved().change_of(look.as_deref(), target)
     }
 
+    /// The color space of a look, by its path as changes tell it; for values of the scene, that of
+    /// the open look, as the fields of lights have it.
+    fn color_space_at(&self, look: Option<&str>) -> ColorSpace {
+        let closed = look.zip(self.open_scene()).and_then(|(path, open_scene)| {
+            let is_it = |look: &&Arc<SetupLook>| {
+                ResolvedShot::name_of_look(Path::new(look.source.file())) == path
+            };
+            open_scene.other_looks().find(is_it).map(|look| look.look.color_space)
+        });
+        closed.unwrap_or(self.look().color_space)
+    }
+
     /// Saves the shot to a file, which is its own from then on.
     ///
     /// # Errors
@@ -386,18 +427,44 @@ fn refusal(problem: Diagnostic, file: &Path) -> Diagnostic {
     Diagnostic { message, ..problem }.in_file(file.display().to_string())
 }
 
-/// The value before a change and the one after it, in words.
-pub(crate) fn change_text(change: &ValueChange) -> (String, String) {
+/// The value before a change and the one after it, in words: colors as fields have them, keys with
+/// their frames.
+pub(crate) fn change_text(session: &Session, change: &ValueChange) -> (String, String) {
+    let space = color_space(change, session.color_space_at(change.look.as_deref()));
     let from = match &change.from {
-        serde_json::Value::Null => tr!("default").to_owned(),
-        from => json_text(from),
+        Json::Null => tr!("default").to_owned(),
+        from => colored_text(from, space),
     };
-    (from, json_text(&change.to))
+    (from, keys_text(&change.to, space).unwrap_or_else(|| colored_text(&change.to, space)))
+}
+
+/// Keys in words, all of them where they are few; `None` for what are no keys.
+fn keys_text(json: &Json, space: Option<ColorSpace>) -> Option<String> {
+    let keys = json.as_array().filter(|keys| keys.first().is_some_and(Json::is_object))?;
+    let key = |key: &Json| {
+        let value = colored_text(key.get("value")?, space);
+        Some(tr!("{value} at {frame}", frame = json_text(key.get("frame")?)))
+    };
+    let count = trn!(count = keys.len(), "{count} key", "{count} keys");
+    Some(match keys.as_slice() {
+        keys if keys.len() <= MOST_KEYS_TOLD => {
+            keys.iter().map(key).collect::<Option<Vec<String>>>()?.join(", ")
+        }
+        [first, .., last] => {
+            tr!("{count}: {first} to {last}", first = key(first)?, last = key(last)?)
+        }
+        _ => count,
+    })
+}
+
+/// A value of a file in words, of a color as fields have it.
+fn colored_text(json: &Json, space: Option<ColorSpace>) -> String {
+    let color = json.as_array().zip(space).and_then(|(items, space)| color_text(items, space));
+    color.unwrap_or_else(|| json_text(json))
 }
 
 /// A value of a file in words.
-pub(crate) fn json_text(json: &serde_json::Value) -> String {
-    use serde_json::Value as Json;
+pub(crate) fn json_text(json: &Json) -> String {
     match json {
         Json::Number(number) => number.as_f64().map_or_else(
             || number.to_string(),
@@ -407,10 +474,36 @@ pub(crate) fn json_text(json: &serde_json::Value) -> String {
         Json::Bool(true) => tr!("on").to_owned(),
         Json::Bool(false) => tr!("off").to_owned(),
         Json::Array(items) if items.first().is_some_and(Json::is_object) => {
-            trn!(count = items.len(), "{count} key", "{count} keys")
+            trn!(count = items.len(), "{count} entry", "{count} entries")
         }
         Json::Array(items) => items.iter().map(json_text).collect::<Vec<_>>().join(", "),
         Json::Null => tr!("nothing").to_owned(),
         Json::Object(_) => tr!("a curve").to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_told_with_their_frames() {
+        let told = |keys: &str| keys_text(&serde_json::from_str(keys).unwrap(), None);
+        let two = r#"[{"frame": 1, "value": 0.5}, {"frame": 24, "value": 2}]"#;
+        assert_eq!(told(two).unwrap(), "0.5 at 1, 2 at 24");
+        let four = r#"[{"frame": 1, "value": 0.5}, {"frame": 8, "value": 2},
+            {"frame": 9, "value": 1}, {"frame": 24, "value": 0}]"#;
+        assert_eq!(told(four).unwrap(), "4 keys: 0.5 at 1 to 0 at 24");
+        assert_eq!(told("[1, 2]"), None);
+        assert_eq!(told("[]"), None);
+    }
+
+    #[test]
+    fn colors_are_told_as_fields_have_them() {
+        let json = |text: &str| serde_json::from_str(text).unwrap();
+        let told = |text: &str, space| colored_text(&json(text), space);
+        assert_eq!(told("[1, 0.5, 0]", Some(ColorSpace::Display)), "#ff8000");
+        assert_eq!(told("[1, 0.5, 0]", None), "1, 0.5, 0");
+        assert_eq!(told("[9, 0.5, 0]", Some(ColorSpace::Display)), "9, 0.5, 0", "no screen's");
     }
 }

@@ -3,6 +3,7 @@
 //! either is told in values (`writing`), which are overrides of the shot's document. That one alone
 //! is edited, journaled, undone and saved; the files under it stay as they are.
 
+mod camera_keys;
 mod writing;
 
 use std::path::{Path, PathBuf};
@@ -13,8 +14,8 @@ use serde_json::json;
 
 use crate::diag::Diagnostic;
 use crate::document::{
-    Camera, Document, FrameRate, History, LoadedDocument, Look, Override, Scene, Shot, SourceMap,
-    TimeRange, value_address,
+    Camera, Document, FrameRate, History, LoadedDocument, Look, Override, Scene, Shot, ShotEdit,
+    SourceMap, TimeRange, value_address,
 };
 use crate::files::journal::{DocumentInfo, JournalSlot, RecoveredWork};
 use crate::files::{Files, write_atomic};
@@ -29,6 +30,8 @@ pub(crate) use writing::ShotWriter;
 /// Frames of a new shot, and the size of its pictures, in pixels.
 const NEW_FRAMES: [i32; 2] = [1, 48];
 const NEW_SIZE: [u32; 2] = [1920, 1080];
+/// Greatest number of frames of a shot whose camera is keyed at once.
+const MOST_CAMERAS: i64 = 10_000;
 /// Name in the journal of the place from which a shot names files.
 const PLACE: &str = "place";
 
@@ -87,6 +90,15 @@ impl ShotAddress {
     /// The value of a change.
     pub(crate) fn of(change: &ValueChange) -> Self {
         Self { look: change.look.clone(), target: change.target.clone() }
+    }
+
+    /// False for what is read once for all frames, and so has no keys: meshes, whether they are
+    /// fitted, and which looks objects wear.
+    pub(crate) fn can_move(&self) -> bool {
+        let of_object = self.target.strip_prefix("objects.").filter(|_| self.look.is_none());
+        let field = of_object.and_then(|rest| rest.split_once('.')).map_or("", |(_, field)| field);
+        let first = field.split('.').next().unwrap_or_default();
+        !["mesh", "looks"].contains(&first) && field != "transform.fit"
     }
 
     /// The address in words.
@@ -366,6 +378,24 @@ impl OpenShot {
         self.view = Some(FollowedView::of(orbit));
     }
 
+    /// The edit that keys a camera over all frames, by the cameras of times in seconds; `None` for
+    /// more frames than anybody edits.
+    pub(crate) fn keyed_camera(&self, camera_at: impl Fn(f64) -> Camera) -> Option<ShotEdit> {
+        let [first, last] = self.stack.frames();
+        let count = i64::from(last) - i64::from(first);
+        let rate = self.rate();
+        let frames = (count < MOST_CAMERAS).then_some(first..=last)?;
+        let cameras: Vec<Camera> = frames.map(|frame| camera_at(rate.time(frame))).collect();
+        let changes = camera_keys::camera_overrides(first, &cameras);
+        Some(ShotEdit::Group { edits: changes.into_iter().map(ShotEdit::set_override).collect() })
+    }
+
+    /// True if the shots place the camera themselves, over the one of a file.
+    pub(crate) fn places_camera(&self) -> bool {
+        let is_changed = |target| self.resolved.change_of(None, target).is_some();
+        is_changed("camera.eye") && is_changed("camera.target")
+    }
+
     /// Compares the shot's file with its text when it was last read or written.
     pub(crate) fn on_disk(&self) -> OnDisk {
         self.document.on_disk()
@@ -379,7 +409,7 @@ impl OpenShot {
         self.document.load_problems = loaded.diagnostics;
         let Some(shot) = loaded.value.filter(|_| !has_errors) else { return false };
         if shot.to_text() != self.shot().to_text() {
-            let edit = crate::document::ShotEdit::Replace { shot: Box::new(shot) };
+            let edit = ShotEdit::Replace { shot: Box::new(shot) };
             if let Err(problem) = self.document.apply(edit, None, now) {
                 self.document.load_problems.push(*problem);
                 return false;
@@ -460,4 +490,21 @@ fn free_place(beside: &Path) -> PathBuf {
 
 fn file_name(path: &str) -> PathBuf {
     Path::new(path).file_name().map(PathBuf::from).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_read_once_has_no_keys() {
+        let can_move =
+            |target: &str| ShotAddress { look: None, target: target.to_owned() }.can_move();
+        for fixed in ["mesh", "looks", "looks.*", "looks.cap", "transform.fit"] {
+            assert!(!can_move(&format!("objects.hob.{fixed}")), "{fixed}");
+        }
+        for moving in ["objects.hob.transform.rotate", "objects.mesh.visible", "backdrop"] {
+            assert!(can_move(moving), "{moving}");
+        }
+    }
 }

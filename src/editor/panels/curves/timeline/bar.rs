@@ -40,8 +40,11 @@ pub(super) fn show(
                 timeline.go(time, out);
             }
         }
-        transport::place(timeline, ui, session);
-        rate(timeline, ui);
+        transport::frame(timeline, ui, session, out);
+        // A shot has a rate of its own.
+        if session.shot().is_none() {
+            rate(timeline, ui);
+        }
         ui.checkbox(&mut timeline.snaps, tr!("Snap"))
             .on_hover_text(tr!("Keys and the playhead stay on frames"));
         range(timeline, ui);
@@ -52,10 +55,8 @@ pub(super) fn show(
         {
             timeline.fit(session);
         }
-        ui.separator();
-        transport::ways(timeline, ui, session, tools, out);
-        ui.separator();
         add_value(ui, session, out);
+        transport::ways(timeline, ui, session, tools, out);
     });
 }
 
@@ -77,7 +78,8 @@ fn range(timeline: &mut Timeline, ui: &mut Ui) {
     let fps = timeline.fps;
     let before = timeline.range.map(|time| (time * fps * 100.0).round() / 100.0);
     let [mut first, mut last] = before;
-    ui.label(RichText::new(tr!("Frames")).color(theme::of(ui).dim));
+    ui.label(RichText::new(tr!("timeline" => "Range")).color(theme::of(ui).dim))
+        .on_hover_text(tr!("Frames that are played"));
     for (frame, name, help) in [
         (&mut first, tr!("Range from"), tr!("First frame that is played")),
         (&mut last, tr!("Range to"), tr!("Last frame that is played")),

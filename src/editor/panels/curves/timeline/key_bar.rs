@@ -112,14 +112,20 @@ fn one_key(
     ui.label(RichText::new(format!("{name}: {what}")).color(accent));
     let key = &track.keys[key_at];
     let mut time = key.time;
-    let drag = DragValue::new(&mut time).speed(1.0 / timeline.fps).max_decimals(4).suffix(" s");
-    let response = ui.add(drag.update_while_editing(false));
-    response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Time of the key")));
+    // A shot counts frames alone.
+    let of_time = session.shot().is_none().then(|| {
+        let drag = DragValue::new(&mut time).speed(1.0 / timeline.fps).max_decimals(4).suffix(" s");
+        let response = ui.add(drag.update_while_editing(false));
+        let name = tr!("Time of the key");
+        response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, name));
+        response
+    });
     let mut frame = key.time * timeline.fps;
     let drag = DragValue::new(&mut frame).speed(0.2).max_decimals(2).prefix("f ");
     let of_frame = ui.add(drag.update_while_editing(false));
     of_frame.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, tr!("Frame of the key")));
-    for (response, time) in [(response, time), (of_frame, frame / timeline.fps)] {
+    let of_frame = (of_frame, frame / timeline.fps);
+    for (response, time) in of_time.map(|of_time| (of_time, time)).into_iter().chain([of_frame]) {
         let held = timeline.sheet.held_while(session, &response);
         if response.changed() && time.is_finite() {
             let time = timeline.snapped(time);

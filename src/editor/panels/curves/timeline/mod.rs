@@ -9,6 +9,7 @@ mod bar;
 mod clock;
 mod differences;
 mod edges;
+mod file_tracks;
 mod graph;
 mod key_bar;
 mod markers;
@@ -37,6 +38,7 @@ use crate::widgets::text::hint;
 use crate::widgets::theme;
 use axis::Axis;
 use clock::PlayClock;
+use file_tracks::FileTracks;
 use markers::NameField;
 use sheet::KeySheet;
 
@@ -51,6 +53,7 @@ pub(crate) const PANEL: PanelRow = PanelRow::new(
     let timeline = bench.memory.of::<Timeline>();
     if presence == Presence::Absent {
         timeline.clock.stop();
+        timeline.files = FileTracks::default();
         bench.tools.playback().follow(None);
         return Vec::new();
     }
@@ -85,6 +88,8 @@ pub(crate) struct Timeline {
     seen: [f64; 2],
     /// Selected keys, and the tracks as they are shown.
     sheet: KeySheet,
+    /// Motion that meshes' files bring.
+    files: FileTracks,
     /// Place of the panel, and the height of the row of selected keys, in points, as last shown.
     panel: Option<Rect>,
     bar_height: f32,
@@ -110,6 +115,7 @@ impl Default for Timeline {
             range: [0.0, 4.0],
             seen: [-0.2, 4.4],
             sheet: KeySheet::default(),
+            files: FileTracks::default(),
             panel: None,
             bar_height: 0.0,
             curve_height: *graph::HEIGHTS.start(),
@@ -171,6 +177,7 @@ impl Timeline {
     ) -> Vec<Command> {
         let mut commands = Vec::new();
         self.sheet.begin_frame(session);
+        self.files.sync(session);
         let panel = ui.max_rect();
         bar::show(self, ui, session, tools, &mut commands);
         let (ruler, _) = ui.allocate_exact_size(vec2(ui.available_width(), RULER), Sense::hover());
@@ -179,6 +186,8 @@ impl Timeline {
             ruler.max - vec2(10.0, 0.0),
         );
         let axis = Axis { lane, seen: self.seen };
+        let beside = Rect::from_min_max(ruler.min, pos2(lane.left() - 8.0, ruler.bottom()));
+        transport::time(ui, beside, session, tools.playback());
         axis.ruler(ui, self.fps, self.range, session.shot().is_some());
         transport::band(self, ui, axis, tools.playback());
         self.scrub(ui, session, axis, &mut commands);
@@ -186,7 +195,9 @@ impl Timeline {
         edges::show(self, ui, session, axis, &mut commands);
         differences::show(self, ui, tools, axis, &mut commands);
         let top = ui.cursor().top();
-        let is_empty = times(session).next().is_none() && shot_tracks::times(session).is_empty();
+        let is_empty = times(session).next().is_none()
+            && shot_tracks::times(session).is_empty()
+            && self.files.is_empty();
         if is_empty {
             ui.add_space(6.0);
             hint(
@@ -208,6 +219,7 @@ impl Timeline {
                     }
                 }
                 shot_tracks::show(self, ui, session, axis, &mut commands);
+                file_tracks::show(self, ui, session, axis, &mut commands);
             });
         }
         let bottom = ui.cursor().top().min(panel.bottom());

@@ -1,7 +1,7 @@
 //! Tracks of the shot that are no light's and no node's: the camera, objects, masters of groups.
 //! Their keys are overrides of the shot, in frames.
 
-use chiaro_locale::{Text, text, tr};
+use chiaro_locale::tr;
 use eframe::egui::{
     self, Key, Pos2, Rect, RichText, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
@@ -12,9 +12,8 @@ use super::rows::paint_key;
 use super::{NAMES, ROW, Timeline};
 use crate::commands::{Command, SceneCommand, ShotCommand};
 use crate::document::{Override, ShotEdit, Target};
-use crate::fields::mark;
+use crate::fields::{mark, scene_names};
 use crate::frame::ValueChange;
-use crate::state::reading::spoken;
 use crate::state::session::Session;
 use crate::state::session::shot::json_text;
 use crate::state::shot::{OpenShot, ShotAddress};
@@ -24,23 +23,6 @@ use crate::widgets::theme;
 
 /// Fields of the camera that are offered to be keyed.
 const CAMERA: [&str; 4] = ["camera.eye", "camera.target", "camera.fov", "camera.height"];
-/// Words of a scene's fields, for people.
-const WORDS: [(&str, Text); 14] = [
-    ("camera", text!("scene" => "Camera")),
-    ("eye", text!("scene" => "Eye")),
-    ("target", text!("scene" => "Target")),
-    ("fov", text!("scene" => "Fov")),
-    ("height", text!("scene" => "Height")),
-    ("translate", text!("scene" => "Translate")),
-    ("rotate", text!("scene" => "Rotate")),
-    ("scale", text!("scene" => "Scale")),
-    ("visible", text!("scene" => "Visible")),
-    ("intensity", text!("scene" => "Intensity")),
-    ("exposure", text!("scene" => "Exposure")),
-    ("tint", text!("scene" => "Tint")),
-    ("backdrop", text!("scene" => "Backdrop")),
-    ("mesh", text!("scene" => "Mesh")),
-];
 /// Least distance of two keys, in frames.
 const GAP: f64 = 1e-3;
 
@@ -80,24 +62,6 @@ pub(super) fn times(session: &Session) -> Vec<f64> {
     keys.map(|key| rate.time_within(key.frame)).collect()
 }
 
-/// Owner and name of a value of the scene, in words.
-fn names_of(target: &str) -> [String; 2] {
-    let mut parts = target.splitn(2, '.');
-    let first = parts.next().unwrap_or_default();
-    let rest = parts.next().unwrap_or_default();
-    let word = |name: &str| match WORDS.iter().find(|(known, _)| *known == name) {
-        Some((_, text)) => text.tr().to_owned(),
-        None => spoken(name),
-    };
-    match (first, rest.split_once('.')) {
-        ("objects" | "light_groups", Some((id, field))) => {
-            let field = field.trim_start_matches("values.").trim_start_matches("transform.");
-            [id.to_owned(), word(field)]
-        }
-        _ => [word(first), word(rest)],
-    }
-}
-
 /// Shows the entries that key the camera, where no keys of it are there.
 pub(super) fn menu(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let Some((shot, scene)) = session.shot().zip(session.open_scene()) else { return };
@@ -106,7 +70,7 @@ pub(super) fn menu(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         if is_keyed || scene.scene().value_at(target).is_err() {
             continue;
         }
-        let [owner, what] = names_of(target);
+        let [owner, what] = scene_names::of(target);
         if ui.button(format!("{owner}: {what}")).clicked() {
             push(out, ShotCommand::Key(ShotAddress { look: None, target: target.to_owned() }));
             ui.close();
@@ -144,7 +108,7 @@ fn row(
     if !ui.is_rect_visible(rect) {
         return;
     }
-    let [owner, what] = names_of(&track.change.target);
+    let [owner, what] = scene_names::of(&track.change.target);
     let names = Rect::from_min_size(rect.min, vec2(NAMES - 8.0, ROW));
     let builder = egui::UiBuilder::new().id_salt(&track.change.target).max_rect(names);
     head(&mut ui.new_child(builder), (session, shot), track, [&owner, &what], out);
@@ -336,13 +300,5 @@ mod tests {
         assert_eq!(frames(&one), [12.0]);
         let ShotEdit::SetOverride { change: Some(change), .. } = one else { panic!() };
         assert!(matches!(without(&change, 0), ShotEdit::SetOverride { change: None, .. }));
-    }
-
-    #[test]
-    fn values_of_the_scene_have_names() {
-        let said = |target: &str| names_of(target).join(": ");
-        assert_eq!(said("camera.eye"), "Camera: Eye");
-        assert!(said("objects.hob.transform.translate").starts_with("hob: "));
-        assert!(said("light_groups.dusk.exposure").starts_with("dusk: "));
     }
 }

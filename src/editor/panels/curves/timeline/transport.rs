@@ -3,8 +3,8 @@
 use chiaro_locale::{tr, trn};
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{
-    Button, ComboBox, DragValue, Event, Key, Label, Modifiers, PointerButton, PopupCloseBehavior,
-    Rect, RichText, Role, Stroke, Ui, WidgetInfo, vec2,
+    Align, Button, ComboBox, DragValue, Event, Key, Label, Layout, Modifiers, PointerButton,
+    PopupCloseBehavior, Rect, RichText, Role, Stroke, Ui, UiBuilder, WidgetInfo, vec2,
 };
 
 use super::Timeline;
@@ -154,7 +154,6 @@ pub(super) fn ways(
     }
     ui.separator();
     kept(ui, playback, out);
-    real_rate(ui, playback);
     let keys = super::times(session);
     tools.of_mut::<OnionSkin>().form(ui, timeline.fps, keys);
     let (flip, playback) = tools.pair::<FlipBook, Playback>();
@@ -303,16 +302,42 @@ pub(super) fn choose_part(
     true
 }
 
-/// Text of the playhead's place.
-pub(super) fn place(timeline: &Timeline, ui: &mut Ui, session: &Session) {
+/// Shows the frame at the playhead, as a field that moves the playhead.
+pub(super) fn frame(
+    timeline: &mut Timeline,
+    ui: &mut Ui,
+    session: &Session,
+    out: &mut Vec<Command>,
+) {
     let time = session.view.time;
-    let frame = (time * timeline.fps).round();
-    let text = tr!("{seconds} s, frame {frame}", seconds = values::number_text(time, 3));
-    let between = frame_at(time, timeline.fps).is_none();
-    let help = if between {
-        tr!("Where the playhead is, between two frames")
-    } else {
-        tr!("Where the playhead is")
-    };
-    ui.label(RichText::new(text).monospace()).on_hover_text(help);
+    let before = (time * timeline.fps * 100.0).round() / 100.0;
+    let mut frame = before;
+    // Whole frames are told without decimals.
+    let text = |frame: f64, _| values::number_text(frame, 2);
+    let drag = DragValue::new(&mut frame).speed(0.2).custom_formatter(text);
+    let response = ui.add(drag.prefix(tr!("timeline" => "Frame ")));
+    response.widget_info(|| {
+        let mut info = WidgetInfo::labeled(Role::SpinButton, true, tr!("Frame at the playhead"));
+        info.value = Some(before);
+        info
+    });
+    if frame.is_finite() && frame != before {
+        let time = timeline.snapped(frame / timeline.fps);
+        timeline.go(time, out);
+    }
+    response.on_hover_text(match frame_at(time, timeline.fps) {
+        None => tr!("Where the playhead is, between two frames"),
+        Some(_) => tr!("Where the playhead is: drag, or click to type a frame"),
+    });
+}
+
+/// Shows the time at the playhead beside the ruler, and the real rate while frames are played: there
+/// nothing moves as they come and go.
+pub(super) fn time(ui: &mut Ui, place: Rect, session: &Session, playback: &Playback) {
+    let builder = UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center));
+    let ui = &mut ui.new_child(builder);
+    let seconds = values::number_text(session.view.time, 3);
+    let text = RichText::new(tr!("{seconds} s")).monospace().color(theme::of(ui).dim);
+    ui.label(text).on_hover_text(tr!("Time at the playhead"));
+    real_rate(ui, playback);
 }
