@@ -3,18 +3,18 @@
 //! One draw writes as many layers beside the picture as the executor can; where more are asked for,
 //! the rest are drawn by further plans of the same picture. Mattes have plans of their own.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use crate::compile::{AovSource, Live, ShadowOutput, check};
 use crate::contributions::Contributions;
 use crate::cryptomatte::{Cryptomatte, MatteCoverage};
-use crate::diag::{Diagnostic, WithWarnings};
+use crate::diag::{Diagnostic, WithWarnings, nearest};
 use crate::document::NamedAov;
 use crate::exr::{ExrAttribute, ExrLayer};
 use crate::frame::{
     AovLayer, AovRequest, Executor, FramePlan, MattePart, Picture, PlanOptions, Planner, Setup,
 };
-use crate::ids::{NodePath, PortName};
+use crate::ids::{NodeId, NodePath, PortName};
 use crate::library::Library;
 use crate::naming::{free_name, is_legal, legal_name};
 use crate::progress::Progress;
@@ -410,6 +410,28 @@ pub fn shadow_outputs(
     Ok(requests)
 }
 
+/// The problem of an output without the name of its layer; of a node that no look has with the node
+/// that may be meant.
+fn without_name(setup: &Setup, problem: Diagnostic, node: &str, port: &str) -> Diagnostic {
+    let named = |node: &str| format!("a layer of an output has a name: --aov {port}={node}.{port}");
+    let path = NodePath::parse(node.rsplit_once(':').map_or(node, |(_, node)| node));
+    let looks = || setup.looks.iter().map(|worn| &worn.look);
+    let Some(outer) =
+        path.outermost().filter(|id| looks().all(|it| !it.graph.nodes.contains_key(*id)))
+    else {
+        return problem.hint(named(node));
+    };
+    let known: BTreeSet<&str> =
+        looks().flat_map(|look| look.graph.nodes.keys()).map(NodeId::as_str).collect();
+    match nearest(outer.as_str(), known.iter().copied()).first() {
+        Some(near) => {
+            let meant = node.replacen(outer.as_str(), near, 1);
+            problem.suggest(outer.as_str(), known).hint(named(&meant))
+        }
+        None => problem.hint(named(node)),
+    }
+}
+
 /// The layer of an output of a node, from `NAME=NODE.OUTPUT` or `NAME=LOOK:NODE.OUTPUT`, or of an
 /// output that a look names.
 ///
@@ -427,9 +449,7 @@ pub fn wire_request(setup: &Setup, text: &str) -> Result<AovRequest, Diagnostic>
             named.iter().map(|request| request.name.clone()).chain(slices).collect();
         let found = named.into_iter().find(|request| request.name == text);
         return found.ok_or_else(|| match text.rsplit_once('.') {
-            Some((_, port)) if is_legal(port) => {
-                form().hint(format!("a layer of an output has a name: --aov {port}={text}"))
-            }
+            Some((node, port)) if is_legal(port) => without_name(setup, form(), node, port),
             _ => form().suggest(text, names.iter().map(String::as_str)),
         });
     };

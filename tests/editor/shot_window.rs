@@ -359,3 +359,46 @@ fn what_a_shot_says_over_its_sequence_is_reset() {
     assert_eq!((shot(&hand).step, hand.steps()), (None, 1));
     assert!(!hand.has("Changed by the shot: Shading on"));
 }
+
+#[test]
+fn a_light_of_the_scene_is_varied_by_a_click() {
+    let home = Home::new();
+    let mut hand = opened(&home, "scene.json");
+    command(&mut hand, "Variations...");
+    hand.choose("Vary", "sun: Intensity");
+    hand.press("Take 0.4");
+    hand.settle();
+    assert_eq!(intensity(&hand), 0.4);
+    hand.undo();
+    assert_eq!(intensity(&hand), 0.8, "one step");
+}
+
+#[test]
+fn outputs_of_nodes_are_picked_as_layers_of_frames() {
+    let home = Home::new();
+    let mut hand = opened(&home, "scene.json");
+    command(&mut hand, "Render frames");
+    let pick = |hand: &mut User, search: &str, entry: &str| {
+        hand.bring(Role::Button, "Add an output");
+        hand.press_a(Role::Button, "Add an output");
+        let field = hand.place_of(Role::TextInput, "Find an output");
+        hand.click(field.center());
+        hand.type_text(search);
+        hand.settle();
+        hand.press_a(Role::Button, entry);
+    };
+    let copied = |hand: &mut User| {
+        hand.bring(Role::Button, "Copy the command that renders");
+        hand.press_a(Role::Button, "Copy the command that renders");
+        hand.take_copied().unwrap()
+    };
+    pick(&mut hand, "tone", "Light layer: Tone");
+    let told = copied(&mut hand);
+    assert!(told.ends_with("--aov layer_tone=layer.tone"), "{told}");
+    hand.bring(Role::Button, "Take layer.tone away");
+    hand.press_a(Role::Button, "Take layer.tone away");
+    assert!(!copied(&mut hand).contains("--aov"));
+    // What is not there is told with what is near.
+    pick(&mut hand, "layr.tone", "layer.tone");
+    assert!(copied(&mut hand).ends_with("--aov layer_tone=layer.tone"));
+}

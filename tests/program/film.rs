@@ -226,6 +226,59 @@ fn a_wedge_draws_every_combination() {
     assert!(refused(2, &["--vary", "strength"]).contains("0.5..2/4"));
 }
 
+/// A value within a group varies in the use that its path names, whatever its type.
+#[test]
+fn a_wedge_varies_one_use_of_a_group() {
+    let stage = Stage::new();
+    let look = |first: &str, keyed: Json| {
+        let part = |lit: Json| {
+            json!({"inputs": [{"name": "below"}], "outputs": [{"name": "color"}], "nodes": [lit],
+                "wires": [{"from": "inputs.below", "to": "lit.below"},
+                    {"from": "lit", "to": "outputs.color"}]})
+        };
+        let lit = |opacity: f64, blend: &str| {
+            json!({"id": "lit", "kind": "light_layer", "values": {"light": "key",
+                "convex": "#f0d9b0", "opacity": opacity, "blend": blend}})
+        };
+        json!({"chiaro": "look", "version": 1, "lights": {"key": {"direction": [-0.5, 0.8, 0.6]}},
+            "nodes": [{"id": "base", "kind": "base"}, {"id": "first", "kind": first},
+                {"id": "second", "kind": "part"}, {"id": "output", "kind": "output"}],
+            "wires": [{"from": "base", "to": "first.below"}, {"from": "first", "to": "second.below"},
+                {"from": "second", "to": "output.color"}],
+            "definitions": {"part": part(lit(0.5, "alpha")), "clear": part(lit(0.2, "alpha")),
+                "dark": part(lit(0.5, "multiply"))},
+            "time_keys": keyed})
+        .to_string()
+    };
+    let keys = [0.3, 0.9].map(|value| json!({"time": value, "value": value}));
+    let keyed = json!([{"target": "first/lit.opacity", "keys": keys}]);
+    fs::write(stage.path("groups.json"), look("part", keyed.clone())).unwrap();
+    let words =
+        ["--size", "24x16", "--samples", "1", "--on", "reference", "--mesh", "shape:sphere"];
+    let wedge = |vary: &str| {
+        [&["wedge", "groups.json", "-o", "w.png", "--vary", vary][..], &words].concat().join(" ")
+    };
+    let done = |line: &str| stage.done(&line.split(' ').collect::<Vec<_>>());
+    let refused = |line: &str| stage.fails(1, &line.split(' ').collect::<Vec<_>>());
+    // Keys of what varies are left out, all others hold.
+    for (vary, own, kept) in [
+        ("first/lit.opacity=0.8,0.2", "clear", json!([])),
+        ("first/lit.blend=alpha,multiply", "dark", keyed),
+    ] {
+        let [_, told] = done(&wedge(vary));
+        assert!(told.contains("in `first` alone") && told.contains("by `second` too"), "{told}");
+        // The picture of a look whose first group is another one.
+        fs::write(stage.path("own.json"), look(own, kept)).unwrap();
+        done(&[&["render", "own.json", "-o", "own.png"][..], &words].concat().join(" "));
+        let pixels = |name: &str| image::open(stage.path(name)).unwrap().to_rgba8();
+        assert_eq!(pixels("w/002.png"), pixels("own.png"), "{vary}");
+        assert_ne!(pixels("w/001.png"), pixels("w/002.png"), "{vary}");
+    }
+    assert!(refused(&wedge("first/lit.opacty=1,2")).contains("`first/lit.opacity`"));
+    assert!(refused(&wedge("first/lit.below=1,2")).contains("`first.below`"));
+    assert!(refused(&wedge("first/lit.opacity=#fff")).contains("expected a number"));
+}
+
 /// A varied value stands over what a shot sets and keys, wherever the shot says it.
 #[test]
 fn a_wedge_stands_over_what_a_shot_changes() {

@@ -269,6 +269,8 @@ fn wrong_layers_are_told_before_anything_is_drawn() {
         assert!(!output.status.success() && said.contains(told), "{arguments:?}: {said}");
     };
     refused(&["-o", "a.exr", "--aov", "tone=keyy.tone"], "did you mean `key`");
+    refused(&["-o", "a.exr", "--aov", "keyy.tone"], "did you mean `key`");
+    refused(&["-o", "a.exr", "--aov", "keyy.tone"], "--aov tone=key.tone");
     refused(&["-o", "a.exr", "--aov", "tone=keyy.tone"], "look.json: error[unknown-node]");
     refused(&["-o", "a.exr", "--aov", "key.tone"], "--aov tone=key.tone");
     refused(&["-o", "a.exr", "--aov", "tone=key.tonne"], "did you mean `tone`");

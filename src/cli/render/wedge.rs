@@ -1,5 +1,6 @@
 //! `chiaro wedge`: one picture for each combination of values, on a sheet with labels.
 
+mod inputs;
 mod target;
 mod values;
 
@@ -25,8 +26,9 @@ Examples:
   chiaro wedge scene.json --vary key.intensity=0.5..2/4 --vary rim.color=#8af,#fa8 -o out/wedge.png
   chiaro wedge look.json --vary lit.offset=0..1.2/5 --frames 1,24 -o out/wedge.png --size 480x270
 
-Something that varies is a field of a light (key.intensity), an input of a node (lit.offset), an
-exposed parameter (width), or that of one object (hero.width), the master of a group of lights
+Something that varies is a field of a light (key.intensity), an input of a node (lit.offset), in a
+group by the nodes that lead to it (cheek/rim.offset: this use of the group alone), an exposed
+parameter (width), or that of one object (hero.width), the master of a group of lights
 (light_groups.dusk.exposure) or a field of the camera (camera.fov). It stands over what a shot says,
 keyed or not. Its values are a list, 0.5,1,2, or so many from one to another, 0.5..2/4; colors as
 #8af or #88aaff.
@@ -132,6 +134,7 @@ pub(crate) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     reads_all(&mut outputs, &stage.setup, &stage.planner.assets);
     check(&outputs).map_err(one)?;
     warnings.extend(super::warning_of_view(&stage.setup, view.as_ref()));
+    warnings.extend(targets.iter().filter_map(|target| target.note(&stage.setup)));
     super::tell_before_series(render.strict, warnings, output)?;
     let mut executor = executor(render.on, output).await.map_err(one)?;
     files::make_folder(&folder).map_err(|problem| vec![*problem])?;
@@ -236,7 +239,7 @@ async fn draw(
 ) -> Result<crate::frame::Picture, Vec<Diagnostic>> {
     let mut setup = stage.setup.clone();
     for (target, (_, value)) in targets.iter().zip(&cell.values) {
-        target.set(&mut setup, value);
+        target.set(&mut setup, &stage.library, value);
     }
     let rate = arguments.render.rate_of(&stage.setup);
     let time = cell.frame.map_or(stage.options.time, |frame| rate.time(frame));

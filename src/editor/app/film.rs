@@ -35,8 +35,8 @@ impl App {
                 self.bench.frames.show_farm();
             }
             FilmCommand::ChooseFolder(folder) => self.choose_frame_folder(folder),
-            FilmCommand::OpenFolder(folder) => {
-                ui.ctx().open_url(OpenUrl::new_tab(address_of(&folder)));
+            FilmCommand::OpenPath(path) => {
+                ui.ctx().open_url(OpenUrl::new_tab(address_of(&path)));
             }
             FilmCommand::Vary(variation) => {
                 self.bench.wedge.vary(variation);

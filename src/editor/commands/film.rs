@@ -17,8 +17,8 @@ pub(crate) enum FilmCommand {
     ShowFarm,
     /// Sets the folder of the frames; asks for one where there is none.
     ChooseFolder(Option<PathBuf>),
-    /// Opens a folder in the system's own window.
-    OpenFolder(PathBuf),
+    /// Opens a file or a folder in the system's own program.
+    OpenPath(PathBuf),
     /// Adds a value to those that the next wedge tries.
     Vary(Variation),
     /// Draws the wedge.

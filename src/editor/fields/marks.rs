@@ -98,6 +98,15 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
             out.push(Command::Film(FilmCommand::Vary(variation)));
         }
     }
+    if let Some(port) = marked.owned.keys.base.port_at(&marked.target)
+        && VariationKind::of(&marked.target, &port).is_some()
+    {
+        let help = tr!("Small pictures of the value as it could be; a click takes one");
+        let subject = VariedSubject::Value(marked.owned.owner, marked.target.clone());
+        if ui.button(tr!("Variations...")).on_hover_text(help).clicked() {
+            out.push(Command::View(ViewCommand::Vary(subject)));
+        }
+    }
     if marked.can_be_keyed() {
         keys_in_time(ui, marked, out);
         if has_between(marked.ty) {
@@ -112,16 +121,6 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
             return;
         }
         ui.separator();
-    }
-    if marked.owned.owner == Owner::Look
-        && let Some(port) = marked.owned.keys.base.port_at(&marked.target)
-        && VariationKind::of(&marked.target, &port).is_some()
-    {
-        let help = tr!("Small pictures of the value as it could be; a click takes one");
-        let subject = VariedSubject::Value(marked.target.clone());
-        if ui.button(tr!("Variations...")).on_hover_text(help).clicked() {
-            out.push(Command::View(ViewCommand::Vary(subject)));
-        }
     }
     match marked.exposed() {
         None if marked.owned.keys.base.own_value(&marked.target).is_none() => {

@@ -13,11 +13,12 @@ use eframe::egui::{
 use super::library::cards::columns;
 use super::thumbs::{Shot, Thumbs, key_of};
 use crate::commands::{Command, PanelId};
-use crate::document::{LightField, Look, Target};
+use crate::document::{LightField, Target};
+use crate::fields::lighting::{Change, OwnedKeys, Owner};
+use crate::fields::wedge::selected_values;
 use crate::frame::SHAPE_PREFIX;
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::crashes::DocumentOrigin;
-use crate::state::orbit::Orbit;
 use crate::state::session::Session;
 use crate::state::snapshot::{RenderSnapshot, Stamp};
 use crate::state::variations::{STEPS, Variation, VariationKind, VariationSheet, VariedSubject};
@@ -65,11 +66,14 @@ pub(crate) struct Variations {
 impl Variations {
     /// Shows variations of a subject from now on.
     pub(crate) fn begin(&mut self, subject: VariedSubject, session: &Session) {
-        let now = match &subject {
-            VariedSubject::Value(target) => session.keys().value_at(target),
-            VariedSubject::Mesh => None,
+        let (look, now) = match &subject {
+            VariedSubject::Value(owner, target) => match OwnedKeys::of(session, *owner) {
+                Some(owned) => (owned.keys.base, owned.keys.value_at(target)),
+                None => return,
+            },
+            VariedSubject::Mesh => (session.look_with_library(), None),
         };
-        self.sheet = VariationSheet::of(subject, session.look_with_library(), now);
+        self.sheet = VariationSheet::of(subject, look, now);
         (self.of, self.taken) = (None, None);
         self.cells.clear();
     }
@@ -85,10 +89,8 @@ impl Variations {
             );
             return out;
         };
-        if let VariedSubject::Value(target) = &sheet.subject
-            && session.look_with_library().port_at(target).is_none()
-        {
-            hint(ui, tr!("What was varied is not in the look any more."));
+        if !is_there(session, &sheet.subject) {
+            hint(ui, tr!("What was varied is not in the look or the scene any more."));
             return out;
         }
         controls(ui, sheet, self.taken.as_ref());
@@ -128,10 +130,12 @@ impl Variations {
 
     /// Shows the choice of what is varied.
     fn choice(&mut self, ui: &mut Ui, session: &Session) {
-        let look = session.look_with_library();
         let title = |subject: &VariedSubject| match subject {
             VariedSubject::Mesh => tr!("Mesh").to_owned(),
-            VariedSubject::Value(target) => look.names_of(target).join(": "),
+            VariedSubject::Value(owner, target) => {
+                let owned = OwnedKeys::of(session, *owner);
+                owned.map(|owned| owned.keys.base.title_of_target(target)).unwrap_or_default()
+            }
         };
         let now = self.sheet.as_ref().map(|sheet| sheet.subject.clone());
         let text = now.as_ref().map_or_else(|| tr!("Choose").to_owned(), title);
@@ -166,10 +170,10 @@ impl Variations {
         let cell = |variation: Variation| {
             let drawn = drawn(session, sheet, &variation);
             let mut hasher = DefaultHasher::new();
-            let (look, orbit) = &drawn;
+            let RenderSnapshot { look, orbit, .. } = &drawn;
             key_of(look, Shot::Whole, SIDE).hash(&mut hasher);
-            let keys = (&look.direction_keys, &look.time_keys, orbit, &variation);
-            format!("{keys:?}").hash(&mut hasher);
+            let keys = (&look.direction_keys, &look.time_keys, orbit);
+            format!("{:?}", (keys, &sheet.subject, &variation)).hash(&mut hasher);
             (session.view.time.to_bits(), session.revisions().files).hash(&mut hasher);
             format!("{:?}", session.scene_revision()).hash(&mut hasher);
             SheetCell { label: sheet.label(&variation), variation, key: hasher.finish() }
@@ -197,10 +201,7 @@ impl Variations {
             && let Some(sheet) = &self.sheet
         {
             let origin = || DocumentOrigin::new(&session.name(), session.path(), session.look());
-            let snapshot = || {
-                let (look, orbit) = drawn(session, sheet, &of.variation);
-                RenderSnapshot { orbit, ..session.snapshot_of(Arc::new(look)) }
-            };
+            let snapshot = || drawn(session, sheet, &of.variation);
             thumbs.ask_in_view(of.key, origin, snapshot, SIDE);
         }
         let picture = Rect::from_min_size(rect.min, vec2(side, side));
@@ -223,26 +224,46 @@ impl Variations {
     }
 }
 
-/// Subjects that can be varied: the mesh, the lights, and values of the selected node.
+/// Fields of lights that are offered.
+const FIELDS: [LightField; 3] = [LightField::Direction, LightField::Color, LightField::Intensity];
+
+/// Subjects that can be varied: values of the selected nodes, the lights of the look and of the
+/// scene, and the mesh.
 fn subjects(session: &Session) -> Vec<VariedSubject> {
-    let look = session.look_with_library();
-    let fields = [LightField::Direction, LightField::Color, LightField::Intensity];
-    let of_light = |id: &crate::ids::LightId| {
-        fields.map(|field| Target::Light { light: id.clone(), field: field.name().to_owned() })
-    };
-    let lights = session.look().lights.keys().flat_map(of_light);
-    let selected = session.selection.nodes.iter().flat_map(|id| {
-        let kind = session.graph().nodes.get(id).and_then(|node| look.catalog.of(node));
-        let free = kind.into_iter().flat_map(|kind| &kind.inputs);
-        let free = free.filter(move |port| session.graph().wire_into(id, &port.name).is_none());
-        free.map(move |port| session.selection.target(id, &port.name))
+    let selected = selected_values(session).into_iter().map(|target| (Owner::Look, target));
+    let of_lights = OwnedKeys::all(session).flat_map(|owned| {
+        let lights = owned.look().lights.iter();
+        // A light of the scene stands in place of the look's.
+        let is_covered =
+            move |id| owned.owner == Owner::Look && session.keys().light_of_scene(id).is_some();
+        let seen = lights.filter(move |(id, _)| !is_covered(id));
+        seen.flat_map(move |(id, light)| {
+            let fields = light.fields().filter(|field| FIELDS.contains(field));
+            let target = move |field: LightField| {
+                let field = field.name().to_owned();
+                (owned.owner, Target::Light { light: id.clone(), field })
+            };
+            fields.map(target)
+        })
     });
-    let can_vary = |target: &Target| {
-        look.port_at(target).is_some_and(|port| VariationKind::of(target, &port).is_some())
+    let can_vary = |(owner, target): &(Owner, Target)| {
+        let port = OwnedKeys::of(session, *owner).and_then(|owned| owned.keys.base.port_at(target));
+        port.is_some_and(|port| VariationKind::of(target, &port).is_some())
     };
-    let values = selected.chain(lights).filter(can_vary).map(VariedSubject::Value);
+    let values = selected.chain(of_lights).filter(can_vary);
+    let values = values.map(|(owner, target)| VariedSubject::Value(owner, target));
     let mesh = session.open_scene().is_none().then_some(VariedSubject::Mesh);
     values.chain(mesh).collect()
+}
+
+/// True if the open documents have a subject.
+fn is_there(session: &Session, subject: &VariedSubject) -> bool {
+    let VariedSubject::Value(owner, target) = subject else { return true };
+    let Some(owned) = OwnedKeys::of(session, *owner) else { return false };
+    match target {
+        Target::Light { light, .. } => owned.look().lights.contains_key(light),
+        Target::Input { .. } => owned.keys.base.port_at(target).is_some(),
+    }
 }
 
 /// Shows the controls of a sheet.
@@ -300,8 +321,9 @@ fn controls(ui: &mut Ui, sheet: &mut VariationSheet, taken: Option<&Variation>) 
 /// Command that takes a variation.
 fn take(session: &Session, sheet: &VariationSheet, variation: &Variation) -> Option<Command> {
     match (&sheet.subject, variation) {
-        (VariedSubject::Value(target), Variation::Value(value)) => {
-            Some(Command::Edit(session.keys().set_at(target, value.clone())))
+        (VariedSubject::Value(owner, target), Variation::Value(value)) => {
+            let owned = OwnedKeys::of(session, *owner)?;
+            owned.once(owned.keys.set_at(target, value.clone()))
         }
         (VariedSubject::Mesh, Variation::Shape(name)) => {
             Some(Command::ShowOn(Some(format!("{SHAPE_PREFIX}{name}").into())))
@@ -310,18 +332,28 @@ fn take(session: &Session, sheet: &VariationSheet, variation: &Variation) -> Opt
     }
 }
 
-/// The look and the view of a variation's picture.
-fn drawn(session: &Session, sheet: &VariationSheet, variation: &Variation) -> (Look, Orbit) {
-    let (mut look, mut orbit) = (session.look().clone(), session.view.orbit.clone());
-    match (&sheet.subject, variation) {
-        (VariedSubject::Value(target), Variation::Value(value)) => {
-            // A value that cannot be set leaves the look as it is.
-            let _ = look.apply(session.keys().set_at(target, value.clone()));
+/// The picture of a variation, as it is requested. A value that cannot be set leaves the picture
+/// as it is.
+fn drawn(session: &Session, sheet: &VariationSheet, variation: &Variation) -> RenderSnapshot {
+    let mut look = session.look().clone();
+    let mut of_scene = None;
+    if let (VariedSubject::Value(owner, target), Variation::Value(value)) =
+        (&sheet.subject, variation)
+        && let Some(owned) = OwnedKeys::of(session, *owner)
+    {
+        match owner.change(session, owned.keys.set_at(target, value.clone())) {
+            Some(Change::Look(edit)) => drop(look.apply(edit)),
+            Some(Change::Scene(edit)) => of_scene = Some(edit),
+            None => {}
         }
-        (VariedSubject::Mesh, Variation::Shape(name)) => {
-            (orbit.mesh, orbit.z_is_up) = (format!("{SHAPE_PREFIX}{name}"), false);
-        }
-        _ => {}
     }
-    (look, orbit)
+    let mut snapshot = session.snapshot_of(Arc::new(look));
+    if let (Some(edit), Some(scene)) = (of_scene, &mut snapshot.scene) {
+        drop(Arc::make_mut(scene).scene.apply(edit));
+    }
+    if let Variation::Shape(name) = variation {
+        let orbit = &mut snapshot.orbit;
+        (orbit.mesh, orbit.z_is_up) = (format!("{SHAPE_PREFIX}{name}"), false);
+    }
+    snapshot
 }

@@ -7,6 +7,7 @@ pub(crate) mod crashes;
 pub(crate) mod display;
 pub(crate) mod document;
 pub(crate) mod fixes;
+pub(crate) mod hue;
 pub(crate) mod interface;
 pub(crate) mod keying;
 pub(crate) mod languages;

@@ -4,11 +4,16 @@
 use chiaro_locale::{tr, tr_in};
 
 use crate::catalog::{Catalog, Port};
-use crate::document::{ColorSpace, Definition, Light, LightField, Look, Node, Target, Tier, Value};
+use crate::document::{
+    ColorSpace, Definition, Graph, Light, LightField, Look, Node, Target, Tier, Value,
+};
 use crate::frame::light_field;
 use crate::ids::{LightId, NodeId, NodePath, PortName};
 use crate::library::{Fallback, Library, Type};
 use crate::values;
+
+/// Most nodes whose values are listed together.
+const MOST_LISTED: usize = 500;
 
 /// A look with the kinds of its nodes.
 #[derive(Clone, Copy)]
@@ -110,6 +115,54 @@ impl<'a> LookWithLibrary<'a> {
             graph = group.map(|definition| &definition.graph);
         }
         titles.join(" / ")
+    }
+
+    /// Display name of a target with the groups around its node: *Back-light / Blend: Opacity*.
+    pub(crate) fn title_of_target(self, target: &Target) -> String {
+        let [owner, what] = self.names_of(target);
+        match target {
+            Target::Input { node, .. } => format!("{}: {what}", self.title_of_path(node)),
+            Target::Light { .. } => format!("{owner}: {what}"),
+        }
+    }
+
+    /// Display name of an output with the groups around its node: *Back-light / Profile: Tone*.
+    pub(crate) fn title_of_output(self, node: &NodePath, port: &PortName) -> String {
+        let kind = self.node_at(node).and_then(|found| self.catalog.of(found));
+        let found = kind.and_then(|kind| kind.outputs.get(kind.output(port.as_str())?));
+        let label = found.map_or(port.as_str(), |port| of_library(&port.label));
+        format!("{}: {label}", self.title_of_path(node))
+    }
+
+    /// Uses of the look's own group that the node of a target lies in; none outside of groups, and
+    /// in those of the library.
+    pub(crate) fn uses_around(self, target: &Target) -> Vec<NodePath> {
+        let Target::Input { node, .. } = target else { return Vec::new() };
+        let group = node.parent().and_then(|group| self.look.find(&group));
+        group.map_or_else(Vec::new, |group| self.look.uses_of(&group.node.kind.as_str().into()))
+    }
+
+    /// Inputs that no wire feeds, of nodes of a graph and of those within the look's own groups
+    /// among them, as far as they can be listed.
+    pub(crate) fn values_within(self, graph: &Graph, nodes: Vec<NodePath>) -> Vec<Target> {
+        let mut open: Vec<(NodePath, &Graph)> =
+            nodes.into_iter().rev().map(|path| (path, graph)).collect();
+        let (mut found, mut seen) = (Vec::new(), 0);
+        while let Some((path, graph)) = open.pop().filter(|_| seen < MOST_LISTED) {
+            seen += 1;
+            let Some(id) = path.last() else { continue };
+            let Some(node) = graph.nodes.get(id) else { continue };
+            let ports = self.catalog.of(node).into_iter().flat_map(|kind| &kind.inputs);
+            let free = ports.filter(|port| graph.wire_into(id, &port.name).is_none());
+            let target =
+                |port: &Port| Target::Input { node: path.clone(), port: port.name.clone() };
+            found.extend(free.map(target));
+            if let Some(group) = self.look.definitions.get(node.kind.as_str()) {
+                let inner = group.graph.nodes.keys().rev();
+                open.extend(inner.map(|id| (path.join(id.clone()), &group.graph)));
+            }
+        }
+        found
     }
 
     /// Display name of a node: its own, or that of its kind.

@@ -9,20 +9,20 @@ use crate::catalog::{Port, values};
 use crate::document::{ColorSpace, LightField, Target, Value};
 use crate::geometry::SHAPES;
 use crate::library::Type;
+use crate::state::hue::around;
+use crate::state::keying::Owner;
 use crate::state::reading::LookWithLibrary;
 
 /// Numbers of cells that a sheet of a number may have.
 pub(crate) const STEPS: std::ops::RangeInclusive<usize> = 2..=25;
 /// Cells along a side of a sheet of colors or directions.
 const SIDE: usize = 3;
-/// Saturation below which a color has no hue to turn.
-const GRAY: f64 = 0.02;
 
 /// Subject of a sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum VariedSubject {
-    /// Value of the look.
-    Value(Target),
+    /// Value of the look, or of a light of the scene around it.
+    Value(Owner, Target),
     /// Mesh that the look is on.
     Mesh,
 }
@@ -92,7 +92,8 @@ impl PartialEq for VariationSheet {
 }
 
 impl VariationSheet {
-    /// Sheet around the present value of a subject; `None` where it cannot be varied.
+    /// Sheet around the present value of a subject; `None` where it cannot be varied. The look is
+    /// that of the subject's keys.
     pub(crate) fn of(
         subject: VariedSubject,
         look: LookWithLibrary<'_>,
@@ -107,7 +108,7 @@ impl VariationSheet {
             steps: SIDE * SIDE,
             spread: 0.3,
         };
-        if let VariedSubject::Value(target) = &sheet.subject {
+        if let VariedSubject::Value(_, target) = &sheet.subject {
             let port = look.port_at(target)?;
             sheet.kind = VariationKind::of(target, &port)?;
             let space = look.look.color_space;
@@ -233,26 +234,10 @@ fn color_value([r, g, b, a]: [f64; 4]) -> Value {
     Value::Vector(if a == 1.0 { vec![r, g, b] } else { vec![r, g, b, a] })
 }
 
-/// A color with another hue, and another brightness, each by a part of `spread`.
-fn color_around(center: &Value, [across, up]: [f64; 2], spread: f64) -> Value {
+/// A color with another hue, and another brightness, each by a part of `spread`; alpha stays.
+fn color_around(center: &Value, offset: [f64; 2], spread: f64) -> Value {
     let numbers = values::vector(Some(center), 4);
-    let [r, g, b] = [numbers[0], numbers[1], numbers[2]];
-    let (hue, mut saturation, mut value) = hsv([r, g, b]);
-    let turn = if saturation < GRAY && across != 0.0 {
-        saturation = 0.5 * spread;
-        // A gray has no hue: it becomes cool on one side and warm on the other.
-        if across < 0.0 { 0.6 } else { 0.08 }
-    } else {
-        hue + across * 0.4 * spread
-    };
-    value *= 1.0 + 0.8 * up * spread;
-    if up > 0.0 {
-        // A bright color can only become brighter by becoming paler.
-        let over = (value - 1.0).max(0.0);
-        saturation *= (1.0 - over).max(0.3);
-        value += 0.1 * spread;
-    }
-    let [r, g, b] = rgb(turn, saturation, value.clamp(0.0, 1.0)).map(rounded);
+    let [r, g, b] = around([numbers[0], numbers[1], numbers[2]], offset, spread).map(rounded);
     let alpha = match center {
         Value::Vector(numbers) if numbers.len() > 3 => numbers[3],
         _ => 1.0,
@@ -270,31 +255,6 @@ fn direction_around(center: &Value, [across, up]: [f64; 2], spread: f64) -> Valu
         * DQuat::from_axis_angle(side, -up * angle)
         * toward;
     Value::Vector(turned.to_array().map(rounded).to_vec())
-}
-
-/// Hue, saturation and value of a color, each 0 to 1.
-fn hsv([r, g, b]: [f64; 3]) -> (f64, f64, f64) {
-    let (most, least) = (r.max(g).max(b), r.min(g).min(b));
-    let range = most - least;
-    if most <= 0.0 || range <= 0.0 {
-        return (0.0, 0.0, most.max(0.0));
-    }
-    let sixth = if most == r {
-        (g - b) / range
-    } else if most == g {
-        2.0 + (b - r) / range
-    } else {
-        4.0 + (r - g) / range
-    };
-    (sixth / 6.0, range / most, most)
-}
-
-/// Color of a hue, a saturation and a value, each 0 to 1; the hue goes round.
-fn rgb(hue: f64, saturation: f64, value: f64) -> [f64; 3] {
-    [5.0, 3.0, 1.0].map(|offset| {
-        let at = (offset + 6.0 * hue).rem_euclid(6.0);
-        value * (1.0 - saturation * at.min(4.0 - at).clamp(0.0, 1.0))
-    })
 }
 
 #[cfg(test)]
@@ -315,7 +275,7 @@ mod tests {
         let look = LookWithLibrary { look: &look, catalog: &catalog, library };
         let target = Target::parse(target).unwrap();
         let now = look.own_value(&target);
-        VariationSheet::of(VariedSubject::Value(target), look, now)
+        VariationSheet::of(VariedSubject::Value(Owner::Look, target), look, now)
     }
 
     fn numbers(sheet: &VariationSheet) -> Vec<f64> {
@@ -364,17 +324,5 @@ mod tests {
         let blend = sheet("blend.mode").unwrap();
         assert!(blend.cells().len() > 4 && !blend.label(&blend.cells()[0]).is_empty());
         assert!(sheet("blend.nothing").is_none() && sheet("layer.below").is_none());
-    }
-
-    #[test]
-    fn hues_come_back() {
-        for color in [[0.8, 0.4, 0.2], [0.1, 0.9, 0.3], [0.2, 0.2, 0.7], [0.5, 0.5, 0.5]] {
-            let (hue, saturation, value) = hsv(color);
-            let back = rgb(hue, saturation, value);
-            assert!(
-                back.iter().zip(color).all(|(a, b)| (a - b).abs() < 1e-9),
-                "{color:?} {back:?}"
-            );
-        }
     }
 }

@@ -2,14 +2,19 @@
 
 use indexmap::IndexSet;
 
+use super::inputs::{inputs, node_of_one_use};
 use super::values;
+use crate::compile::check;
 use crate::diag::Diagnostic;
 use crate::document::{
     ColorSpace, Light, LightField, LightQuantity, Look, Target, Value, parse_hex, srgb_to_linear,
 };
 use crate::frame::Setup;
-use crate::ids::{LightId, NodeId, NodePath, PortName};
+use crate::ids::{DefinitionId, LightId, NodePath, PortName};
 use crate::library::Library;
+
+/// Uses of a group that a note names.
+const NAMED_USES: usize = 3;
 
 /// Places that have a value of one name: all are set together.
 pub(super) struct VariedTarget {
@@ -18,15 +23,15 @@ pub(super) struct VariedTarget {
 }
 
 /// A place that has a value.
-enum Place {
+pub(super) enum Place {
     /// A field of a light of the scene.
     SceneLight { light: LightId, field: LightField },
     /// A field of a light of a look, by the look's index.
     LookLight { look: usize, light: LightId, field: LightField },
     /// A parameter that an object sets, by the object's index.
     Object { object: usize, name: PortName },
-    /// An input of a node of a look's own graph.
-    Input { look: usize, node: NodeId, port: PortName },
+    /// An input of a node of a look, by the look's index; within a group, of that use of it.
+    Input { look: usize, node: NodePath, port: PortName },
     /// A field of the scene, by the address that shots have for it.
     Scene { address: String },
 }
@@ -111,9 +116,29 @@ impl VariedTarget {
         Ok(())
     }
 
+    /// The note that a value within a group, which is used several times, varies in one use alone.
+    pub(super) fn note(&self, setup: &Setup) -> Option<Diagnostic> {
+        let others = |place: &Place| {
+            let Place::Input { look, node, .. } = place else { return None };
+            let (look, group) = (&setup.looks[*look].look, node.parent()?);
+            let definition = DefinitionId::from(look.find(&group)?.node.kind.as_str());
+            let others = look.uses_of(&definition).into_iter().filter(|path| *path != group);
+            let others: Vec<String> = others.map(|path| format!("`{path}`")).collect();
+            (!others.is_empty()).then_some((group, others))
+        };
+        let (group, others) = self.places.iter().find_map(others)?;
+        let more = if others.len() > NAMED_USES { ", ..." } else { "" };
+        let named = others[..others.len().min(NAMED_USES)].join(", ");
+        let message = format!("`{}` varies in `{group}` alone", self.name);
+        Some(Diagnostic::note("one-use", message).hint(format!(
+            "the group is used by {named}{more} too; make the value an input of the group, wired or \
+             exposed, to vary it in all"
+        )))
+    }
+
     /// Sets all places, and takes out the keys, of looks, scenes and shots, that would say
     /// otherwise.
-    pub(super) fn set(&self, setup: &mut Setup, value: &Value) {
+    pub(super) fn set(&self, setup: &mut Setup, library: &Library, value: &Value) {
         for place in &self.places {
             match place {
                 Place::SceneLight { light, field } => {
@@ -125,8 +150,7 @@ impl VariedTarget {
                 }
                 Place::LookLight { look, light, field } => {
                     let look = &mut setup.looks[*look].look;
-                    let is_it = |target: &Target| is_field(target, light, *field);
-                    look.time_keys.retain(|keys| !is_it(&keys.target));
+                    unkey(look, |target| is_field(target, light, *field));
                     let space = look.color_space;
                     if let Some(found) = look.lights.get_mut(light) {
                         set_field(found, *field, value, space);
@@ -149,15 +173,22 @@ impl VariedTarget {
                 }
                 Place::Input { look, node, port } => {
                     let look = &mut setup.looks[*look].look;
-                    let path = NodePath::root(node.clone());
-                    let keyed = Target::Input { node: path, port: port.clone() };
-                    look.time_keys.retain(|keys| keys.target != keyed);
-                    if let Some(node) = look.graph.nodes.get_mut(node) {
+                    let keyed = Target::Input { node: node.clone(), port: port.clone() };
+                    unkey(look, |target| *target == keyed);
+                    if let Some(node) = node_of_one_use(look, library, node) {
                         node.values.insert(port.clone(), value.clone());
                     }
                 }
             }
         }
+    }
+}
+
+/// Takes out the keys of a look that would move a value.
+fn unkey(look: &mut Look, is_it: impl Fn(&Target) -> bool) {
+    look.time_keys.retain(|keys| !is_it(&keys.target));
+    for key in look.direction_keys.iter_mut().flat_map(|set| &mut set.keys) {
+        key.values.retain(|target, _| !is_it(target));
     }
 }
 
@@ -219,44 +250,6 @@ fn exposed(setup: &Setup, owner: Option<&str>, name: &str) -> Vec<Place> {
     with.map(|(object, _)| Place::Object { object, name: PortName::from(name) }).collect()
 }
 
-/// An input of a node, of all looks that have the node.
-fn inputs(
-    setup: &Setup,
-    library: &Library,
-    node: &str,
-    port: &str,
-) -> Result<Vec<Place>, Diagnostic> {
-    let (id, port) = (NodeId::from(node), PortName::from(port));
-    let mut places = Vec::new();
-    for (look, worn) in setup.looks.iter().enumerate() {
-        let graph = &worn.look.graph;
-        if !ports(&worn.look, library, &id).contains(&port) {
-            continue;
-        }
-        if let Some(wire) = graph.wire_into(&id, &port) {
-            let message = format!("`{node}.{port}` is wired, and has no value to vary");
-            let hint = format!("vary what feeds it, `{}`, or take the wire out", wire.from);
-            return Err(Diagnostic::error("wired-target", message).hint(hint));
-        }
-        places.push(Place::Input { look, node: id.clone(), port: port.clone() });
-    }
-    Ok(places)
-}
-
-/// The inputs of a node of a look's own graph.
-fn ports(look: &Look, library: &Library, id: &NodeId) -> Vec<PortName> {
-    let Some(node) = look.graph.nodes.get(id) else { return Vec::new() };
-    let mut names: IndexSet<PortName> = node.values.keys().cloned().collect();
-    if let Some(found) = library.nodes.get(&node.kind) {
-        names.extend(found.inputs.iter().map(|input| input.name.clone()));
-    } else if let Some(found) = library.groups.get(&node.kind) {
-        names.extend(found.ports(library).inputs.into_iter().map(|input| input.name));
-    }
-    let own = look.definitions.iter().find(|(id, _)| id.as_str() == node.kind);
-    names.extend(own.iter().flat_map(|(_, own)| own.inputs.iter().map(|port| port.name.clone())));
-    names.into_iter().collect()
-}
-
 /// All names that could be varied, for suggestions.
 fn known(setup: &Setup, library: &Library) -> Vec<String> {
     let mut known: IndexSet<String> = IndexSet::new();
@@ -278,11 +271,10 @@ fn known(setup: &Setup, library: &Library) -> Vec<String> {
         }
     }
     for worn in &setup.looks {
-        for id in worn.look.graph.nodes.keys() {
-            let ports = ports(&worn.look, library, id);
-            let free = ports.iter().filter(|port| worn.look.graph.wire_into(id, port).is_none());
-            known.extend(free.map(|port| format!("{id}.{port}")));
-        }
+        // A look with problems is told of by what draws it.
+        let typed = check(&worn.look, library, None);
+        let params = typed.iter().flat_map(|typed| typed.value.params.iter());
+        known.extend(params.map(|param| format!("{}.{}", param.path, param.port)));
     }
     known.into_iter().collect()
 }

@@ -198,8 +198,8 @@ impl Look {
         Ok(())
     }
 
-    /// Nodes that are of a group of the look's own, by their paths.
-    fn uses_of(&self, group: &DefinitionId) -> Vec<NodePath> {
+    /// Nodes that are of a group of the look's own, by their paths, as far as they can be listed.
+    pub fn uses_of(&self, group: &DefinitionId) -> Vec<NodePath> {
         let mut uses = Vec::new();
         let mut open: Vec<(Option<NodePath>, &Graph)> = vec![(None, &self.graph)];
         let mut seen = 0;

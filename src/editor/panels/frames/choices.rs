@@ -6,6 +6,7 @@ use eframe::egui::{
 };
 
 use super::document::named_passes;
+use super::outputs::OutputMenu;
 use crate::commands::{Command, FilmCommand};
 use crate::fields::row::labelled;
 use crate::film::LayerNaming;
@@ -22,6 +23,7 @@ const PARTS: [u32; 3] = [100, 50, 25];
 pub(super) fn show(
     ui: &mut Ui,
     choices: &mut FrameChoices,
+    outputs: &mut OutputMenu,
     context: PanelContext<'_>,
     document: &FilmDocument,
     out: &mut Vec<Command>,
@@ -43,14 +45,13 @@ pub(super) fn show(
         return;
     }
     numbers(ui, choices);
-    let count =
-        choices.aovs.len() + choices.mattes.len() + choices.other_aovs.split_whitespace().count();
+    let count = choices.aovs.len() + choices.mattes.len() + choices.outputs.len();
     let head = match count {
         0 => tr!("Layers and mattes").to_owned(),
         count => tr!("Layers and mattes: {count}"),
     };
     CollapsingHeader::new(head).id_salt("layers").default_open(true).show(ui, |ui| {
-        layers(ui, choices, context);
+        layers(ui, choices, outputs, context);
     });
 }
 
@@ -181,7 +182,12 @@ fn switch(ui: &mut Ui, is_on: bool, text: &str, name: &str, help: &str) -> bool 
 }
 
 /// Shows what an EXR has beside the picture.
-fn layers(ui: &mut Ui, choices: &mut FrameChoices, context: PanelContext<'_>) {
+fn layers(
+    ui: &mut Ui,
+    choices: &mut FrameChoices,
+    outputs: &mut OutputMenu,
+    context: PanelContext<'_>,
+) {
     let colors = theme::of(ui);
     let head = |ui: &mut Ui, text: &str| {
         ui.label(RichText::new(text).small().color(colors.dim));
@@ -215,13 +221,8 @@ fn layers(ui: &mut Ui, choices: &mut FrameChoices, context: PanelContext<'_>) {
             }
         });
     }
-    let help = tr!("More layers: NAME=NODE.OUTPUT, as ink=outline.line; several parted by blanks");
-    labelled(ui, tr!("Others"), help, |ui, label| {
-        let field =
-            TextEdit::singleline(&mut choices.other_aovs).hint_text(tr!("ink=outline.line"));
-        let width = (ui.available_width() - 14.0).max(40.0);
-        ui.add(field.desired_width(width)).labelled_by(label);
-    });
+    head(ui, tr!("Outputs of nodes"));
+    outputs.show(ui, choices, context.session);
     head(ui, tr!("Mattes (Cryptomatte)"));
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = egui::vec2(3.0, 3.0);

@@ -97,7 +97,7 @@ fn written(ui: &mut Ui, job: &JobRun, out: &mut Vec<Command>) {
                 let folder = ui.small_button(tr!("Open folder"));
                 if folder.on_hover_text(job.line.folder.display().to_string()).clicked() {
                     let folder = job.line.folder.clone();
-                    out.push(Command::Film(FilmCommand::OpenFolder(folder)));
+                    out.push(Command::Film(FilmCommand::OpenPath(folder)));
                 }
             });
         }

@@ -4,6 +4,7 @@
 mod choices;
 pub(crate) mod document;
 mod farm;
+mod outputs;
 mod progress;
 
 use std::path::{Path, PathBuf};
@@ -25,6 +26,7 @@ use crate::state::worker::BackgroundJobs;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 use document::{document_of, is_unsaved};
+use outputs::OutputMenu;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::FRAMES,
@@ -64,6 +66,7 @@ struct JobRun {
 pub(crate) struct FrameRenders {
     wake: Arc<dyn Fn() + Send + Sync>,
     choices: FrameChoices,
+    outputs: OutputMenu,
     farm: FarmChoices,
     /// Document that the choices are of.
     of: Option<PathBuf>,
@@ -91,6 +94,7 @@ impl FrameRenders {
         Self {
             wake: Arc::new(wake),
             choices: FrameChoices::default(),
+            outputs: OutputMenu::default(),
             farm: FarmChoices::default(),
             of: None,
             frames: None,
@@ -242,7 +246,8 @@ impl FrameRenders {
                 progress::show(ui, frames, session, &mut out);
             }
             ui.add_space(4.0);
-            choices::show(ui, &mut self.choices, context, &document, &mut out);
+            let outputs = &mut self.outputs;
+            choices::show(ui, &mut self.choices, outputs, context, &document, &mut out);
             if let Ok(line) = self.choices.render(&document, view_of(context)) {
                 command_text(ui, &line, tr!("Copy the command that renders"), &mut out);
             }

@@ -71,7 +71,7 @@ pub(super) fn show(ui: &mut Ui, frames: &FrameRun, session: &Session, out: &mut 
         }
         let help = frames.folder.display().to_string();
         if ui.button(tr!("Open folder")).on_hover_text(help).clicked() {
-            out.push(Command::Film(FilmCommand::OpenFolder(frames.folder.clone())));
+            out.push(Command::Film(FilmCommand::OpenPath(frames.folder.clone())));
         }
     });
 }

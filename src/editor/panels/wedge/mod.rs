@@ -12,7 +12,7 @@ use eframe::egui::{
     StrokeKind, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
-use crate::commands::{Command, PanelId};
+use crate::commands::{Command, FilmCommand, PanelId};
 use crate::document::Value;
 use crate::files;
 use crate::film::StoredFrame;
@@ -160,7 +160,7 @@ impl Wedge {
             None => tr!("{name} of {document}: a click takes it into what is open"),
         };
         ui.label(RichText::new(text).small().color(theme::of(ui).dim));
-        hint(ui, &tr!("The sheet is {file}.", file = sheet.picture().display()));
+        place_of(ui, &sheet.picture(), &mut out);
         let mut clicked = None;
         ScrollArea::vertical().auto_shrink([false, false]).id_salt("wedge").show(ui, |ui| {
             match &self.shown {
@@ -189,6 +189,23 @@ impl Wedge {
         }
         out
     }
+}
+
+/// Shows where the picture of a sheet lies; a click opens it.
+fn place_of(ui: &mut Ui, file: &Path, out: &mut Vec<Command>) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        ui.label(RichText::new(tr!("The sheet is")).color(theme::of(ui).dim));
+        let link = ui.link(file.display().to_string());
+        if link.on_hover_text(tr!("Opens the picture in the system's own program")).clicked() {
+            out.push(Command::Film(FilmCommand::OpenPath(file.to_owned())));
+        }
+        let folder = file.parent().unwrap_or(file);
+        let open = ui.small_button(tr!("Open folder"));
+        if open.on_hover_text(folder.display().to_string()).clicked() {
+            out.push(Command::Film(FilmCommand::OpenPath(folder.to_owned())));
+        }
+    });
 }
 
 const HELP: Text = text!("Sets these values, as one step that can be undone");

@@ -12,11 +12,13 @@ use crate::clock::Clock;
 use crate::commands::{Command, FilmCommand};
 use crate::document::{ColorSpace, Target, Value, parse_hex};
 use crate::fields::lighting::OwnedKeys;
-use crate::fields::wedge::variation_of;
+use crate::fields::wedge::{selected_values, variation_of};
 use crate::files::make_folder;
 use crate::panels::frames::command_text;
 use crate::panels::frames::document::{document_of, is_unsaved};
-use crate::state::runs::{CommandLine, ProgramRun, RunEnd, RunLine, ValueSpread, Variation};
+use crate::state::runs::{
+    CommandLine, ProgramRun, RunEnd, RunLine, ValueSpread, Variation, push_color,
+};
 use crate::state::session::Session;
 use crate::widgets::color;
 use crate::widgets::text::hint;
@@ -139,6 +141,7 @@ impl DrawnWedge {
                 if row(ui, index, varied) {
                     removed = Some(index);
                 }
+                uses(ui, session, varied);
             }
             if let Some(index) = removed {
                 self.varied.remove(index);
@@ -265,16 +268,8 @@ impl DrawnWedge {
 
 /// Values that are offered, each with its label: of the selected nodes, and of the lights.
 fn offered(session: &Session) -> Vec<(String, Variation)> {
-    let of_nodes = session.selection.nodes.iter().flat_map(|id| {
-        let node = session.graph().nodes.get(id);
-        let kind = node.and_then(|node| session.project.catalog.of(node));
-        let inputs = kind.map(|kind| kind.inputs.as_slice()).unwrap_or_default().iter();
-        let is_free = |name| session.graph().wire_into(id, name).is_none();
-        inputs
-            .filter(move |port| is_free(&port.name))
-            .map(move |port| session.selection.target(id, &port.name))
-            .map(|target| (OwnedKeys::of_look(session), target))
-    });
+    let of_look = OwnedKeys::of_look(session);
+    let of_nodes = selected_values(session).into_iter().map(|target| (of_look, target));
     let owners = OwnedKeys::all(session);
     let of_lights = owners.flat_map(|owned| {
         owned.look().lights.iter().flat_map(move |(id, light)| {
@@ -283,8 +278,7 @@ fn offered(session: &Session) -> Vec<(String, Variation)> {
         })
     });
     let named = |(owned, target): (OwnedKeys<'_>, Target)| {
-        let [owner, what] = owned.keys.base.names_of(&target);
-        Some((format!("{owner}: {what}"), variation_of(owned, &target)?))
+        Some((owned.keys.base.title_of_target(&target), variation_of(owned, &target)?))
     };
     of_nodes.chain(of_lights).filter_map(named).collect()
 }
@@ -306,7 +300,8 @@ fn row(ui: &mut Ui, index: usize, varied: &mut Variation) -> bool {
             });
             field.on_hover_text(tr!(
                 "Name of the value: a field of a light (key.intensity), an input of a node \
-                 (rim.falloff), an exposed value (width) or one of an object (hero.width)"
+                 (rim.falloff) or of one in a group (cheek/rim.falloff), an exposed value (width) \
+                 or one of an object (hero.width)"
             ));
             let remove = ui.small_button("×").on_hover_text(tr!("Does not vary it"));
             remove.widget_info(|| {
@@ -326,6 +321,18 @@ fn row(ui: &mut Ui, index: usize, varied: &mut Variation) -> bool {
         });
     });
     is_removed
+}
+
+/// Tells of a value within a group that is used several times.
+fn uses(ui: &mut Ui, session: &Session, varied: &Variation) {
+    let Some(target) = Target::parse(&varied.target) else { return };
+    let look = session.look_with_library();
+    let count = look.uses_around(&target).len();
+    let Target::Input { node, .. } = target else { return };
+    if let Some(group) = node.parent().filter(|_| count > 1) {
+        let group = look.title_of_path(&group);
+        hint(ui, &tr!("In {group} alone: the group is used {count} times."));
+    }
 }
 
 /// Shows both ends of numbers, and how many there are.
@@ -363,9 +370,9 @@ fn swatches(ui: &mut Ui, target: &str, colors: &mut Vec<[f64; 3]>) {
             }
         });
     }
-    let last = colors.last().copied().unwrap_or([1.0; 3]);
-    if ui.small_button("+").on_hover_text(tr!("One color more")).clicked() {
-        colors.push(last);
+    let more = ui.small_button("+").on_hover_text(tr!("One color more, near the first one"));
+    if more.clicked() {
+        push_color(colors);
     }
     let fewer = ui.add_enabled(colors.len() > 1, egui::Button::new("−").small());
     if fewer.on_hover_text(tr!("One color fewer")).clicked() {

@@ -70,6 +70,25 @@ impl KeyedLook<'_> {
         }
     }
 
+    /// The edit that sets an input within a group for this use of the group alone: one key holds
+    /// the value, as a shot has it.
+    pub(crate) fn hold(self, target: &Target, value: Value) -> Edit {
+        if let KeyedBy::Time(track) = self.keyed_by(target) {
+            return self.change_track(track, |keys| {
+                keys.keys.clear();
+                put(keys, 0.0, value);
+            });
+        }
+        let mut keys = TimeKeys::new(target.clone());
+        put(&mut keys, 0.0, value);
+        // Nodes of the library's groups have no place in the document.
+        let has_place = |target: &&Target| match target {
+            Target::Input { node, .. } => self.base.look.find(node).is_some(),
+            Target::Light { .. } => false,
+        };
+        self.grounded(Some(target).filter(has_place), Edit::AddTimeKeys { keys, index: None })
+    }
+
     /// The edit that sets a target's value in one direction key.
     pub(crate) fn set_in_key(self, set: usize, key: usize, target: &Target, value: Value) -> Edit {
         self.change_set(set, |keys| {

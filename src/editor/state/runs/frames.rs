@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 
 use chiaro_locale::{Text, text, tr};
 
-use super::{CommandLine, Variation};
+use super::{CommandLine, PickedOutput, Variation};
 use crate::film::{Contributions, FrameList, FramePattern, FrameRate, MatteKind};
+use crate::ids::make_slug;
 use crate::state::display::DisplayChoice;
 
 /// Words of `--aov` for parts of the picture, with what they are.
@@ -93,8 +94,8 @@ pub(crate) struct FrameChoices {
     pub(crate) size: Option<[u32; 2]>,
     /// Words of `--aov`.
     pub(crate) aovs: BTreeSet<String>,
-    /// More words of `--aov`, parted by blanks.
-    pub(crate) other_aovs: String,
+    /// Outputs of nodes that are layers.
+    pub(crate) outputs: Vec<PickedOutput>,
     /// Words of `--matte`.
     pub(crate) mattes: BTreeSet<&'static str>,
     /// Names of the layers.
@@ -113,7 +114,7 @@ impl Default for FrameChoices {
             name: "####.exr".to_owned(),
             size: None,
             aovs: BTreeSet::new(),
-            other_aovs: String::new(),
+            outputs: Vec::new(),
             mattes: BTreeSet::new(),
             naming: "nuke",
             depth: SampleDepth::Half,
@@ -151,6 +152,17 @@ impl FarmChoices {
 }
 
 impl FrameChoices {
+    /// Makes an output of a node a layer, under a name of its own.
+    pub(crate) fn pick(&mut self, output: &str) {
+        if self.outputs.iter().any(|picked| picked.output == output) {
+            return;
+        }
+        let path = output.rsplit_once(':').map_or(output, |(_, path)| path);
+        let own = path.rsplit_once('/').map_or(path, |(_, own)| own);
+        let name = make_slug(own, |name| self.outputs.iter().any(|picked| picked.name == name));
+        self.outputs.push(PickedOutput { name, output: output.to_owned() });
+    }
+
     /// True if the files are PNGs, which have no layers.
     pub(crate) fn is_png(&self) -> bool {
         Path::new(&self.name).extension().is_some_and(|end| end.eq_ignore_ascii_case("png"))
@@ -283,8 +295,8 @@ impl FrameChoices {
 
     /// Adds the words for layers, mattes and the numbers of an EXR.
     fn layer_words(&self, words: &mut Vec<String>) {
-        let others = self.other_aovs.split_whitespace().map(str::to_owned);
-        let aovs: Vec<String> = self.aovs.iter().cloned().chain(others).collect();
+        let outputs = self.outputs.iter().map(PickedOutput::word);
+        let aovs: Vec<String> = self.aovs.iter().cloned().chain(outputs).collect();
         let is_parted = aovs.iter().any(|aov| Contributions::all().any(|(it, _)| it == aov));
         aovs.into_iter().for_each(|aov| push(words, "--aov", aov));
         let mattes = MatteKind::all().map(|(word, _)| word);
@@ -360,14 +372,17 @@ mod tests {
         choices.step = 2;
         choices.size = Some([480, 270]);
         choices.aovs.insert("lights".to_owned());
-        choices.other_aovs = " ink=outline.line ".to_owned();
+        choices.pick("toon:face/outline.line");
+        choices.pick("outline.line");
+        choices.pick("outline.line");
         choices.mattes.extend(["looks", "objects"]);
         choices.naming = "blender";
         choices.depth = SampleDepth::Float;
         assert_eq!(
             text(&choices),
             "chiaro render sh010.json -o 'out/####.exr' --frames 1-23x2 --size 480x270 \
-             --aov lights --aov ink=outline.line --matte objects,looks --naming blender \
+             --aov lights --aov outline_line=toon:face/outline.line \
+             --aov outline_line_2=outline.line --matte objects,looks --naming blender \
              --depth float"
         );
         choices.set_ending("png");

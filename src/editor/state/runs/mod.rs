@@ -4,6 +4,7 @@
 
 mod command_line;
 mod frames;
+mod outputs;
 mod progress;
 mod run;
 mod variation;
@@ -12,6 +13,7 @@ pub(crate) use command_line::CommandLine;
 pub(crate) use frames::{
     CONTRIBUTIONS, FarmChoices, FilmDocument, FrameChoices, MATTES, SampleDepth,
 };
+pub(crate) use outputs::{OfferedOutput, PickedOutput, matching_outputs, nearest_outputs};
 pub(crate) use progress::{FrameFate, FrameProgress};
 pub(crate) use run::{ProgramRun, RunEnd, RunLine};
-pub(crate) use variation::{ValueSpread, Variation};
+pub(crate) use variation::{ValueSpread, Variation, push_color};

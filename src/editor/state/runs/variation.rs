@@ -1,5 +1,10 @@
 //! Values that a wedge tries, one after another.
 
+use crate::state::hue::neighbors;
+
+/// Number of colors that are tried first.
+const COLORS: usize = 5;
+
 /// Way in which a value varies.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum ValueSpread {
@@ -27,13 +32,19 @@ impl Variation {
         Self { target, spread: ValueSpread::Numbers { from, to, count: 4, is_angle } }
     }
 
-    /// Colors around the present one: itself, warmer, colder and turned.
+    /// The variation with numbers of a range alone.
+    #[must_use]
+    pub(crate) fn within(mut self, [least, most]: [f64; 2]) -> Self {
+        if let ValueSpread::Numbers { from, to, .. } = &mut self.spread {
+            (*from, *to) = (from.max(least).min(most), to.max(least).min(most));
+        }
+        self
+    }
+
+    /// The present color and its neighbors: hues beside it, darker and lighter.
     pub(crate) fn of_color(target: String, now: [f64; 3]) -> Self {
-        let [r, g, b] = now;
-        let bounded = |color: [f64; 3]| color.map(|x: f64| x.clamp(0.0, 1.0));
-        let warm = bounded([r * 1.15 + 0.1, g, b * 0.7]);
-        let cold = bounded([r * 0.7, g, b * 1.15 + 0.1]);
-        let colors = vec![bounded(now), warm, cold, bounded([g, b, r])];
+        let mut colors = vec![now.map(|x| x.clamp(0.0, 1.0))];
+        while colors.len() < COLORS && push_color(&mut colors) {}
         Self { target, spread: ValueSpread::Colors(colors) }
     }
 
@@ -54,6 +65,16 @@ impl Variation {
         };
         format!("{}={values}", self.target)
     }
+}
+
+/// Adds the most useful neighbor of the first color that is not there yet; false where there is
+/// none.
+pub(crate) fn push_color(colors: &mut Vec<[f64; 3]>) -> bool {
+    let first = colors.first().copied().unwrap_or([1.0; 3]);
+    let known: Vec<String> = colors.iter().map(hex).collect();
+    let new = neighbors(first).find(|color| !known.contains(&hex(color)));
+    colors.extend(new);
+    new.is_some()
 }
 
 fn hex(color: &[f64; 3]) -> String {
@@ -78,5 +99,20 @@ mod tests {
         assert_eq!(word(ValueSpread::Colors(colors)), "rim.falloff=#ff8000,#0000ff");
         let around = Variation::around("key.intensity".to_owned(), 2.0, false);
         assert_eq!((around.word().as_str(), around.count()), ("key.intensity=1..3/4", 4));
+        assert_eq!(around.within([0.0, 2.0]).word(), "key.intensity=1..2/4");
+    }
+    #[test]
+    fn colors_are_tried_around_the_present_one() {
+        let of = |color| Variation::of_color("moon.color".to_owned(), color);
+        let word = of([0.45, 0.62, 1.0]).word();
+        let ValueSpread::Colors(mut colors) = of([0.45, 0.62, 1.0]).spread else { panic!() };
+        assert!(word.starts_with("moon.color=#739eff,") && colors.len() == COLORS, "{word}");
+        while push_color(&mut colors) {}
+        let mut told: Vec<String> = colors.iter().map(hex).collect();
+        told.sort_unstable();
+        told.dedup();
+        assert!(told.len() == colors.len() && colors.len() > 20, "each is another: {told:?}");
+        let ValueSpread::Colors(black) = of([0.0; 3]).spread else { panic!() };
+        assert!(black.len() > 2 && black[1] != black[0], "{black:?}");
     }
 }

@@ -6,7 +6,7 @@ use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::{ColorSpace, Edit, LightField, SceneEdit, Target, Value};
 use crate::ids::{LightId, NodePath, ObjectId, PortName};
-use crate::state::keying::scene_edit;
+use crate::state::keying::{KeyedBy, has_between, scene_edit};
 use crate::state::revision::GestureId;
 use crate::state::wedge::WedgeCell;
 
@@ -17,13 +17,15 @@ const TAKING: GestureId = GestureId(0x77_65_64_67_65);
 const SCENE_PARTS: [&str; 5] = ["light_groups", "camera", "outlines", "backdrop", "illumination"];
 
 /// Places of a cell's values: fields of the scene, targets of the scene's lights, values of
-/// objects, targets of the look.
+/// objects, targets of the look, and those of one use of a group.
 #[derive(Default)]
 struct CellPlaces {
     fields: Vec<(String, Value)>,
     lights: Vec<(Target, Value)>,
     objects: Vec<(ObjectId, PortName, Value)>,
     look: Vec<(Target, Value)>,
+    /// Targets within groups that have other uses, which keep theirs.
+    uses: Vec<(Target, Value)>,
 }
 
 impl Session {
@@ -73,11 +75,17 @@ impl Session {
             }
             self.apply_to_scene(SceneEdit::Replace { scene: Box::new(scene) }, Some(TAKING))?;
         }
+        let keys = self.keys();
+        let mut edits: Vec<Edit> =
+            places.uses.into_iter().map(|(target, value)| keys.hold(&target, value)).collect();
         if !places.look.is_empty() {
-            let edit = match self.keys().set_all_at(places.look) {
-                edit @ Edit::Group { .. } => edit,
-                edit => Edit::Group { edits: vec![edit] },
-            };
+            match keys.set_all_at(places.look) {
+                Edit::Group { edits: several } => edits.extend(several),
+                edit => edits.push(edit),
+            }
+        }
+        if !edits.is_empty() {
+            let edit = Edit::Group { edits };
             // What is done in the look is part of what was done in the scene.
             let is_done = self.steps_of_scene() != steps_of_scene;
             let done = self.open_scene().filter(|_| is_done);
@@ -159,7 +167,7 @@ impl Session {
             "" => of_parameter(),
             owner => {
                 let node = NodePath::parse(owner);
-                let is_there = self.look().find(&node).is_some();
+                let is_there = self.look_with_library().node_at(&node).is_some();
                 is_there.then(|| Target::Input { node, port: part.into() })
             }
         };
@@ -167,8 +175,43 @@ impl Session {
             let message = tr!("nothing open here has `{name}`: open what the wedge is of");
             return Err(Box::new(Diagnostic::error("unknown-target", message)));
         };
-        places.look.push((target, value.clone()));
+        let of_target = match self.is_of_one_use(&target) {
+            true => {
+                self.check_held(&target)?;
+                &mut places.uses
+            }
+            false => &mut places.look,
+        };
+        of_target.push((target, value.clone()));
         Ok(())
+    }
+
+    /// True for an input without keys in a group that has other uses, or is the library's.
+    fn is_of_one_use(&self, target: &Target) -> bool {
+        let Target::Input { node, .. } = target else { return false };
+        let moves = match self.keys().keyed_by(target) {
+            KeyedBy::Nothing => false,
+            KeyedBy::Time(track) => self.look().time_keys[track].keys.len() > 1,
+            KeyedBy::Direction(_) => true,
+        };
+        let is_shared = || {
+            let is_own = self.look().find(node).is_some();
+            !is_own || self.look_with_library().uses_around(target).len() > 1
+        };
+        node.parent().is_some() && !moves && is_shared()
+    }
+
+    /// Checks that a value can be held by a key.
+    fn check_held(&self, target: &Target) -> Result<(), Box<Diagnostic>> {
+        let port = self.look_with_library().port_at(target);
+        if port.is_some_and(|port| has_between(&port.ty)) {
+            return Ok(());
+        }
+        let message = tr!(
+            "`{target}` is built into a group that is used elsewhere, too: make it an input of the \
+             group"
+        );
+        Err(Box::new(Diagnostic::error("used-more-than-once", message)))
     }
 }
 
@@ -181,5 +224,62 @@ fn light_value(field: &str, value: &Value, space: ColorSpace) -> Value {
             color.map_or_else(|| value.clone(), |color| Value::Vector(color[..3].to_vec()))
         }
         value => value.clone(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::library::Library;
+
+    /// A session of a look in which a group is used once or twice.
+    fn session(is_twice: bool) -> Session {
+        let second = r#", {"id": "second", "kind": "part"}"#;
+        let text = r#"{"chiaro": "look", "lights": {"key": {"direction": [0, 0, 1]}}, "nodes": [
+            {"id": "first", "kind": "part"}SECOND, {"id": "output", "kind": "output"}],
+            "wires": [{"from": "first", "to": "output.color"}],
+            "definitions": {"part": {"outputs": [{"name": "color"}], "nodes": [{"id": "lit",
+                "kind": "light_layer", "values": {"light": "key", "opacity": 0.5}}],
+                "wires": [{"from": "lit", "to": "outputs.color"}]}}}"#;
+        let text = text.replace("SECOND", if is_twice { second } else { "" });
+        let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
+        session.start_from(&text, "groups");
+        session
+    }
+
+    fn cell(name: &str, value: Value) -> WedgeCell {
+        WedgeCell { values: vec![(name.to_owned(), value)], frame: None, place: None }
+    }
+
+    fn own_value(session: &Session) -> Value {
+        session.look().definitions["part"].graph.nodes["lit"].values["opacity"].clone()
+    }
+
+    #[test]
+    fn a_value_within_a_group_is_set_in_the_use_that_was_varied() {
+        let taken = cell("first/lit.opacity", Value::Number(0.25));
+        let mut once = session(false);
+        once.take_cell(&taken).unwrap();
+        assert_eq!(own_value(&once), Value::Number(0.25));
+        assert!(once.look().time_keys.is_empty());
+
+        let mut twice = session(true);
+        let before = twice.look().clone();
+        twice.take_cell(&taken).unwrap();
+        let [track] = twice.look().time_keys.as_slice() else { panic!("one track") };
+        assert_eq!(track.target.to_string(), "first/lit.opacity");
+        assert_eq!(track.keys[0].value, Value::Number(0.25));
+        assert_eq!(own_value(&twice), Value::Number(0.5), "the other use keeps its value");
+        // A value that is held is another one next time.
+        twice.take_cell(&cell("first/lit.opacity", Value::Number(1.0))).unwrap();
+        assert_eq!(twice.look().time_keys[0].keys[0].value, Value::Number(1.0));
+        twice.undo();
+        twice.undo();
+        assert_eq!(*twice.look(), before);
+        let built_in = cell("first/lit.blend", Value::Text("multiply".to_owned()));
+        assert_eq!(twice.take_cell(&built_in).unwrap_err().code, "used-more-than-once");
+        assert_eq!(*twice.look(), before);
     }
 }
